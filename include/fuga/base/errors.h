@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_base_errors_h
+#define fuga_base_errors_h
+
+#include <stdexcept>
+#include <string>
+
+namespace fuga
+{
+  /**
+   * The user's mistake: something in the parameter file, the mesh or the command line. The message
+   * names the file, the line, the entry, its value, what is allowed and what to do; it is printed
+   * as it is and the program ends with exit code 1 before anything was computed or written.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * The computation cannot go on for a numerical reason (not a mechanical one: a loss of
+   * equilibrium is a result, see Verdict). Ends the program with exit code 2.
+   */
+  class NumericalFailure : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace fuga
+
+#endif

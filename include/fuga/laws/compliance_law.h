@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_laws_compliance_law_h
+#define fuga_laws_compliance_law_h
+
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace fuga
+{
+  /** How the force of a bar follows from its deformation; decides which solution path is needed. */
+  enum class ComplianceKind
+  {
+    /** ρ = 0: the deformation vanishes, the force is a reaction. */
+    rigid,
+    /** Stress = deformation / ρ. */
+    linear,
+    /** Stress is a curve of the deformation. */
+    nonlinear
+  };
+
+  /**
+   * The material law of the layer in one direction: the stress σ(w) ≥ 0 that a deformation w ≥ 0 (a
+   * closure in the normal direction, the size of the elastic shear jump in the tangential one)
+   * causes. Passive and increasing, σ(0) = 0. Units: m and MPa in the examples.
+   */
+  class ComplianceLaw
+  {
+  public:
+    virtual ~ComplianceLaw() = default;
+
+    virtual ComplianceKind
+    kind() const = 0;
+
+    /** ρ = dw/dσ at w = 0 [m/MPa]; 0 for a rigid law. */
+    virtual double
+    initial_compliance() const = 0;
+
+    /** σ(w). Not to be called for a rigid law, nor the four functions below. */
+    virtual double
+    stress(const double w) const = 0;
+
+    /** dσ/dw. */
+    virtual double
+    tangent(const double w) const = 0;
+
+    /** σ(w)/w, the secant stiffness C(u) of the paper's equations (5)-(9) per area. */
+    virtual double
+    secant(const double w) const = 0;
+
+    /** Stored energy per area, ∫σ dw. */
+    virtual double
+    energy(const double w) const = 0;
+
+    /** The inverse: w of a stress σ ≥ 0. */
+    virtual double
+    deformation(const double sigma) const = 0;
+
+    /** Deformation that no finite stress reaches. */
+    virtual double
+    deformation_limit() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+
+    /** One phrase for the log, with numbers. */
+    virtual std::string
+    description() const = 0;
+  };
+
+  std::unique_ptr<ComplianceLaw>
+  make_rigid_law();
+
+  /** @p compliance > 0 [m/MPa]. */
+  std::unique_ptr<ComplianceLaw>
+  make_linear_law(const double compliance);
+
+  /**
+   * Law (9) of the paper, a secant law that hardens:
+   *     σ = w / [ρ0 (1 - q)],   q = (w/ζ0)^{1/3},
+   *     dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
+   * @p initial_compliance ρ0 > 0 [m/MPa], @p thickness ζ0 > 0 [m], the closure limit.
+   */
+  std::unique_ptr<ComplianceLaw>
+  make_cubic_root_law(const double initial_compliance, const double thickness);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/base/errors.h>
+
+#include <algorithm>
+#include <cblas.h>
+#include <cmath>
+#include <lapacke.h>
+#include <string>
+
+namespace fuga
+{
+  namespace
+  {
+    int
+    to_int(const std::size_t n)
+    {
+      return static_cast<int>(n);
+    }
+
+    // BLAS wants a leading dimension of at least one, also for empty matrices.
+    int
+    leading(const DenseMatrix &A)
+    {
+      return std::max(1, to_int(A.n_rows()));
+    }
+
+    void
+    expect_success(const lapack_int info, const char *routine)
+    {
+      if (info < 0)
+        throw NumericalFailure(std::string(routine) + " refused argument " + std::to_string(-info) +
+                               " (not a number in a matrix of the small system?)");
+    }
+  } // namespace
+
+  Vector
+  multiply(const DenseMatrix &A, const Vector &x)
+  {
+    Vector y(A.n_rows(), 0.);
+    if (!A.empty())
+      cblas_dgemv(CblasColMajor,
+                  CblasNoTrans,
+                  to_int(A.n_rows()),
+                  to_int(A.n_columns()),
+                  1.,
+                  A.data(),
+                  leading(A),
+                  x.data(),
+                  1,
+                  0.,
+                  y.data(),
+                  1);
+    return y;
+  }
+
+  Vector
+  multiply_transposed(const DenseMatrix &A, const Vector &x)
+  {
+    Vector y(A.n_columns(), 0.);
+    if (!A.empty())
+      cblas_dgemv(CblasColMajor,
+                  CblasTrans,
+                  to_int(A.n_rows()),
+                  to_int(A.n_columns()),
+                  1.,
+                  A.data(),
+                  leading(A),
+                  x.data(),
+                  1,
+                  0.,
+                  y.data(),
+                  1);
+    return y;
+  }
+
+  namespace
+  {
+    DenseMatrix
+    product(const CBLAS_TRANSPOSE transpose, const DenseMatrix &A, const DenseMatrix &B)
+    {
+      const std::size_t rows  = transpose == CblasNoTrans ? A.n_rows() : A.n_columns();
+      const std::size_t inner = transpose == CblasNoTrans ? A.n_columns() : A.n_rows();
+      DenseMatrix C(rows, B.n_columns());
+      if (!C.empty() && inner > 0)
+        cblas_dgemm(CblasColMajor,
+                    transpose,
+                    CblasNoTrans,
+                    to_int(rows),
+                    to_int(B.n_columns()),
+                    to_int(inner),
+                    1.,
+                    A.data(),
+                    leading(A),
+                    B.data(),
+                    leading(B),
+                    0.,
+                    C.data(),
+                    leading(C));
+      return C;
+    }
+  } // namespace
+
+  DenseMatrix
+  multiply(const DenseMatrix &A, const DenseMatrix &B)
+  {
+    return product(CblasNoTrans, A, B);
+  }
+
+  DenseMatrix
+  multiply_transposed(const DenseMatrix &A, const DenseMatrix &B)
+  {
+    return product(CblasTrans, A, B);
+  }
+
+  double
+  dot(const Vector &x, const Vector &y)
+  {
+    return cblas_ddot(to_int(x.size()), x.data(), 1, y.data(), 1);
+  }
+
+  double
+  max_abs(const Vector &x)
+  {
+    double largest = 0.;
+    for (const double value : x)
+      largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+
+  bool
+  solve_positive_definite(DenseMatrix &A, DenseMatrix &B)
+  {
+    if (A.empty())
+      return true;
+    const lapack_int info = LAPACKE_dposv(LAPACK_COL_MAJOR,
+                                          'L',
+                                          to_int(A.n_rows()),
+                                          to_int(B.n_columns()),
+                                          A.data(),
+                                          leading(A),
+                                          B.data(),
+                                          leading(B));
+    expect_success(info, "dposv");
+    return info == 0;
+  }
+
+  LuFactors::LuFactors(DenseMatrix &&matrix) : factors(std::move(matrix)), pivots(factors.n_rows())
+  {
+    if (factors.empty())
+      {
+        rcond = 1.;
+        return;
+      }
+    const int n = to_int(factors.n_rows());
+    const double norm =
+      LAPACKE_dlange(LAPACK_COL_MAJOR, '1', n, n, factors.data(), leading(factors));
+    const lapack_int info =
+      LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, factors.data(), leading(factors), pivots.data());
+    expect_success(info, "dgetrf");
+    if (info == 0)
+      LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', n, factors.data(), leading(factors), norm, &rcond);
+  }
+
+  int
+  LuFactors::determinant_sign() const
+  {
+    int sign = 1;
+    for (std::size_t i = 0; i < factors.n_rows(); ++i)
+      {
+        if (factors(i, i) == 0.)
+          return 0;
+        if ((factors(i, i) < 0.) != (pivots[i] != to_int(i) + 1))
+          sign = -sign;
+      }
+    return sign;
+  }
+
+  void
+  LuFactors::solve(Vector &b) const
+  {
+    if (!factors.empty())
+      expect_success(LAPACKE_dgetrs(LAPACK_COL_MAJOR,
+                                    'N',
+                                    to_int(factors.n_rows()),
+                                    1,
+                                    factors.data(),
+                                    leading(factors),
+                                    pivots.data(),
+                                    b.data(),
+                                    to_int(b.size())),
+                     "dgetrs");
+  }
+
+  void
+  LuFactors::solve(DenseMatrix &B) const
+  {
+    if (!factors.empty() && !B.empty())
+      expect_success(LAPACKE_dgetrs(LAPACK_COL_MAJOR,
+                                    'N',
+                                    to_int(factors.n_rows()),
+                                    to_int(B.n_columns()),
+                                    factors.data(),
+                                    leading(factors),
+                                    pivots.data(),
+                                    B.data(),
+                                    leading(B)),
+                     "dgetrs");
+  }
+
+  DenseMatrix
+  LuFactors::release_inverse()
+  {
+    if (!factors.empty())
+      expect_success(LAPACKE_dgetri(LAPACK_COL_MAJOR,
+                                    to_int(factors.n_rows()),
+                                    factors.data(),
+                                    leading(factors),
+                                    pivots.data()),
+                     "dgetri");
+    return std::move(factors);
+  }
+} // namespace fuga
