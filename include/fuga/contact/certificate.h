@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_certificate_h
+#define fuga_contact_certificate_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/contact_system.h>
+#include <fuga/contact/load_history.h>
+#include <fuga/contact/path_segment.h>
+
+#include <array>
+#include <string_view>
+
+namespace fuga
+{
+  /**
+   * How far a state is from satisfying each condition of the contact problem. Every entry is
+   * relative: to the largest force, jump or energy of the scene so far.
+   */
+  struct Certificate
+  {
+    /** S x + Bᵀp = F a. */
+    double equilibrium = 0.;
+    /** Forces and moments on every floating body. */
+    double body_equilibrium = 0.;
+    /** gap ≥ 0 where there is no layer to close, or the element is open. */
+    double penetration = 0.;
+    /** N ≤ 0. */
+    double tension = 0.;
+    /** |T| ≤ f|N| + cA. */
+    double cone = 0.;
+    /** No force in open elements. */
+    double complementarity = 0.;
+    /** T·ṡ ≥ 0, and slip only at the strength. */
+    double slip_direction = 0.;
+    /** N and T follow from closure and elastic shear by the laws of the layer. */
+    double layer_law = 0.;
+    /** External work = energy of bodies + energy of layer + dissipation. */
+    double energy = 0.;
+
+    double
+    worst() const;
+
+    /** Entries with their names, in the order above. */
+    std::array<std::pair<std::string_view, double>, 9>
+    entries() const;
+
+    /** Keeps the larger of each entry. */
+    void
+    absorb(const Certificate &other);
+  };
+
+  /** Energies since the start [MNm]. External work and bodies without the part that the loads would
+   * store in the fully bonded structure. */
+  struct EnergyLedger
+  {
+    double external_work = 0.;
+    double bodies        = 0.;
+    double layer         = 0.;
+    double dissipation   = 0.;
+  };
+
+  /**
+   * The independent judge. It knows the bodies (S, F, B), the elements with their laws and the
+   * loads, and checks what the solver claims; it shares no operator, scheme or tolerance with the
+   * solver.
+   */
+  class Judge
+  {
+  public:
+    Judge(const ContactSystem &system,
+          const std::vector<ContactElement> &elements,
+          const LoadHistory &history);
+
+    /** Adds the work of a smooth piece of the path of parameter length @p length. */
+    void
+    follow(const PathPoint &from, const PathPoint &to, const double length);
+
+    /** Judges a state that lies at the end of what was followed. */
+    Certificate
+    judge(const JointState &state);
+
+    const EnergyLedger &
+    energies() const
+    {
+      return ledger;
+    }
+
+    /** Work done by friction in each element so far [MNm]. */
+    const Vector &
+    dissipation() const
+    {
+      return element_dissipation;
+    }
+
+    /** Interface coordinates x of given jumps. */
+    Vector
+    coordinates(const Vector &jumps) const;
+
+  private:
+    Vector
+    jumps(const Vector &dislocations, const Vector &forces) const;
+    Vector
+    loads(const double t) const;
+    void
+    check_element(const std::size_t k,
+                  const JointState &state,
+                  const Vector &jumps,
+                  Certificate &result) const;
+    void
+    check_slip(const PathPoint &from, const PathPoint &to, const double length);
+
+    const ContactSystem &system;
+    const std::vector<ContactElement> &elements;
+    const LoadHistory &history;
+    /** Gives coordinates from jumps if there are more bars than coordinates. */
+    DenseMatrix inverse_jump_operator;
+    EnergyLedger ledger;
+    Vector element_dissipation;
+    double largest_force     = 0.;
+    double largest_jump      = 0.;
+    double largest_energy    = 0.;
+    double wrong_slip_work   = 0.;
+    double largest_slip_work = 0.;
+  };
+} // namespace fuga
+
+#endif

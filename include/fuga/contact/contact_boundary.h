@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_contact_boundary_h
+#define fuga_contact_contact_boundary_h
+
+#include <fuga/contact/joint_state.h>
+#include <fuga/contact/layered_system.h>
+
+namespace fuga
+{
+  /** Where the shear of an element stands with respect to its strength. */
+  enum class ShearPosition
+  {
+    /** |T| below the strength, or no tangential bar: the shear cannot change the state. */
+    inside,
+    /** |T| at a strength above zero. */
+    at_strength,
+    /** T = 0 and no strength (N = 0, no cohesion): the apex of Coulomb's cone. */
+    at_apex
+  };
+
+  /** An element whose state the rates have to decide. */
+  struct BoundaryElement
+  {
+    std::size_t element = 0;
+    /** N = 0 and gap = 0: the element may open, or stay closed. */
+    bool grazing        = false;
+    ShearPosition shear = ShearPosition::inside;
+    /** Sign of T if at_strength. */
+    double sign = 0.;
+  };
+
+  /**
+   * Answers where a state stands with respect to the boundaries of Coulomb's contact conditions:
+   * which elements are on one, and how far along given rates the next one is reached. Tolerances
+   * are relative to the rounding errors of the forces and jumps concerned.
+   */
+  class ContactBoundary
+  {
+  public:
+    ContactBoundary(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    /** Takes the scales of forces and jumps from a state; to be called before the others. */
+    void
+    set_scales(const JointState &state, const double widening);
+
+    /** All elements on a boundary, slipping ones included. */
+    std::vector<BoundaryElement>
+    elements_on_boundary(const JointState &state) const;
+
+    /**
+     * Length τ along the straight line state + τ rates after which the first boundary is reached;
+     * infinity if none is.
+     */
+    double
+    distance(const JointState &state, const JointRates &rates) const;
+
+    /** Force below which a bar counts as unloaded [MN]. */
+    double
+    force_tolerance(const std::size_t bar) const
+    {
+      return force_tolerances[bar];
+    }
+
+    /** Gap that counts as closed [m]. */
+    double
+    gap_tolerance() const
+    {
+      return zero_gap;
+    }
+
+    /** Rates of bar forces, and of jumps, that count as zero. */
+    double
+    force_rate_tolerance(const std::size_t bar, const JointRates &rates, const Drive &drive) const;
+    double
+    jump_rate_tolerance(const JointRates &rates, const Drive &drive) const;
+
+  private:
+    double
+    distance_of(const std::size_t k, const JointState &state, const JointRates &rates) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    Vector force_tolerances;
+    double zero_gap = 0.;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_contact_element_h
+#define fuga_contact_contact_element_h
+
+#include <fuga/laws/compliance_law.h>
+#include <fuga/laws/friction_law.h>
+
+#include <array>
+
+namespace fuga
+{
+  /**
+   * The paper's frame-bar contact element: a normal and a tangential bar between the two nodes of a
+   * pair. Pure data. The state, the forces and the jumps live in ContactState and JointState.
+   */
+  struct ContactElement
+  {
+    /** Marks an element without tangential bar (frictionless). */
+    static constexpr unsigned int no_bar = static_cast<unsigned int>(-1);
+
+    /** Row of the normal bar in the contact system. */
+    unsigned int normal_bar = no_bar;
+    /** Row of the tangential bar, or no_bar. */
+    unsigned int tangential_bar = no_bar;
+    /** Which joint, and which element of it (counted along the joint). */
+    unsigned int joint  = 0;
+    unsigned int number = 0;
+    /** Where it is [m]. */
+    std::array<double, 3> position = {{0., 0., 0.}};
+    /** Tributary area A > 0 [m²]. */
+    double area = 1.;
+    /** Gap when nothing is loaded, ≥ 0 [m]. */
+    double initial_gap = 0.;
+    /** Laws of the layer; owned by the joint. */
+    const ComplianceLaw *normal_law = nullptr;
+    const ComplianceLaw *shear_law  = nullptr;
+    FrictionLaw friction;
+
+    bool
+    has_tangential_bar() const
+    {
+      return tangential_bar != no_bar;
+    }
+  };
+} // namespace fuga
+
+#endif

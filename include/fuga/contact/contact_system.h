@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_contact_system_h
+#define fuga_contact_contact_system_h
+
+#include <fuga/base/dense_matrix.h>
+
+namespace fuga
+{
+  /**
+   * What the contact layer knows of the bodies: a small symmetric system
+   *
+   *     S x + Bᵀ p = F a(t),      δ = B x,                                   (doc/theory.md, eq. 2)
+   *
+   * with x the interface coordinates (in a finite element model the jumps themselves, B = I, but
+   * for the nodes where joints cross), p the bar forces (tension positive), δ the jumps
+   * (plus minus minus, opening positive) and a(t) the factors of the load patterns at load time t.
+   *
+   * S is symmetric and positive semidefinite; S + Bᵀ B must be positive definite: the bodies are
+   * held when every bar is rigid. Units: forces MN, jumps m (any consistent system).
+   */
+  class ContactSystem
+  {
+  public:
+    virtual ~ContactSystem() = default;
+
+    /** S, n_coordinates x n_coordinates, both triangles filled. */
+    virtual const DenseMatrix &
+    stiffness() const = 0;
+
+    /** F, n_coordinates x n_patterns: the condensed force of each load pattern at factor one. */
+    virtual const DenseMatrix &
+    load_patterns() const = 0;
+
+    /** B, n_bars x n_coordinates. An empty matrix stands for the identity. */
+    virtual const DenseMatrix &
+    jump_operator() const = 0;
+
+    /**
+     * Rigid motions of the bodies that no support holds: n_bars x n_motions, the jump that a unit
+     * motion causes in every bar. Used by the certificate for the equilibrium of each body.
+     */
+    virtual const DenseMatrix &
+    rigid_motions() const = 0;
+
+    /**
+     * Work of the applied (not condensed) load patterns on those motions: n_motions x n_patterns.
+     * Equilibrium of a floating body reads rigid_motions()ᵀ p = rigid_motion_loads() a(t).
+     */
+    virtual const DenseMatrix &
+    rigid_motion_loads() const = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_curved_segment_h
+#define fuga_contact_curved_segment_h
+
+#include <fuga/contact/path_segment.h>
+
+namespace fuga
+{
+  /** How nonlinear layers are iterated. */
+  struct PathOptions
+  {
+    enum class Iteration
+    {
+      /** Newton with the tangent stiffness of the layer. */
+      newton,
+      /** The paper's iteration (3), (7), (8) with a constant matrix; diverges where the layer
+         hardens too much. */
+      constant_stiffness
+    };
+
+    Iteration iteration = Iteration::newton;
+    /** Difference of two successive iterations that ends the iteration, relative to the largest
+     * jump. */
+    double tolerance            = 1e-13;
+    unsigned int max_iterations = 200;
+  };
+
+  /** Work done for nonlinear layers. */
+  struct IterationCount
+  {
+    std::size_t n_solutions  = 0;
+    std::size_t n_iterations = 0;
+    std::size_t max_in_one   = 0;
+  };
+
+  /**
+   * The path of a working scheme with nonlinear layers: a smooth curve, followed by a tangent
+   * predictor and an iterated corrector. The end is located on the curve itself: the event function
+   * is interpolated by cubics between solved points, the bracket shrinks until the function
+   * vanishes at a solved point, and every other event function is watched at every point, so none
+   * is skipped. The loss of slip (re-stick) is one of these events.
+   */
+  class CurvedSegment : public PathSegment
+  {
+  public:
+    CurvedSegment(const PathContext &context,
+                  const Course &course,
+                  const PathPoint &start,
+                  const PathOptions &options,
+                  IterationCount &count);
+
+    double
+    find_end() override;
+    PathPoint
+    at(const double tau) override;
+    std::vector<double>
+    stations() const override;
+    std::vector<std::size_t>
+    resticking() const override;
+
+  private:
+    /** Something that must stay positive: value and derivative along the path. */
+    struct EventFunction
+    {
+      double value        = 0.;
+      double rate         = 0.;
+      double tolerance    = 0.;
+      bool has_rate       = true;
+      std::size_t element = 0;
+    };
+
+    std::vector<EventFunction>
+    event_functions(const PathPoint &point) const;
+    double
+    first_root(const std::size_t a, const std::size_t b) const;
+    double
+    locate_end(std::size_t a, std::size_t b);
+    std::optional<PathPoint>
+    solve(const double tau, const Vector &predicted_dislocations);
+    bool
+    iterate(const double tau, JointState &state);
+    double
+    closure_safeguard(const JointState &state, const JointRates &change) const;
+    bool
+    passes_closure_limit(const JointState &state) const;
+    [[noreturn]] void
+    report_divergence(const JointState &state, const double tau, const double contraction) const;
+    Vector
+    interpolate(const std::size_t a, const double tau) const;
+    double
+    step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    std::size_t
+    insert(const double tau, PathPoint &&point);
+
+    PathContext context;
+    const Course course;
+    const PathOptions options;
+    IterationCount &count;
+    Drive drive;
+    std::vector<double> taus;
+    std::vector<PathPoint> points;
+    std::vector<std::vector<EventFunction>> functions;
+    std::vector<std::size_t> lost_slip;
+  };
+} // namespace fuga
+
+#endif

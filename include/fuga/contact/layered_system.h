@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_layered_system_h
+#define fuga_contact_layered_system_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/contact_system.h>
+
+namespace fuga
+{
+  /**
+   * Bodies and layer in series. Every bar's jump is split into an elastic part and a *dislocation*
+   * d,
+   *
+   *     δ = d + D p,    D = ρ/A, with a nonlinear layer ρ at zero deformation,
+   *
+   * and the bodies are eliminated:
+   *
+   *     p = R a(t) - W d.                                                   (doc/theory.md, eq. 4)
+   *
+   * W, symmetric positive semidefinite, is the stiffness against an imposed dislocation; R gives
+   * the bar forces of the fully closed and sticking joint. W exists for every compliance from zero
+   * (W = S) to infinity (W = 0) and for bodies that only their joints hold, so neither a rigid
+   * joint nor a floating body is a special case. The dislocation is the opening, the slip, and what
+   * a nonlinear layer deforms less than its first tangent says; a bar that does none of this is
+   * never touched.
+   */
+  class LayeredSystem
+  {
+  public:
+    LayeredSystem(const ContactSystem &system, const std::vector<ContactElement> &elements);
+
+    std::size_t
+    n_bars() const
+    {
+      return compliances.size();
+    }
+
+    /** W [MN/m]. */
+    const DenseMatrix &
+    stiffness() const
+    {
+      return W;
+    }
+
+    /** R, n_bars x n_patterns [MN]. */
+    const DenseMatrix &
+    reactions() const
+    {
+      return R;
+    }
+
+    /** D of one bar [m/MN]. */
+    double
+    compliance(const std::size_t bar) const
+    {
+      return compliances[bar];
+    }
+
+    /** Forces p = R a - W d. */
+    Vector
+    forces(const Vector &factors, const Vector &dislocations) const;
+
+    /** Jumps δ = d + D p. */
+    Vector
+    jumps(const Vector &dislocations, const Vector &forces) const;
+
+  private:
+    void
+    eliminate_in_jumps(const ContactSystem &system);
+    void
+    eliminate_with_jump_operator(const ContactSystem &system);
+
+    Vector compliances;
+    DenseMatrix W;
+    DenseMatrix R;
+  };
+
+  /** D = ρ/A of a bar with the given law [m/MN]. */
+  double
+  bar_compliance(const ComplianceLaw &law, const double area);
+} // namespace fuga
+
+#endif

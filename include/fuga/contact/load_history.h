@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_load_history_h
+#define fuga_contact_load_history_h
+
+#include <fuga/base/dense_matrix.h>
+
+namespace fuga
+{
+  /**
+   * The factors a(t) of the load patterns, piecewise linear in the load time t = stage number +
+   * fraction done (stage numbers count from 0 here: the first stage is t ∈ [0, 1]). Loads begin
+   * from a(0), usually zero.
+   */
+  class LoadHistory
+  {
+  public:
+    /**
+     * @p corners increasing, first 0; @p factors one vector per corner, n_patterns long.
+     */
+    LoadHistory(std::vector<double> corners, std::vector<Vector> factors);
+
+    unsigned int
+    n_patterns() const;
+
+    double
+    end() const;
+
+    /** The first corner behind @p t (the end for t ≥ end). */
+    double
+    next_corner(const double t) const;
+
+    /** a(t). */
+    Vector
+    factors(const double t) const;
+
+    /** da/dt on the segment that begins at, or contains, @p t. */
+    Vector
+    rates(const double t) const;
+
+  private:
+    std::size_t
+    segment_after(const double t) const;
+
+    std::vector<double> corners;
+    std::vector<Vector> values;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_mechanism_h
+#define fuga_contact_mechanism_h
+
+#include <fuga/contact/joint_state.h>
+#include <fuga/contact/layered_system.h>
+
+namespace fuga
+{
+  /** The way in which equilibrium is lost. */
+  enum class MechanismKind
+  {
+    none,
+    /** The lips only slide along each other. */
+    sliding,
+    /** The lips only part. */
+    overturning,
+    /** Both. */
+    mixed
+  };
+
+  /** The motion changes no force: nothing resists it. */
+  bool
+  is_free_motion(const JointRates &motion, const LayeredSystem &system);
+
+  /** Jumps of a motion, scaled to a largest value of one. */
+  Vector
+  mechanism_jumps(const JointRates &motion, const LayeredSystem &system);
+
+  MechanismKind
+  classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_segment_h
+#define fuga_contact_path_segment_h
+
+#include <fuga/contact/contact_boundary.h>
+#include <fuga/contact/working_scheme.h>
+
+namespace fuga
+{
+  /**
+   * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
+   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1.
+   */
+  struct Course
+  {
+    enum class Kind
+    {
+      loading,
+      release
+    };
+
+    Kind kind    = Kind::loading;
+    double t     = 0.;
+    double t_end = 0.;
+    Vector factors;
+    Vector factor_rates;
+    /** Rate of JointState::unreleased_shear. */
+    Vector release;
+    /** Range of τ. */
+    double length = 0.;
+  };
+
+  /** A state with its derivative along the path. */
+  struct PathPoint
+  {
+    JointState state;
+    JointRates rates;
+  };
+
+  /**
+   * The path in one working scheme, from one event to the next. Straight for rigid and linear
+   * layers, a curve for nonlinear ones.
+   */
+  class PathSegment
+  {
+  public:
+    virtual ~PathSegment() = default;
+
+    /** Follows the scheme until the first boundary is reached; the end of the course at the latest.
+     */
+    virtual double
+    find_end() = 0;
+
+    /** State and rates at 0 ≤ τ ≤ end. */
+    virtual PathPoint
+    at(const double tau) = 0;
+
+    /** Parameters, from 0 to the end, between which state and energies are smooth and resolved. */
+    virtual std::vector<double>
+    stations() const = 0;
+
+    /** Slipping elements whose slip comes to rest at the end; the rates alone cannot tell (they
+     * vanish). */
+    virtual std::vector<std::size_t>
+    resticking() const
+    {
+      return {};
+    }
+  };
+
+  /** Everything the segments share, by reference. */
+  struct PathContext
+  {
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const ContactBoundary &boundary;
+    WorkingScheme &scheme;
+  };
+
+  /** The state of a scheme with linear layers on the straight line through @p start. */
+  class StraightSegment : public PathSegment
+  {
+  public:
+    StraightSegment(const PathContext &context, const Course &course, const PathPoint &start);
+
+    double
+    find_end() override;
+    PathPoint
+    at(const double tau) override;
+    std::vector<double>
+    stations() const override;
+
+  private:
+    PathContext context;
+    const Course course;
+    const PathPoint start;
+    double end;
+  };
+
+  /** The parts of a state that follow from dislocations alone: forces p = R a - W d, time, slips.
+   */
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state);
+} // namespace fuga
+
+#endif

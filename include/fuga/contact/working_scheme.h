@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_working_scheme_h
+#define fuga_contact_working_scheme_h
+
+#include <fuga/contact/joint_state.h>
+#include <fuga/contact/layered_system.h>
+#include <fuga/contact/updated_inverse.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /** Which stiffness stands for a nonlinear layer in the matrix of the working scheme. */
+  enum class LayerStiffness
+  {
+    /** dσ/dw at the present deformation: Newton, and the rates of the true path. */
+    tangent,
+    /** dσ/dw at zero deformation, A/ρ0: the constant matrix of the paper's iteration (3), (7). */
+    initial
+  };
+
+  /**
+   * The paper's working scheme: the states of all contact elements, and the linear system they
+   * leave. A bar is *active* if its dislocation is unknown; its row then reads
+   *
+   *     open           N = 0            and   T = 0
+   *     slip           T + σ f N = σ c A
+   *     closed, nonlinear layer         N = N_law(g),   stuck:   T = T_law(jump - slip)
+   *
+   * with p = R a - W d; the law's row linearised, δ = d + D p inserted, is (1 - C D) N - C d.
+   * Closed and stuck bars of a rigid or linear layer are not active. The inverse of the active
+   * matrix is updated when states change.
+   */
+  class WorkingScheme
+  {
+  public:
+    WorkingScheme(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    ContactState
+    state(const std::size_t element) const
+    {
+      return states[element];
+    }
+
+    const std::vector<ContactState> &
+    all_states() const
+    {
+      return states;
+    }
+
+    void
+    set_state(const std::size_t element, const ContactState state);
+
+    /** Some layer is nonlinear: paths are curves and matrices depend on the state. */
+    bool
+    is_nonlinear() const
+    {
+      return nonlinear;
+    }
+
+    /** Takes the stiffness of nonlinear bars from @p at. Without effect on linear layers. */
+    void
+    linearise(const JointState &at, const LayerStiffness stiffness = LayerStiffness::tangent);
+
+    /** The rates under @p drive; nothing if the scheme is a mechanism (or beyond critical friction). */
+    std::optional<JointRates>
+    rates(const Drive &drive);
+
+    /** The rates that a unit rate of imposed (additional) dislocation in one bar causes. */
+    std::optional<JointRates>
+    response(const std::size_t bar);
+
+    /** Residuals of the active rows at a state [MN], in the order of the active bars. */
+    Vector
+    residual(const JointState &at);
+
+    /**
+     * One Newton step: the change of dislocations and forces that annuls the linearised residual.
+     * The forces of the result are those of the linear relation p = R a - W d.
+     */
+    std::optional<JointRates>
+    correction(const Vector &residual);
+
+    /** Size of the active set. */
+    std::size_t
+    n_active() const
+    {
+      return rows.size();
+    }
+
+    /** Sign of the determinant of the active matrix; negative beyond critical friction. */
+    int
+    determinant_sign() const;
+
+    /** A direction of motion without resistance of a singular scheme (null vector, largest entry
+     * 1). */
+    JointRates
+    mechanism() const;
+
+    /** Newton matrices factorised and rank-one updates done so far. */
+    unsigned int n_factorisations = 0;
+    unsigned int n_updates        = 0;
+
+  private:
+    /** own p[bar] + weight p[other] - stiffness d[bar] = right-hand side. */
+    struct Row
+    {
+      std::size_t bar   = 0;
+      double own        = 1.;
+      std::size_t other = 0;
+      double weight     = 0.;
+      double stiffness  = 0.;
+
+      bool
+      operator==(const Row &row) const
+      {
+        return bar == row.bar && own == row.own && other == row.other && weight == row.weight &&
+               stiffness == row.stiffness;
+      }
+    };
+
+    static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
+    std::vector<Row>
+    wanted_rows() const;
+    bool
+    has_row(const Row &row) const;
+    Row
+    layer_row(const std::size_t bar) const;
+    void
+    add_rows_of(const std::size_t element, std::vector<Row> &wanted) const;
+    double
+    entry(const Row &row, const std::size_t bar) const;
+    DenseMatrix
+    active_matrix() const;
+    bool
+    bring_up_to_date();
+    bool
+    update_rows(const std::vector<Row> &wanted);
+    bool
+    rebuild();
+    std::optional<JointRates>
+    solve(const Vector &rhs, Vector force_offset);
+    double
+    apply(const Vector &active_dislocations,
+          const Vector &force_offset,
+          const Vector &rhs,
+          JointRates &result,
+          Vector &defect) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    bool nonlinear = false;
+    bool outdated  = true;
+    bool singular  = false;
+    std::vector<ContactState> states;
+    /** Stiffness of the nonlinear bars, by bar; 0 for the others. */
+    Vector layer_stiffness;
+    std::vector<Row> rows;
+    UpdatedInverse inverse;
+    /** Row of each bar, or no_row. */
+    std::vector<std::size_t> position;
+  };
+} // namespace fuga
+
+#endif

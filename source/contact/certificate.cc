@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/cubic.h>
+#include <fuga/base/errors.h>
+#include <fuga/contact/certificate.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  double
+  Certificate::worst() const
+  {
+    double largest = 0.;
+    for (const auto &entry : entries())
+      largest = std::isnan(entry.second) ? entry.second : std::max(largest, entry.second);
+    return largest;
+  }
+
+  std::array<std::pair<std::string_view, double>, 9>
+  Certificate::entries() const
+  {
+    return {{{"equilibrium", equilibrium},
+             {"body equilibrium", body_equilibrium},
+             {"penetration", penetration},
+             {"tension", tension},
+             {"cone", cone},
+             {"complementarity", complementarity},
+             {"slip direction", slip_direction},
+             {"layer law", layer_law},
+             {"energy", energy}}};
+  }
+
+  void
+  Certificate::absorb(const Certificate &other)
+  {
+    for (double Certificate::*entry : {&Certificate::equilibrium,
+                                       &Certificate::body_equilibrium,
+                                       &Certificate::penetration,
+                                       &Certificate::tension,
+                                       &Certificate::cone,
+                                       &Certificate::complementarity,
+                                       &Certificate::slip_direction,
+                                       &Certificate::layer_law,
+                                       &Certificate::energy})
+      this->*entry = this->*entry >= other.*entry ? this->*entry : other.*entry;
+  }
+
+  Judge::Judge(const ContactSystem &contact_system,
+               const std::vector<ContactElement> &contact_elements,
+               const LoadHistory &load_history)
+    : system(contact_system)
+    , elements(contact_elements)
+    , history(load_history)
+    , element_dissipation(contact_elements.size(), 0.)
+  {
+    const DenseMatrix &B = system.jump_operator();
+    if (B.empty())
+      return;
+    DenseMatrix gram      = multiply_transposed(B, B);
+    inverse_jump_operator = DenseMatrix(B.n_columns(), B.n_rows());
+    for (std::size_t j = 0; j < B.n_rows(); ++j)
+      for (std::size_t i = 0; i < B.n_columns(); ++i)
+        inverse_jump_operator(i, j) = B(j, i);
+    if (!solve_positive_definite(gram, inverse_jump_operator))
+      throw NumericalFailure("The jumps of the joints do not determine the motion of the bodies.");
+  }
+
+  namespace
+  {
+    /** Deformation of a bar's layer under a force, from the law itself. */
+    double
+    deformation(const ComplianceLaw &law, const double area, const double force)
+    {
+      if (law.kind() == ComplianceKind::rigid)
+        return 0.;
+      return std::copysign(law.deformation(std::abs(force) / area), force);
+    }
+
+    double
+    stored_energy(const ComplianceLaw &law, const double area, const double force)
+    {
+      if (law.kind() == ComplianceKind::rigid)
+        return 0.;
+      return area * law.energy(law.deformation(std::abs(force) / area));
+    }
+
+    double
+    share(const double value, const double scale)
+    {
+      return value == 0. ? 0. : value / scale;
+    }
+  } // namespace
+
+  Vector
+  Judge::jumps(const Vector &dislocations, const Vector &forces) const
+  {
+    Vector result  = dislocations;
+    const auto add = [&](const ComplianceLaw &law, const double area, const std::size_t bar) {
+      result[bar] += law.initial_compliance() / area * forces[bar];
+    };
+    for (const ContactElement &element : elements)
+      {
+        add(*element.normal_law, element.area, element.normal_bar);
+        if (element.has_tangential_bar())
+          add(*element.shear_law, element.area, element.tangential_bar);
+      }
+    return result;
+  }
+
+  Vector
+  Judge::coordinates(const Vector &bar_jumps) const
+  {
+    return inverse_jump_operator.empty() ? bar_jumps : multiply(inverse_jump_operator, bar_jumps);
+  }
+
+  Vector
+  Judge::loads(const double t) const
+  {
+    return multiply(system.load_patterns(), history.factors(t));
+  }
+
+  // The loads are linear along a piece and the jumps are cubics (exact for straight pieces), so
+  // ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
+  void
+  Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces));
+    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces));
+    const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
+    const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
+    const Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
+    for (std::size_t i = 0; i < x0.size(); ++i)
+      {
+        const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
+        ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
+      }
+    check_slip(from, to, length);
+  }
+
+  // ∫T ds by Gauss's rule with three points: exact for cubics T and s.
+  void
+  Judge::check_slip(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const double r           = std::sqrt(0.15);
+    const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
+    const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        if (!element.has_tangential_bar() || from.state.states[k] == ContactState::stick)
+          continue;
+        const std::size_t t  = element.tangential_bar;
+        const auto slip_rate = [&](const PathPoint &point) {
+          double rate = point.rates.dislocations[t];
+          if (element.shear_law->kind() == ComplianceKind::nonlinear)
+            rate += point.rates.forces[t] / element.area *
+                    (element.shear_law->initial_compliance() -
+                     1. / element.shear_law->tangent(element.shear_law->deformation(
+                            std::abs(point.state.forces[t]) / element.area)));
+          return rate;
+        };
+        const CubicOnUnitInterval force(from.state.forces[t],
+                                        from.rates.forces[t] * length,
+                                        to.state.forces[t],
+                                        to.rates.forces[t] * length);
+        const CubicOnUnitInterval slip(
+          from.state.slips[k], slip_rate(from) * length, to.state.slips[k], slip_rate(to) * length);
+        double work = 0.;
+        for (int i = 0; i < 3; ++i)
+          work += weights[i] * force.value(abscissae[i]) * slip.slope(abscissae[i]);
+        ledger.dissipation += work;
+        element_dissipation[k] += work;
+        largest_slip_work = std::max(largest_slip_work, std::abs(work));
+        wrong_slip_work   = std::max(wrong_slip_work, -work);
+      }
+  }
+
+  Certificate
+  Judge::judge(const JointState &state)
+  {
+    const Vector delta = jumps(state.dislocations, state.forces);
+    const Vector x     = coordinates(delta);
+    const Vector f     = loads(state.t);
+    const Vector Sx    = multiply(system.stiffness(), x);
+    largest_force      = std::max({largest_force, max_abs(f), max_abs(state.forces), max_abs(Sx)});
+    largest_jump       = std::max(largest_jump, max_abs(delta));
+
+    Certificate result;
+    const Vector p = system.jump_operator().empty()
+                       ? state.forces
+                       : multiply_transposed(system.jump_operator(), state.forces);
+    for (std::size_t i = 0; i < f.size(); ++i)
+      result.equilibrium =
+        std::max(result.equilibrium, share(std::abs(Sx[i] + p[i] - f[i]), largest_force));
+    if (!system.rigid_motions().empty())
+      {
+        const Vector carried = multiply_transposed(system.rigid_motions(), state.forces);
+        const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
+        double scale         = max_abs(applied);
+        for (const double force : state.forces)
+          scale = std::max(scale, std::abs(force));
+        for (std::size_t i = 0; i < applied.size(); ++i)
+          result.body_equilibrium =
+            std::max(result.body_equilibrium, share(std::abs(carried[i] - applied[i]), scale));
+      }
+
+    ledger.bodies = 0.5 * dot(x, Sx);
+    ledger.layer  = 0.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        check_element(k, state, delta, result);
+        ledger.layer += stored_energy(
+          *elements[k].normal_law, elements[k].area, state.forces[elements[k].normal_bar]);
+        if (elements[k].has_tangential_bar())
+          ledger.layer += stored_energy(
+            *elements[k].shear_law, elements[k].area, state.forces[elements[k].tangential_bar]);
+      }
+    largest_energy = std::max({largest_energy,
+                               std::abs(ledger.external_work),
+                               ledger.bodies,
+                               ledger.layer,
+                               ledger.dissipation});
+    result.energy =
+      share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
+            largest_energy);
+    result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, largest_energy));
+    return result;
+  }
+
+  void
+  Judge::check_element(const std::size_t k,
+                       const JointState &state,
+                       const Vector &delta,
+                       Certificate &result) const
+  {
+    const ContactElement &element = elements[k];
+    const auto raise              = [](double &entry, const double value, const double scale) {
+      entry = std::max(entry, share(std::max(value, 0.), scale));
+    };
+    const double N   = state.forces[element.normal_bar];
+    const double gap = element.initial_gap + delta[element.normal_bar];
+    const double T   = element.has_tangential_bar() ? state.forces[element.tangential_bar] : 0.;
+    raise(result.tension, N, largest_force);
+    if (state.states[k] == ContactState::open)
+      {
+        raise(result.penetration, -gap, largest_jump);
+        raise(result.complementarity, std::abs(N), largest_force);
+        raise(result.complementarity, std::abs(T - state.unreleased_shear[k]), largest_force);
+        return;
+      }
+    const double strength =
+      element.friction.coefficient * std::max(-N, 0.) + element.friction.cohesion * element.area;
+    raise(result.layer_law,
+          std::abs(gap - deformation(*element.normal_law, element.area, N)),
+          largest_jump);
+    raise(result.cone, std::abs(T) - strength, largest_force);
+    if (!element.has_tangential_bar())
+      return;
+    const double elastic = delta[element.tangential_bar] - state.slips[k];
+    raise(result.layer_law,
+          std::abs(elastic - deformation(*element.shear_law, element.area, T)),
+          largest_jump);
+    if (is_slipping(state.states[k]))
+      raise(
+        result.slip_direction, std::abs(T - slip_sign(state.states[k]) * strength), largest_force);
+  }
+} // namespace fuga

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/contact_boundary.h>
+#include <fuga/contact/layer_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Forces and gaps below this share of the terms they are the difference of are zero. */
+    constexpr double value_tolerance = 1e-12;
+    /** The same for rates, which come out of a linear solution. */
+    constexpr double rate_tolerance = 1e-10;
+    constexpr double never          = std::numeric_limits<double>::infinity();
+
+    /** Where a function that is φ now and changes at the rate φ' reaches zero from above. */
+    double
+    root(const double value, const double rate, const double tolerance)
+    {
+      if (rate >= 0. || (value <= tolerance && rate >= -tolerance))
+        return never;
+      return std::max(0., -value / rate);
+    }
+  } // namespace
+
+  ContactBoundary::ContactBoundary(const std::vector<ContactElement> &contact_elements,
+                                   const LayeredSystem &layered_system)
+    : elements(contact_elements)
+    , system(layered_system)
+    , force_tolerances(layered_system.n_bars(), 0.)
+  {
+  }
+
+  // A force is the difference of the reaction of the stuck joint and of the effect of the
+  // dislocations; the size of both tells its rounding error.
+  void
+  ContactBoundary::set_scales(const JointState &state, const double widening)
+  {
+    const double largest_dislocation = max_abs(state.dislocations);
+    const double relative            = value_tolerance * widening;
+    double largest_jump              = largest_dislocation;
+    for (std::size_t i = 0; i < force_tolerances.size(); ++i)
+      {
+        force_tolerances[i] =
+          relative * (std::abs(state.forces[i]) + system.stiffness()(i, i) * largest_dislocation);
+        largest_jump = std::max(largest_jump, system.compliance(i) * std::abs(state.forces[i]));
+      }
+    for (const ContactElement &element : elements)
+      largest_jump = std::max(largest_jump, element.initial_gap);
+    zero_gap = relative * largest_jump;
+  }
+
+  std::vector<BoundaryElement>
+  ContactBoundary::elements_on_boundary(const JointState &state) const
+  {
+    std::vector<BoundaryElement> result;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        const double N                = state.forces[element.normal_bar];
+        BoundaryElement candidate;
+        candidate.element = k;
+        if (state.states[k] == ContactState::open)
+          {
+            // While it still gives up shear it can do nothing else.
+            candidate.grazing = gap(element, state) <= zero_gap && state.unreleased_shear[k] == 0.;
+            candidate.shear   = ShearPosition::inside;
+            if (candidate.grazing && element.has_tangential_bar())
+              candidate.shear =
+                element.friction.cohesion > 0. ? ShearPosition::inside : ShearPosition::at_apex;
+          }
+        else
+          {
+            candidate.grazing = N >= -force_tolerances[element.normal_bar];
+            if (element.has_tangential_bar())
+              {
+                const double T        = state.forces[element.tangential_bar];
+                const double strength = shear_strength(element, std::min(N, 0.));
+                const double tolerance =
+                  force_tolerances[element.tangential_bar] +
+                  element.friction.coefficient * force_tolerances[element.normal_bar];
+                if (strength <= tolerance)
+                  candidate.shear = ShearPosition::at_apex;
+                else if (is_slipping(state.states[k]) || std::abs(T) >= strength - tolerance)
+                  {
+                    candidate.shear = ShearPosition::at_strength;
+                    candidate.sign  = is_slipping(state.states[k]) ? slip_sign(state.states[k])
+                                                                   : std::copysign(1., T);
+                  }
+              }
+          }
+        if (candidate.grazing || candidate.shear != ShearPosition::inside)
+          result.push_back(candidate);
+      }
+    return result;
+  }
+
+  double
+  ContactBoundary::distance_of(const std::size_t k,
+                               const JointState &state,
+                               const JointRates &rates) const
+  {
+    const ContactElement &element = elements[k];
+    const std::size_t n = element.normal_bar, t = element.tangential_bar;
+    const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
+    if (state.states[k] == ContactState::open)
+      return state.unreleased_shear[k] != 0.
+               ? never
+               : root(gap(element, state), rates.dislocations[n], zero_gap);
+
+    double nearest = root(-state.forces[n], -rates.forces[n], force_tolerances[n]);
+    if (state.states[k] == ContactState::stick && element.has_tangential_bar())
+      for (const double sign : {1., -1.})
+        {
+          const double f         = element.friction.coefficient;
+          const double strength  = shear_strength(element, state.forces[n]);
+          const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
+          nearest                = std::min(nearest,
+                             root(strength - sign * state.forces[t],
+                                  -f * rates.forces[n] - sign * rates.forces[t],
+                                  tolerance));
+        }
+    return nearest;
+  }
+
+  double
+  ContactBoundary::distance(const JointState &state, const JointRates &rates) const
+  {
+    double nearest = never;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      nearest = std::min(nearest, distance_of(k, state, rates));
+    return nearest;
+  }
+
+  double
+  ContactBoundary::force_rate_tolerance(const std::size_t bar,
+                                        const JointRates &rates,
+                                        const Drive &drive) const
+  {
+    return rate_tolerance * (std::abs(drive.reactions[bar]) +
+                             system.stiffness()(bar, bar) * max_abs(rates.dislocations));
+  }
+
+  double
+  ContactBoundary::jump_rate_tolerance(const JointRates &rates, const Drive &drive) const
+  {
+    double size = max_abs(rates.dislocations);
+    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
+      size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
+    return rate_tolerance * size;
+  }
+} // namespace fuga

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/cubic.h>
+#include <fuga/base/errors.h>
+#include <fuga/contact/curved_segment.h>
+#include <fuga/contact/layer_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** First step as share of the course, growth of steps, and the shortest one. */
+    constexpr double first_step    = 1e-3;
+    constexpr double step_growth   = 2.;
+    constexpr double shortest_step = 1e-9;
+    /** Deviation from the trapezoid of the rates that a step may show, relative to the largest
+     * jump. */
+    constexpr double largest_defect = 2e-7;
+    /** A slip rate below this share of the largest jump rate is rest. */
+    constexpr double slip_rate_tolerance = 1e-10;
+    constexpr double never               = std::numeric_limits<double>::infinity();
+  } // namespace
+
+  CurvedSegment::CurvedSegment(const PathContext &path_context,
+                               const Course &path_course,
+                               const PathPoint &start,
+                               const PathOptions &path_options,
+                               IterationCount &iteration_count)
+    : context(path_context)
+    , course(path_course)
+    , options(path_options)
+    , count(iteration_count)
+    , drive{multiply(path_context.system.reactions(), path_course.factor_rates),
+            path_course.release}
+    , taus{0.}
+    , points{start}
+    , functions{event_functions(start)}
+  {
+  }
+
+  double
+  CurvedSegment::find_end()
+  {
+    double step = first_step * course.length;
+    while (taus.back() < course.length)
+      {
+        const std::size_t a = taus.size() - 1;
+        const double tau    = course.length - taus[a] < 1.5 * step ? course.length : taus[a] + step;
+        Vector predicted    = points[a].state.dislocations;
+        for (std::size_t i = 0; i < predicted.size(); ++i)
+          predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
+
+        std::optional<PathPoint> next = solve(tau, predicted);
+        const double defect           = next ? step_defect(points[a], *next, tau - taus[a]) : never;
+        if (defect > largest_defect && tau - taus[a] > shortest_step * course.length)
+          {
+            step = (tau - taus[a]) / (2. * step_growth);
+            continue;
+          }
+        if (!next)
+          throw NumericalFailure(
+            fmt::format("No equilibrium of the nonlinear layer was found behind load time {}.",
+                        points[a].state.t));
+        const std::size_t b = insert(tau, std::move(*next));
+        if (first_root(a, b) < never)
+          return locate_end(a, b);
+        if (defect < largest_defect / (step_growth * step_growth * step_growth * step_growth))
+          step *= step_growth;
+      }
+    return taus.back();
+  }
+
+  // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event.
+  double
+  CurvedSegment::locate_end(std::size_t a, std::size_t b)
+  {
+    const int max_trials = 200;
+    for (int trial = 0; trial < max_trials; ++trial)
+      {
+        double root        = first_root(a, b);
+        const double width = taus[b] - taus[a];
+        // The interpolation is trusted as long as it shrinks the bracket; every fourth time it is
+        // halved.
+        if (trial % 4 == 3 || root == never)
+          root = taus[a] + 0.5 * width;
+        root = std::clamp(root, taus[a] + 1e-3 * width, taus[b]);
+
+        if (root < taus[b])
+          {
+            std::optional<PathPoint> point = solve(root, interpolate(a, root));
+            if (!point)
+              throw NumericalFailure(fmt::format(
+                "An event could not be located behind load time {}.", points[a].state.t));
+            b = insert(root, std::move(*point));
+          }
+        const auto &at_root = functions[b];
+        const bool violated =
+          std::any_of(at_root.begin(), at_root.end(), [](const EventFunction &f) {
+            return f.value < -f.tolerance;
+          });
+        const bool narrow = taus[b] - taus[a] <= 1e-14 * course.length;
+        const auto is_met = [&](const std::size_t i) {
+          return at_root[i].value <= at_root[i].tolerance &&
+                 functions[a][i].value > at_root[i].value;
+        };
+        bool met = false;
+        for (std::size_t i = 0; i < at_root.size(); ++i)
+          met |= is_met(i);
+        if (narrow || (met && !violated))
+          {
+            for (std::size_t i = 0; i < at_root.size(); ++i)
+              if (!at_root[i].has_rate && is_met(i))
+                lost_slip.push_back(at_root[i].element);
+            taus.resize(b + 1);
+            points.resize(b + 1);
+            functions.resize(b + 1);
+            return taus[b];
+          }
+        if (!violated)
+          {
+            a = b;
+            ++b;
+          }
+      }
+    throw NumericalFailure(fmt::format(
+      "The location of an event does not converge behind load time {}.", points[a].state.t));
+  }
+
+  std::size_t
+  CurvedSegment::insert(const double tau, PathPoint &&point)
+  {
+    const auto place = std::upper_bound(taus.begin(), taus.end(), tau) - taus.begin();
+    functions.insert(functions.begin() + place, event_functions(point));
+    points.insert(points.begin() + place, std::move(point));
+    taus.insert(taus.begin() + place, tau);
+    return static_cast<std::size_t>(place);
+  }
+
+  std::vector<CurvedSegment::EventFunction>
+  CurvedSegment::event_functions(const PathPoint &point) const
+  {
+    std::vector<EventFunction> result;
+    const JointState &state      = point.state;
+    const Vector &dp             = point.rates.forces;
+    const Vector &dd             = point.rates.dislocations;
+    const double slip_rate_noise = slip_rate_tolerance * max_abs(context.system.jumps(dd, dp));
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const std::size_t n = element.normal_bar, t = element.tangential_bar;
+        const double n_noise = context.boundary.force_tolerance(n);
+        if (state.states[k] == ContactState::open)
+          {
+            if (state.unreleased_shear[k] == 0.)
+              result.push_back(
+                {gap(element, state), dd[n], context.boundary.gap_tolerance(), true, k});
+            continue;
+          }
+        result.push_back({-state.forces[n], -dp[n], n_noise, true, k});
+        if (!element.has_tangential_bar())
+          continue;
+        const double f = element.friction.coefficient;
+        if (state.states[k] == ContactState::stick)
+          for (const double sign : {1., -1.})
+            result.push_back({shear_strength(element, state.forces[n]) - sign * state.forces[t],
+                              -f * dp[n] - sign * dp[t],
+                              context.boundary.force_tolerance(t) + f * n_noise,
+                              true,
+                              k});
+        else
+          result.push_back({slip_sign(state.states[k]) * slip_rate(element, state, k, point.rates),
+                            0.,
+                            slip_rate_noise,
+                            false,
+                            k});
+      }
+    return result;
+  }
+
+  // The first zero, between points a and b, of the interpolated event functions that a does not
+  // violate.
+  double
+  CurvedSegment::first_root(const std::size_t a, const std::size_t b) const
+  {
+    double nearest      = never;
+    const double length = taus[b] - taus[a];
+    for (std::size_t i = 0; i < functions[a].size(); ++i)
+      {
+        const EventFunction &f = functions[a][i], &g = functions[b][i];
+        double share = never;
+        if (f.has_rate)
+          {
+            const CubicOnUnitInterval cubic(f.value, f.rate * length, g.value, g.rate * length);
+            if (cubic.minimum() < -g.tolerance)
+              share = cubic.first_descending_root();
+          }
+        else if (g.value < -g.tolerance)
+          share = std::max(f.value, 0.) / (std::max(f.value, 0.) - g.value);
+        nearest = std::min(nearest, taus[a] + share * length);
+      }
+    return nearest;
+  }
+
+  Vector
+  CurvedSegment::interpolate(const std::size_t a, const double tau) const
+  {
+    const double length = taus[a + 1] - taus[a];
+    const double share  = (tau - taus[a]) / length;
+    Vector result(points[a].state.dislocations.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = CubicOnUnitInterval(points[a].state.dislocations[i],
+                                      points[a].rates.dislocations[i] * length,
+                                      points[a + 1].state.dislocations[i],
+                                      points[a + 1].rates.dislocations[i] * length)
+                    .value(share);
+    return result;
+  }
+
+  double
+  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  {
+    const auto jumps = [&](const Vector &d, const Vector &p) { return context.system.jumps(d, p); };
+    const Vector x0  = jumps(from.state.dislocations, from.state.forces),
+                 v0  = jumps(from.rates.dislocations, from.rates.forces);
+    const Vector x1  = jumps(to.state.dislocations, to.state.forces),
+                 v1  = jumps(to.rates.dislocations, to.rates.forces);
+    double defect    = 0.;
+    for (std::size_t i = 0; i < x0.size(); ++i)
+      defect = std::max(defect, std::abs(x1[i] - x0[i] - 0.5 * length * (v0[i] + v1[i])));
+    const double size = std::max(max_abs(x1), course.length * max_abs(v1));
+    return size > 0. ? defect / size : 0.;
+  }
+
+  PathPoint
+  CurvedSegment::at(const double tau)
+  {
+    const auto place = std::lower_bound(taus.begin(), taus.end(), tau) - taus.begin();
+    const auto b     = std::min(static_cast<std::size_t>(place), taus.size() - 1);
+    if (taus[b] == tau || b == 0)
+      return points[b];
+    std::optional<PathPoint> point = solve(tau, interpolate(b - 1, tau));
+    if (!point)
+      throw NumericalFailure(
+        fmt::format("No equilibrium was found behind load time {}.", points[b - 1].state.t));
+    return *point;
+  }
+
+  std::vector<double>
+  CurvedSegment::stations() const
+  {
+    return taus;
+  }
+
+  std::vector<std::size_t>
+  CurvedSegment::resticking() const
+  {
+    return lost_slip;
+  }
+} // namespace fuga

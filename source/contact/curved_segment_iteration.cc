@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/curved_segment.h>
+#include <fuga/contact/layer_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Share of the way to the closure limit of a law that one iteration may go. */
+    constexpr double fraction_to_limit = 0.9;
+    constexpr int max_newton           = 40;
+    /** So many growing differences in a row are a divergence. */
+    constexpr int patience = 8;
+  } // namespace
+
+  std::optional<PathPoint>
+  CurvedSegment::solve(const double tau, const Vector &predicted_dislocations)
+  {
+    PathPoint point    = {points.front().state, {}};
+    JointState &state  = point.state;
+    state.dislocations = predicted_dislocations;
+    for (std::size_t k = 0; k < course.release.size(); ++k)
+      state.unreleased_shear[k] += tau * course.release[k];
+    complete_state(context, course, tau, state);
+    if (!iterate(tau, state))
+      return {};
+
+    context.scheme.linearise(state);
+    const std::optional<JointRates> rates = context.scheme.rates(drive);
+    if (!rates)
+      return {};
+    point.rates = *rates;
+    return point;
+  }
+
+  // One equation for both iterations: K Δu = P - [forces of the layer at the present u]. Newton
+  // takes the tangent stiffness of the layer into K at every iteration. The paper keeps K = K_lin +
+  // A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3), (7), (8): with the
+  // residual written out that is the same correction with the constant matrix.
+  bool
+  CurvedSegment::iterate(const double tau, JointState &state)
+  {
+    const bool constant      = options.iteration == PathOptions::Iteration::constant_stiffness;
+    const int max_iterations = constant ? static_cast<int>(options.max_iterations) : max_newton;
+    double last_change       = std::numeric_limits<double>::infinity();
+    double contraction       = 0.;
+    int n_growing            = 0;
+    ++count.n_solutions;
+    if (constant)
+      context.scheme.linearise(state, LayerStiffness::initial);
+    for (int i = 1; i <= max_iterations; ++i)
+      {
+        ++count.n_iterations;
+        count.max_in_one = std::max(count.max_in_one, static_cast<std::size_t>(i));
+        if (!constant)
+          context.scheme.linearise(state);
+        const std::optional<JointRates> change =
+          context.scheme.correction(context.scheme.residual(state));
+        if (!change)
+          return false;
+        const double share = constant ? 1. : closure_safeguard(state, *change);
+        for (std::size_t b = 0; b < state.dislocations.size(); ++b)
+          state.dislocations[b] += share * change->dislocations[b];
+        complete_state(context, course, tau, state);
+
+        const double size  = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
+        if (constant && passes_closure_limit(state))
+          report_divergence(state, tau, size / last_change);
+        if (size <= options.tolerance * total)
+          return true;
+        contraction = size / last_change;
+        n_growing   = contraction >= 1. ? n_growing + 1 : 0;
+        if (constant && n_growing >= patience)
+          report_divergence(state, tau, contraction);
+        // At the level of rounding the differences cannot fall further.
+        if (!constant && contraction > 0.3 && size <= 1e3 * options.tolerance * total)
+          return true;
+        last_change = size;
+      }
+    if (constant)
+      report_divergence(state, tau, contraction);
+    return false;
+  }
+
+  bool
+  CurvedSegment::passes_closure_limit(const JointState &state) const
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (state.states[k] != ContactState::open &&
+          -gap(context.elements[k], state) >= context.elements[k].normal_law->deformation_limit())
+        return true;
+    return false;
+  }
+
+  // Largest share of a change that keeps every layer with a closure limit short of it.
+  double
+  CurvedSegment::closure_safeguard(const JointState &state, const JointRates &change) const
+  {
+    const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
+    double share           = 1.;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const auto limit = [&](const ComplianceLaw &law, const double now, const double growth) {
+          const double room = law.deformation_limit() - now;
+          if (growth > fraction_to_limit * room)
+            share = std::min(share, fraction_to_limit * room / growth);
+        };
+        if (state.states[k] != ContactState::open && has_nonlinear_closure(element))
+          limit(*element.normal_law, -gap(element, state), -growth_of[element.normal_bar]);
+        if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
+          {
+            const double e = elastic_shear(element, state, k);
+            limit(*element.shear_law,
+                  std::abs(e),
+                  std::copysign(1., e) * growth_of[element.tangential_bar]);
+          }
+      }
+    return share;
+  }
+
+  void
+  CurvedSegment::report_divergence(const JointState &state,
+                                   const double tau,
+                                   const double contraction) const
+  {
+    double largest_closure = 0.;
+    for (const ContactElement &element : context.elements)
+      if (has_nonlinear_closure(element))
+        largest_closure =
+          std::max(largest_closure,
+                   -gap(element, points.front().state) / element.normal_law->deformation_limit());
+    throw NumericalFailure(fmt::format(
+      "The constant-stiffness iteration (3), (7), (8) diverges at load time {:.6g}: successive "
+      "differences grow by "
+      "the factor {:.3g}. The layer hardens too much for it: largest closure before {:.4g} of the "
+      "closure limit; "
+      "under force control law (9) allows 0.0604. Use Iteration = newton.",
+      points.front().state.t + (state.t - points.front().state.t) * (tau > 0. ? 1. : 0.),
+      contraction,
+      largest_closure));
+  }
+} // namespace fuga

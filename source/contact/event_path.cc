@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/curved_segment.h>
+#include <fuga/contact/event_path.h>
+#include <fuga/contact/layer_response.h>
+#include <fuga/contact/mechanism.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Steps shorter than this share of the load time do not count as progress. */
+    constexpr double shortest_step = 1e-13;
+
+    Vector
+    negative(const Vector &x)
+    {
+      Vector result(x.size());
+      std::transform(x.begin(), x.end(), result.begin(), std::negate<>());
+      return result;
+    }
+  } // namespace
+
+  EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
+                       const LayeredSystem &layered_system,
+                       const LoadHistory &load_history,
+                       const PathOptions &path_options)
+    : elements(contact_elements)
+    , system(layered_system)
+    , history(load_history)
+    , options(path_options)
+    , boundary(elements, system)
+    , scheme(elements, system)
+    , rate_problem(elements, system, boundary, scheme)
+  {
+  }
+
+  PathResult
+  EventPath::run(const std::vector<double> &levels, PathObserver &observer)
+  {
+    PathResult result;
+    JointState state                = virgin_state();
+    std::size_t n_zero_steps_in_row = 0;
+    next_level                      = 0;
+    resticking.clear();
+
+    while (state.t < history.end() || max_abs(state.unreleased_shear) > 0.)
+      {
+        const Course course = next_course(state);
+
+        // How does the contact go on from here? The rates of all elements on a boundary decide
+        // together.
+        boundary.set_scales(
+          state, std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
+        const Continuation continuation = decide(state, course, observer, result);
+        if (!continuation.exists)
+          {
+            lose_equilibrium(state, continuation, result);
+            return result;
+          }
+        if (course.kind == Course::Kind::loading && max_abs(state.unreleased_shear) > 0.)
+          continue; // an element broke: its shear is given up before the load goes on
+
+        // At which load does the next event occur? Advance to it.
+        const std::unique_ptr<PathSegment> segment =
+          make_segment(course, {state, continuation.rates});
+        const double length = segment->find_end();
+        state               = report_piecewise(*segment, course, levels, observer);
+        if (course.kind == Course::Kind::release && length == course.length)
+          std::fill(state.unreleased_shear.begin(), state.unreleased_shear.end(), 0.);
+
+        resticking = segment->resticking();
+        result.t   = state.t;
+        ++result.n_steps;
+        const bool progress = length > shortest_step * std::max(1., course.t);
+        n_zero_steps_in_row = progress ? 0 : n_zero_steps_in_row + 1;
+        result.n_zero_steps += progress ? 0 : 1;
+        if (n_zero_steps_in_row > 20 + 4 * elements.size())
+          throw NumericalFailure(
+            fmt::format("The contact goes on changing at load time {} without any load being added "
+                        "({} changes). The forces "
+                        "there are too small against their rounding errors to decide.",
+                        state.t,
+                        n_zero_steps_in_row));
+      }
+    return result;
+  }
+
+  JointState
+  EventPath::virgin_state() const
+  {
+    JointState state;
+    state.states.assign(elements.size(), ContactState::stick);
+    state.forces.assign(system.n_bars(), 0.);
+    state.dislocations.assign(system.n_bars(), 0.);
+    state.slips.assign(elements.size(), 0.);
+    state.unreleased_shear.assign(elements.size(), 0.);
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (elements[k].initial_gap > 0.)
+        state.states[k] = ContactState::open;
+    return state;
+  }
+
+  Course
+  EventPath::next_course(const JointState &state) const
+  {
+    Course course;
+    course.t       = state.t;
+    course.t_end   = state.t;
+    course.factors = history.factors(state.t);
+    if (max_abs(state.unreleased_shear) > 0.)
+      {
+        course.kind         = Course::Kind::release;
+        course.factor_rates = Vector(course.factors.size(), 0.);
+        course.release      = negative(state.unreleased_shear);
+        course.length       = 1.;
+      }
+    else
+      {
+        course.factor_rates = history.rates(state.t);
+        course.t_end        = history.next_corner(state.t);
+        course.length       = course.t_end - state.t;
+      }
+    return course;
+  }
+
+  Drive
+  EventPath::drive_of(const Course &course) const
+  {
+    return {multiply(system.reactions(), course.factor_rates), course.release};
+  }
+
+  Continuation
+  EventPath::decide(JointState &state,
+                    const Course &course,
+                    PathObserver &observer,
+                    PathResult &result)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      scheme.set_state(k, state.states[k]);
+    for (const std::size_t k : resticking)
+      scheme.set_state(k, ContactState::stick);
+    scheme.linearise(state);
+
+    const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
+    const Continuation continuation        = rate_problem.solve(state, set, drive_of(course));
+    result.n_schemes += continuation.n_schemes;
+    if (!continuation.exists)
+      return continuation;
+    ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
+
+    std::vector<ContactEvent> events;
+    for (const BoundaryElement &candidate : set)
+      {
+        const std::size_t k = candidate.element;
+        if (state.states[k] == scheme.state(k))
+          continue;
+        events.push_back({state.t, k, state.states[k], scheme.state(k)});
+        // A closing element of a linear layer has N = 0 exactly at gap = 0.
+        if (state.states[k] == ContactState::open && !has_nonlinear_closure(elements[k]))
+          state.dislocations[elements[k].normal_bar] = -elements[k].initial_gap;
+        state.states[k] = scheme.state(k);
+      }
+    result.n_events += events.size();
+    break_cohesion(state, events);
+    if (!events.empty())
+      observer.changed(events, state);
+    return continuation;
+  }
+
+  // Cohesion holds while the element is closed. What shear it still carries when it opens is given
+  // up at that load, quasi-statically; without cohesion nothing is left at N = 0.
+  void
+  EventPath::break_cohesion(JointState &state, const std::vector<ContactEvent> &events) const
+  {
+    for (const ContactEvent &event : events)
+      {
+        const ContactElement &element = elements[event.element];
+        if (event.to == ContactState::open && element.has_tangential_bar() &&
+            element.friction.cohesion > 0.)
+          state.unreleased_shear[event.element] = state.forces[element.tangential_bar];
+      }
+  }
+
+  std::unique_ptr<PathSegment>
+  EventPath::make_segment(const Course &course, const PathPoint &start)
+  {
+    const PathContext context{elements, system, boundary, scheme};
+    if (scheme.is_nonlinear())
+      return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
+    return std::make_unique<StraightSegment>(context, course, start);
+  }
+
+  // Walks from station to station, with a stop at every requested load time. Returns the state at
+  // the end.
+  JointState
+  EventPath::report_piecewise(PathSegment &segment,
+                              const Course &course,
+                              const std::vector<double> &levels,
+                              PathObserver &observer)
+  {
+    std::vector<double> stations = segment.stations();
+    const double rounding =
+      4. * std::numeric_limits<double>::epsilon() * std::max(1., course.t_end);
+    PathPoint from = segment.at(stations.front());
+    for (std::size_t i = 1; i < stations.size(); ++i)
+      {
+        const double next   = course.kind == Course::Kind::loading && next_level < levels.size()
+                                ? levels[next_level] - course.t
+                                : std::numeric_limits<double>::infinity();
+        const bool is_level = next <= stations[i] + rounding;
+        if (is_level && next < stations[i] - rounding)
+          stations.insert(stations.begin() + static_cast<std::ptrdiff_t>(i), next);
+        PathPoint to = segment.at(stations[i]);
+        observer.advanced(from, to, stations[i] - stations[i - 1]);
+        if (is_level)
+          observer.reached(next_level++, to.state);
+        from = std::move(to);
+      }
+    return from.state;
+  }
+
+  void
+  EventPath::lose_equilibrium(const JointState &state,
+                              const Continuation &continuation,
+                              PathResult &result) const
+  {
+    result.t       = state.t;
+    result.verdict = Verdict::no_continuation;
+    if (continuation.has_mechanism && is_free_motion(continuation.mechanism, system))
+      {
+        result.verdict         = Verdict::limit_load;
+        result.mechanism_jumps = mechanism_jumps(continuation.mechanism, system);
+        result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+      }
+  }
+
+  IterationCount
+  EventPath::iterations() const
+  {
+    return iteration_count;
+  }
+} // namespace fuga

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/layered_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    using Indices = std::vector<std::size_t>;
+
+    /** Rows `rows` and columns `columns` of A. */
+    DenseMatrix
+    submatrix(const DenseMatrix &A, const Indices &rows, const Indices &columns)
+    {
+      DenseMatrix result(rows.size(), columns.size());
+      for (std::size_t j = 0; j < columns.size(); ++j)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          result(i, j) = A(rows[i], columns[j]);
+      return result;
+    }
+
+    Indices
+    all_columns(const DenseMatrix &A)
+    {
+      Indices indices(A.n_columns());
+      for (std::size_t j = 0; j < indices.size(); ++j)
+        indices[j] = j;
+      return indices;
+    }
+
+    void
+    scale_rows(DenseMatrix &A, const Vector &factors)
+    {
+      for (std::size_t j = 0; j < A.n_columns(); ++j)
+        for (std::size_t i = 0; i < A.n_rows(); ++i)
+          A(i, j) *= factors[i];
+    }
+
+    /** Removes the rounding error between the two triangles. */
+    void
+    symmetrise(DenseMatrix &A)
+    {
+      for (std::size_t j = 0; j < A.n_columns(); ++j)
+        for (std::size_t i = 0; i < j; ++i)
+          A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
+    }
+
+    [[noreturn]] void
+    throw_unheld()
+    {
+      throw NumericalFailure(
+        "The small system of the joints is not positive definite even with every "
+        "bar closed and sticking: the bodies are not held. Check the supports.");
+    }
+
+    /**
+     * Replaces forces by soft springs: the bars `soft` with stiffness C get the relation
+     * p = C (δ - d) instead of δ = d (partial elimination of the coordinates of these bars).
+     */
+    void
+    insert_soft_bars(
+      DenseMatrix &W, DenseMatrix &R, const Indices &soft, const Indices &others, const Vector &C)
+    {
+      DenseMatrix S_cc = submatrix(W, soft, soft);
+      DenseMatrix S_rc = submatrix(W, others, soft);
+      for (std::size_t i = 0; i < soft.size(); ++i)
+        S_cc(i, i) += C[i];
+
+      // One solution with all right-hand sides: Q C, Q S_cr, Q F_c with Q = (S_cc + C)^-1.
+      const std::size_t n_c = soft.size(), n_r = others.size(), n_p = R.n_columns();
+      DenseMatrix Y(n_c, n_c + n_r + n_p);
+      for (std::size_t i = 0; i < n_c; ++i)
+        {
+          Y(i, i) = C[i];
+          for (std::size_t j = 0; j < n_r; ++j)
+            Y(i, n_c + j) = W(soft[i], others[j]);
+          for (std::size_t j = 0; j < n_p; ++j)
+            Y(i, n_c + n_r + j) = R(soft[i], j);
+        }
+      if (!solve_positive_definite(S_cc, Y))
+        throw_unheld();
+
+      const DenseMatrix coupling = multiply(S_rc, Y);
+      for (std::size_t j = 0; j < n_r; ++j)
+        for (std::size_t i = 0; i < n_r; ++i)
+          W(others[i], others[j]) -= coupling(i, n_c + j);
+      for (std::size_t j = 0; j < n_p; ++j)
+        for (std::size_t i = 0; i < n_r; ++i)
+          R(others[i], j) -= coupling(i, n_c + n_r + j);
+
+      scale_rows(Y, C);
+      for (std::size_t i = 0; i < n_c; ++i)
+        {
+          for (std::size_t j = 0; j < n_c; ++j)
+            W(soft[i], soft[j]) = (i == j ? C[i] : 0.) - Y(i, j);
+          for (std::size_t j = 0; j < n_r; ++j)
+            W(soft[i], others[j]) = W(others[j], soft[i]) = Y(i, n_c + j);
+          for (std::size_t j = 0; j < n_p; ++j)
+            R(soft[i], j) = Y(i, n_c + n_r + j);
+        }
+    }
+
+    /** Adds the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
+    void
+    insert_stiff_bars(DenseMatrix &W, DenseMatrix &R, const Indices &stiff, const Vector &D)
+    {
+      Vector roots(D.size());
+      std::transform(
+        D.begin(), D.end(), roots.begin(), [](const double d) { return std::sqrt(d); });
+
+      DenseMatrix E_W = submatrix(W, stiff, all_columns(W));
+      DenseMatrix E_R = submatrix(R, stiff, all_columns(R));
+      scale_rows(E_W, roots);
+      scale_rows(E_R, roots);
+      DenseMatrix H(stiff.size(), stiff.size());
+      for (std::size_t j = 0; j < stiff.size(); ++j)
+        for (std::size_t i = 0; i < stiff.size(); ++i)
+          H(i, j) = E_W(i, stiff[j]) * roots[j] + (i == j ? 1. : 0.);
+
+      DenseMatrix Z(stiff.size(), W.n_columns() + R.n_columns());
+      std::copy_n(E_W.data(), E_W.n_rows() * E_W.n_columns(), Z.data());
+      std::copy_n(E_R.data(), E_R.n_rows() * E_R.n_columns(), Z.column(W.n_columns()));
+      if (!solve_positive_definite(H, Z))
+        throw_unheld();
+
+      const DenseMatrix change = multiply_transposed(E_W, Z);
+      for (std::size_t j = 0; j < W.n_columns(); ++j)
+        for (std::size_t i = 0; i < W.n_rows(); ++i)
+          W(i, j) -= change(i, j);
+      for (std::size_t j = 0; j < R.n_columns(); ++j)
+        for (std::size_t i = 0; i < R.n_rows(); ++i)
+          R(i, j) -= change(i, W.n_columns() + j);
+    }
+  } // namespace
+
+  double
+  bar_compliance(const ComplianceLaw &law, const double area)
+  {
+    return law.initial_compliance() / area;
+  }
+
+  LayeredSystem::LayeredSystem(const ContactSystem &system,
+                               const std::vector<ContactElement> &elements)
+  {
+    std::size_t n_bars = 0;
+    for (const ContactElement &element : elements)
+      n_bars += element.has_tangential_bar() ? 2 : 1;
+    compliances.assign(n_bars, 0.);
+    for (const ContactElement &element : elements)
+      {
+        compliances.at(element.normal_bar) = bar_compliance(*element.normal_law, element.area);
+        if (element.has_tangential_bar())
+          compliances.at(element.tangential_bar) = bar_compliance(*element.shear_law, element.area);
+      }
+    if (system.jump_operator().empty())
+      eliminate_in_jumps(system);
+    else
+      eliminate_with_jump_operator(system);
+    symmetrise(W);
+  }
+
+  // The bars are split at the bodies' own stiffness: each half uses the formula that does not
+  // cancel.
+  void
+  LayeredSystem::eliminate_in_jumps(const ContactSystem &system)
+  {
+    W = system.stiffness();
+    R = system.load_patterns();
+
+    Indices soft, stiff_or_rigid, stiff;
+    Vector soft_stiffness, stiff_compliance;
+    for (std::size_t i = 0; i < n_bars(); ++i)
+      if (compliances[i] * W(i, i) >= 1.)
+        {
+          soft.push_back(i);
+          soft_stiffness.push_back(1. / compliances[i]);
+        }
+      else
+        {
+          stiff_or_rigid.push_back(i);
+          if (compliances[i] > 0.)
+            {
+              stiff.push_back(i);
+              stiff_compliance.push_back(compliances[i]);
+            }
+        }
+    if (!soft.empty())
+      insert_soft_bars(W, R, soft, stiff_or_rigid, soft_stiffness);
+    if (!stiff.empty())
+      insert_stiff_bars(W, R, stiff, stiff_compliance);
+  }
+
+  // With more bars than coordinates (crossing joints, a rigid body on many bars) the saddle point
+  // problem [S Bᵀ; B -D] [x; p] = [F a; d] is solved as it stands, scaled to the size of its
+  // blocks.
+  void
+  LayeredSystem::eliminate_with_jump_operator(const ContactSystem &system)
+  {
+    const DenseMatrix &S  = system.stiffness();
+    const DenseMatrix &B  = system.jump_operator();
+    const DenseMatrix &F  = system.load_patterns();
+    const std::size_t n_x = S.n_rows(), n_p = n_bars();
+
+    double scale = 0.;
+    for (std::size_t i = 0; i < n_x; ++i)
+      scale = std::max(scale, S(i, i));
+    if (scale == 0.)
+      for (const double D : compliances)
+        scale = std::max(scale, D > 0. ? 1. / D : 0.);
+    if (scale == 0.)
+      scale = 1.;
+
+    DenseMatrix saddle(n_x + n_p, n_x + n_p), rhs(n_x + n_p, n_p + F.n_columns());
+    for (std::size_t j = 0; j < n_x; ++j)
+      {
+        for (std::size_t i = 0; i < n_x; ++i)
+          saddle(i, j) = S(i, j) / scale;
+        for (std::size_t i = 0; i < n_p; ++i)
+          saddle(n_x + i, j) = saddle(j, n_x + i) = B(i, j);
+      }
+    for (std::size_t i = 0; i < n_p; ++i)
+      {
+        saddle(n_x + i, n_x + i) = -compliances[i] * scale;
+        rhs(n_x + i, i)          = 1.;
+      }
+    for (std::size_t j = 0; j < F.n_columns(); ++j)
+      for (std::size_t i = 0; i < n_x; ++i)
+        rhs(i, n_p + j) = F(i, j) / scale;
+
+    const LuFactors factors(std::move(saddle));
+    const double smallest_trusted_condition = 1e-15;
+    if (factors.reciprocal_condition() < smallest_trusted_condition)
+      throw NumericalFailure(
+        "The forces in the bars are not unique: rigid bars repeat each other "
+        "(rigid joints that cross, or several rigid bars under one rigid body). "
+        "Give one of the joints there a compliance.");
+    factors.solve(rhs);
+
+    W = DenseMatrix(n_p, n_p);
+    R = DenseMatrix(n_p, F.n_columns());
+    for (std::size_t i = 0; i < n_p; ++i)
+      {
+        for (std::size_t j = 0; j < n_p; ++j)
+          W(i, j) = -rhs(n_x + i, j) * scale;
+        for (std::size_t j = 0; j < F.n_columns(); ++j)
+          R(i, j) = rhs(n_x + i, n_p + j) * scale;
+      }
+  }
+
+  Vector
+  LayeredSystem::forces(const Vector &factors, const Vector &dislocations) const
+  {
+    Vector p       = multiply(R, factors);
+    const Vector q = multiply(W, dislocations);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] -= q[i];
+    return p;
+  }
+
+  Vector
+  LayeredSystem::jumps(const Vector &dislocations, const Vector &forces) const
+  {
+    Vector jumps = dislocations;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      jumps[i] += compliances[i] * forces[i];
+    return jumps;
+  }
+} // namespace fuga

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/load_history.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace fuga
+{
+  LoadHistory::LoadHistory(std::vector<double> corner_times, std::vector<Vector> factors_at_corners)
+    : corners(std::move(corner_times)), values(std::move(factors_at_corners))
+  {
+    if (corners.size() < 2 || corners.size() != values.size() ||
+        !std::is_sorted(corners.begin(), corners.end(), std::less_equal<>()))
+      throw std::invalid_argument("A load history needs increasing corners with one vector each.");
+  }
+
+  unsigned int
+  LoadHistory::n_patterns() const
+  {
+    return static_cast<unsigned int>(values.front().size());
+  }
+
+  double
+  LoadHistory::end() const
+  {
+    return corners.back();
+  }
+
+  std::size_t
+  LoadHistory::segment_after(const double t) const
+  {
+    const auto next    = std::upper_bound(corners.begin(), corners.end(), t);
+    const auto segment = std::max<std::ptrdiff_t>(0, next - corners.begin() - 1);
+    return std::min<std::size_t>(static_cast<std::size_t>(segment), corners.size() - 2);
+  }
+
+  double
+  LoadHistory::next_corner(const double t) const
+  {
+    return corners[segment_after(t) + 1];
+  }
+
+  Vector
+  LoadHistory::factors(const double t) const
+  {
+    const std::size_t k = segment_after(t);
+    const double length = corners[k + 1] - corners[k];
+    const double s      = (t - corners[k]) / length;
+    Vector result(n_patterns());
+    for (std::size_t j = 0; j < result.size(); ++j)
+      result[j] = (1. - s) * values[k][j] + s * values[k + 1][j];
+    return result;
+  }
+
+  Vector
+  LoadHistory::rates(const double t) const
+  {
+    const std::size_t k = segment_after(t);
+    const double length = corners[k + 1] - corners[k];
+    Vector result(n_patterns());
+    for (std::size_t j = 0; j < result.size(); ++j)
+      result[j] = (values[k + 1][j] - values[k][j]) / length;
+    return result;
+  }
+} // namespace fuga

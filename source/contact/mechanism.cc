@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/mechanism.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** A force below this share of what the stuck joint would answer does not resist. */
+    constexpr double free_force = 1e-7;
+    /** A jump below this share of the largest is none. */
+    constexpr double no_jump = 1e-6;
+  } // namespace
+
+  bool
+  is_free_motion(const JointRates &motion, const LayeredSystem &system)
+  {
+    double largest_stiffness = 0.;
+    for (std::size_t i = 0; i < system.n_bars(); ++i)
+      largest_stiffness = std::max(largest_stiffness, system.stiffness()(i, i));
+    const double size = max_abs(motion.dislocations);
+    return size > 0. && max_abs(motion.forces) <= free_force * largest_stiffness * size;
+  }
+
+  Vector
+  mechanism_jumps(const JointRates &motion, const LayeredSystem &system)
+  {
+    Vector jumps         = system.jumps(motion.dislocations, motion.forces);
+    const double largest = max_abs(jumps);
+    for (double &jump : jumps)
+      jump /= largest;
+    return jumps;
+  }
+
+  MechanismKind
+  classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements)
+  {
+    double opening = 0., sliding = 0.;
+    for (const ContactElement &element : elements)
+      {
+        opening = std::max(opening, std::abs(jumps[element.normal_bar]));
+        if (element.has_tangential_bar())
+          sliding = std::max(sliding, std::abs(jumps[element.tangential_bar]));
+      }
+    if (opening <= no_jump * sliding)
+      return MechanismKind::sliding;
+    return sliding <= no_jump * opening ? MechanismKind::overturning : MechanismKind::mixed;
+  }
+} // namespace fuga

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/layer_response.h>
+#include <fuga/contact/path_segment.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    Vector
+    along(const Vector &origin, const double tau, const Vector &rates)
+    {
+      Vector result = origin;
+      for (std::size_t i = 0; i < rates.size(); ++i)
+        result[i] += tau * rates[i];
+      return result;
+    }
+  } // namespace
+
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state)
+  {
+    // The end of a course is met exactly: stages begin at whole numbers, whatever rounding says.
+    state.t = tau == course.length ? course.t_end
+                                   : course.t + tau * (course.t_end - course.t) / course.length;
+    state.forces =
+      context.system.forces(along(course.factors, tau, course.factor_rates), state.dislocations);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
+          continue;
+        double excess = 0.; // how much less a nonlinear layer deforms than D says
+        if (has_nonlinear_shear(element))
+          {
+            const double T = state.forces[element.tangential_bar];
+            excess         = bar_compliance(*element.shear_law, element.area) * T -
+                     std::copysign(element.shear_law->deformation(std::abs(T) / element.area), T);
+          }
+        state.slips[k] = state.dislocations[element.tangential_bar] + excess;
+      }
+  }
+
+  StraightSegment::StraightSegment(const PathContext &path_context,
+                                   const Course &path_course,
+                                   const PathPoint &path_start)
+    : context(path_context), course(path_course), start(path_start), end(path_course.length)
+  {
+  }
+
+  double
+  StraightSegment::find_end()
+  {
+    end = std::min(course.length, context.boundary.distance(start.state, start.rates));
+    return end;
+  }
+
+  // The forces come from the dislocations and the load anew, and one correction removes what
+  // rounding has added to the active rows: nothing accumulates from event to event.
+  PathPoint
+  StraightSegment::at(const double tau)
+  {
+    PathPoint result          = start;
+    result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
+    if (!course.release.empty())
+      result.state.unreleased_shear = along(start.state.unreleased_shear, tau, course.release);
+    complete_state(context, course, tau, result.state);
+
+    const Vector residual = context.scheme.residual(result.state);
+    if (max_abs(residual) > 0.)
+      if (const std::optional<JointRates> change = context.scheme.correction(residual))
+        {
+          result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);
+          complete_state(context, course, tau, result.state);
+        }
+    return result;
+  }
+
+  std::vector<double>
+  StraightSegment::stations() const
+  {
+    return {0., end};
+  }
+} // namespace fuga
