@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_mesh_cell_geometry_h
+#define fuga_mesh_cell_geometry_h
+
+#include <fuga/mesh/joint_splitter.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** Number of faces of a cell of this shape. */
+  unsigned int
+  n_faces(const CellShape shape);
+
+  /** Shape of the faces of a cell of this shape. */
+  CellShape
+  face_shape(const CellShape shape);
+
+  /** Vertices of a face, counter-clockwise seen from outside; in 2D the cell is to the left. */
+  std::array<unsigned int, 4>
+  face_vertices(const JointedMesh::Cell &cell, const unsigned int face);
+
+  /** Length of a line, area of a plane or slightly warped face. */
+  double
+  face_measure(const CellShape shape,
+               const std::array<unsigned int, 4> &face,
+               const std::vector<std::array<double, 3>> &vertices);
+
+  /** Mean of the vertices of a face as text, "(1, 2)" or "(1, 2, 3)", for messages. */
+  std::string
+  face_centre(const CellShape shape,
+              const std::array<unsigned int, 4> &face,
+              const std::vector<std::array<double, 3>> &vertices);
+
+  /** The same for any point. */
+  std::string
+  print_point(const std::array<double, 3> &point, const unsigned int dim);
+
+  /**
+   * Turns cells whose vertices go round the wrong way, so that all have positive area or volume.
+   * @throws InputError if the Jacobian then vanishes or is negative at a corner of a cell.
+   */
+  void
+  orient_cells(JointedMesh &mesh, const std::string &file_name);
+} // namespace fuga
+
+#endif

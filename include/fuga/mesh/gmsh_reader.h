@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_mesh_gmsh_reader_h
+#define fuga_mesh_gmsh_reader_h
+
+#include <fuga/mesh/gmsh_mesh.h>
+#include <fuga/mesh/text_scanner.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fuga
+{
+  /** From the node numbers of a file, which may have gaps and any order, to 0, 1, 2 ... */
+  class NodeNumbers
+  {
+  public:
+    static constexpr unsigned int unknown = static_cast<unsigned int>(-1);
+
+    /** Position in @p tags of the second occurrence of a tag, or unknown if all differ. */
+    unsigned int
+    build(const std::vector<std::int64_t> &tags);
+
+    unsigned int
+    find(const std::int64_t tag) const;
+
+  private:
+    /** A table if the tags are dense, else sorted pairs: a lying tag must not cost memory. */
+    std::vector<unsigned int> table;
+    std::vector<std::pair<std::int64_t, unsigned int>> sorted;
+  };
+
+  /** An element as it stands in the file. */
+  struct GmshRecord
+  {
+    MeshEntity entity;
+    unsigned int line = 0;
+    /** Elementary entity (curve, surface ...) it belongs to. */
+    std::int64_t geometry = 0;
+  };
+
+  /** Everything of use in the file, before it is known which dimension is the highest. */
+  struct GmshContents
+  {
+    struct Name
+    {
+      std::string name;
+      unsigned int line = 0;
+    };
+
+    std::vector<std::array<double, 3>> nodes;
+    std::array<std::vector<GmshRecord>, 4> elements;
+    std::map<std::pair<unsigned int, int>, Name> names;
+    /** By dimension: the first element block in more than one physical group (line 0: none). */
+    std::array<std::pair<unsigned int, std::string>, 4> overlaps;
+  };
+
+  /** Reads the sections of a Gmsh file of version 2.2 or 4.1 into GmshContents. */
+  class GmshReader
+  {
+  public:
+    explicit GmshReader(TextScanner &text_scanner);
+
+    GmshContents
+    read();
+
+  private:
+    /** Elementary entities of format 4.1 that are in physical groups. */
+    using EntityGroups = std::map<std::pair<unsigned int, std::int64_t>, std::vector<int>>;
+
+    void
+    read_format();
+    void
+    read_physical_names();
+    void
+    read_physical_name();
+    void
+    read_entities();
+    void
+    read_entity(const unsigned int dim);
+    void
+    read_nodes_2();
+    void
+    read_nodes_4();
+    void
+    read_node_block(std::vector<std::int64_t> &tags, std::vector<unsigned int> &lines);
+    void
+    number_nodes(const std::vector<std::int64_t> &tags, const std::vector<unsigned int> &lines);
+    void
+    read_elements_2();
+    void
+    read_elements_4();
+    /** Returns the number of elements. */
+    std::int64_t
+    read_element_block();
+    void
+    read_element(const CellShape shape, const int group, const std::int64_t geometry);
+    CellShape
+    element_shape(const std::int64_t type) const;
+    std::array<double, 3>
+    read_point();
+    void
+    skip_section(const std::string &section);
+    void
+    require_end_of_section(const std::string_view section);
+
+    TextScanner &scanner;
+    GmshContents contents;
+    NodeNumbers numbers;
+    EntityGroups entity_groups;
+    bool version_4     = false;
+    bool have_nodes    = false;
+    bool have_elements = false;
+    bool have_names    = false;
+    bool have_entities = false;
+  };
+
+  /** Checks the contents of a file as a whole and makes the mesh of them. */
+  GmshMesh
+  assemble_gmsh_mesh(const GmshContents &contents,
+                     const TextScanner &scanner,
+                     const std::string &file_name);
+} // namespace fuga
+
+#endif
