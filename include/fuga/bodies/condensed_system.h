@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_condensed_system_h
+#define fuga_bodies_condensed_system_h
+
+#include <fuga/bodies/equilibrium_error.h>
+#include <fuga/bodies/load_assembly.h>
+#include <fuga/bodies/phase_timer.h>
+#include <fuga/bodies/rigid_projection.h>
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/contact_system.h>
+
+namespace dealii
+{
+  template <typename Number>
+  class Vector;
+}
+
+namespace fuga
+{
+  template <int dim>
+  class ContactBars;
+  template <int dim>
+  class ElasticBodies;
+  template <int dim>
+  class InterfaceCoordinates;
+  template <int dim>
+  class JointGeometry;
+  template <int dim>
+  class RigidPieces;
+  class SchurSolver;
+
+  /** One face of a joint, for output: its contact elements along the face, or no_element. */
+  struct JointFace
+  {
+    static constexpr unsigned int no_element = static_cast<unsigned int>(-1);
+
+    unsigned int joint = 0;
+    std::vector<unsigned int> elements;
+    std::vector<std::array<double, 3>> positions;
+  };
+
+  /**
+   * The finite element model as the contact layer sees it: everything but the jumps of the joints
+   * eliminated by one partial factorisation. Mesh and model must live as long as this object.
+   */
+  template <int dim>
+  class CondensedSystem : public ContactSystem
+  {
+  public:
+    /**
+     * Discretises, checks, assembles and factorises. @p frictionless: joints that never carry shear;
+     * they get no tangential bars, provided that the structure is held without them.
+     * @throws InputError, NumericalFailure
+     */
+    CondensedSystem(const JointedMesh &mesh,
+                    const ModelDefinition &model,
+                    const std::vector<bool> &frictionless);
+
+    ~CondensedSystem() override;
+
+    const DenseMatrix &
+    stiffness() const override
+    {
+      return S;
+    }
+
+    const DenseMatrix &
+    load_patterns() const override
+    {
+      return F;
+    }
+
+    const DenseMatrix &
+    jump_operator() const override;
+
+    const DenseMatrix &
+    rigid_motions() const override
+    {
+      return motions;
+    }
+
+    const DenseMatrix &
+    rigid_motion_loads() const override
+    {
+      return motion_loads;
+    }
+
+    /** Contact elements with their geometry; gaps and laws are for others to fill in. */
+    const std::vector<ContactElement> &
+    elements() const;
+
+    /** Local frame of an element: the unit normal, from the minus to the plus side. */
+    std::array<double, 3>
+    normal(const std::size_t element) const;
+
+    const std::vector<JointFace> &
+    joint_faces() const
+    {
+      return faces;
+    }
+
+    /** The pattern of load @p number of the model at load time @p t. */
+    LoadPattern
+    assemble_load(const std::size_t number, const double t) const;
+
+    /** Condenses the patterns; they stay here for recover() and equilibrium_error(). */
+    void
+    set_load_patterns(std::vector<LoadPattern> patterns);
+
+    /** The displacement of all degrees of freedom for load factors @p a and interface coordinates @p
+     * x. */
+    dealii::Vector<double>
+    recover(const Vector &a, const Vector &x) const;
+
+    /** Errors of the full model for displacement u, bar forces p and load factors a. */
+    EquilibriumError
+    equilibrium_error(const dealii::Vector<double> &u, const Vector &p, const Vector &a) const;
+
+    /** Nodal forces K u, numbered as u: reactions at the supports, minus the bar forces at the
+     * lips.
+     */
+    dealii::Vector<double>
+    nodal_forces(const dealii::Vector<double> &u) const;
+
+    /** Jump of every bar. */
+    Vector
+    jumps(const dealii::Vector<double> &u) const;
+
+    /** Strain energy of the bodies. */
+    double
+    bulk_energy(const dealii::Vector<double> &u) const;
+
+    const Discretization<dim> &
+    discretization() const
+    {
+      return *space;
+    }
+
+    /** Whether the component of a node (entry node * dim + component) is held. */
+    const std::vector<bool> &
+    fixed_dofs() const
+    {
+      return fixed;
+    }
+
+    /** Lines for the log. */
+    const std::vector<std::string> &
+    report() const
+    {
+      return lines;
+    }
+
+    /** Wall time of every phase so far, in the order of first use. */
+    const std::vector<std::pair<std::string, double>> &
+    phase_seconds() const
+    {
+      return timer.seconds();
+    }
+
+    /** Megabytes the factorisation needed. */
+    int
+    factorisation_memory() const;
+
+  private:
+    void
+    find_coordinates(const std::vector<bool> &frictionless);
+
+    void
+    factorise();
+
+    void
+    find_rigid_motions();
+
+    void
+    list_joint_faces();
+
+    void
+    check_settlement(const Vector &prescribed) const;
+
+    /** Cᵀ (P - K u). */
+    Vector
+    out_of_balance(const Vector &loads, const Vector &u) const;
+
+    /** Adds to u the response to what is out of balance, with the jumps as they are. */
+    void
+    add_bonded_response(const Vector &loads, Vector &u) const;
+
+
+    Vector
+    combination(const Vector &a, const Vector LoadPattern::*part) const;
+
+    Vector
+    by_nodes(const dealii::Vector<double> &u) const;
+
+    const JointedMesh &mesh;
+    const ModelDefinition &model;
+
+    std::unique_ptr<Discretization<dim>> space;
+    std::vector<bool> fixed;
+    std::unique_ptr<RigidPieces<dim>> pieces;
+    std::unique_ptr<JointGeometry<dim>> geometry;
+    std::unique_ptr<ContactBars<dim>> bars;
+    std::unique_ptr<InterfaceCoordinates<dim>> coordinates;
+    std::unique_ptr<ElasticBodies<dim>> bodies;
+    std::unique_ptr<SchurSolver> solver;
+    std::unique_ptr<RigidProjection> projection;
+
+    DenseMatrix S, F, motions, motion_loads;
+    std::vector<LoadPattern> patterns;
+    std::vector<JointFace> faces;
+    std::vector<std::string> lines;
+
+    mutable PhaseTimer timer;
+  };
+} // namespace fuga
+
+#endif

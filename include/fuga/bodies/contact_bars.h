@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_contact_bars_h
+#define fuga_bodies_contact_bars_h
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/bodies/joint_geometry.h>
+#include <fuga/contact/contact_element.h>
+
+#include <string>
+
+namespace fuga
+{
+  /**
+   * The contact elements of all joints and their bars. A bar whose jump the supports exclude does
+   * not exist; an element without normal bar does not exist either; nor does one at a tip inside a
+   * body.
+   */
+  template <int dim>
+  class ContactBars
+  {
+  public:
+    static constexpr unsigned int no_element = static_cast<unsigned int>(-1);
+
+    /** One bar: its jump is (u⁺ - u⁻)·direction. */
+    struct Bar
+    {
+      unsigned int plus_node  = 0;
+      unsigned int minus_node = 0;
+      dealii::Tensor<1, dim> direction;
+    };
+
+    /** Two degrees of freedom that face each other and are both held. */
+    struct HeldPair
+    {
+      unsigned int plus_node  = 0;
+      unsigned int minus_node = 0;
+      unsigned int component  = 0;
+    };
+
+    /**
+     * @p fixed: held degrees of freedom, node * dim + component; @p frictionless: joints without
+     * tangential bars.
+     * @throws InputError if a support holds both lips in a direction oblique to the joint.
+     */
+    ContactBars(const JointGeometry<dim> &geometry,
+                const JointedMesh &mesh,
+                const std::vector<bool> &fixed,
+                const std::vector<bool> &frictionless);
+
+    /** Geometry and numbers only; the laws are for others to fill in. */
+    const std::vector<ContactElement> &
+    elements() const
+    {
+      return all_elements;
+    }
+
+    const NodePair<dim> &
+    pair_of_element(const std::size_t element) const
+    {
+      return geometry.pairs()[pairs[element]];
+    }
+
+    /** The supports exclude a tangential jump of this element. */
+    bool
+    tangential_jump_vanishes(const std::size_t element) const
+    {
+      return no_tangential_jump[element];
+    }
+
+    const std::vector<Bar> &
+    bars() const
+    {
+      return all_bars;
+    }
+
+    const std::vector<HeldPair> &
+    held_pairs() const
+    {
+      return all_held_pairs;
+    }
+
+    /** Element of every pair of the geometry, or no_element. */
+    const std::vector<unsigned int> &
+    elements_of_pairs() const
+    {
+      return pair_elements;
+    }
+
+    /** Jump of every bar; entry node * dim + component of @p u. */
+    Vector
+    jumps(const Vector &u) const;
+
+    /** Adds @p factor times the nodal forces Gᵀ p. */
+    void
+    add_forces(const double factor, const Vector &p, Vector &forces) const;
+
+    /** One line per joint with elements left out. */
+    const std::vector<std::string> &
+    report() const
+    {
+      return lines;
+    }
+
+  private:
+    enum class Jump
+    {
+      free,
+      normal_only,
+      none
+    };
+
+    Jump
+    possible_jump(const NodePair<dim> &pair,
+                  const std::string &joint,
+                  const std::vector<bool> &fixed);
+
+    void
+    add_element(const unsigned int pair, const unsigned int number, const bool tangential_bar);
+
+    const JointGeometry<dim> &geometry;
+    std::vector<ContactElement> all_elements;
+    std::vector<unsigned int> pairs;
+    std::vector<unsigned int> pair_elements;
+    std::vector<bool> no_tangential_jump;
+    std::vector<Bar> all_bars;
+    std::vector<HeldPair> all_held_pairs;
+    std::vector<std::string> lines;
+  };
+} // namespace fuga
+
+#endif

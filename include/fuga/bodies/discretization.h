@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_discretization_h
+#define fuga_bodies_discretization_h
+
+#include <fuga/bodies/model_definition.h>
+#include <fuga/bodies/reference_element.h>
+#include <fuga/mesh/joint_splitter.h>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+  template <int dim, int spacedim>
+  class DoFHandler;
+} // namespace dealii
+
+namespace fuga
+{
+  /**
+   * The finite element space on the open mesh: deal.II's triangulation (boundary id = label,
+   * material id = body), degrees of freedom, and flat tables of *nodes* (a node carries one degree
+   * of freedom per direction) that the rest of this layer works with.
+   */
+  template <int dim>
+  class Discretization
+  {
+  public:
+    static constexpr unsigned int no_node = static_cast<unsigned int>(-1);
+
+    struct BoundaryFace
+    {
+      unsigned int cell   = 0;
+      unsigned int number = 0;
+      /** JointedMesh::no_label for a face without group. */
+      unsigned int label = 0;
+    };
+
+    /** @throws InputError for mixed or degenerate cells and for elements that do not exist. */
+    Discretization(const JointedMesh &mesh, const ModelDefinition &model);
+
+    ~Discretization();
+
+    const dealii::Triangulation<dim, dim> &
+    triangulation() const
+    {
+      return *mesh;
+    }
+
+    const dealii::DoFHandler<dim, dim> &
+    dof_handler() const
+    {
+      return *dofs;
+    }
+
+    const dealii::Mapping<dim, dim> &
+    mapping() const
+    {
+      return *cell_mapping;
+    }
+
+    const ReferenceElement<dim> &
+    reference_element() const
+    {
+      return reference;
+    }
+
+    std::size_t
+    n_cells() const
+    {
+      return bodies.size();
+    }
+
+    std::size_t
+    n_nodes() const
+    {
+      return positions.size();
+    }
+
+    std::size_t
+    n_dofs() const
+    {
+      return dim * n_nodes();
+    }
+
+    /** The nodes of a cell (in the order of active cells); its corners come first. */
+    const unsigned int *
+    cell_nodes(const std::size_t cell) const
+    {
+      return nodes_of_cells.data() + cell * reference.n_nodes();
+    }
+
+    /** Index into JointedMesh::body_names. */
+    unsigned int
+    cell_body(const std::size_t cell) const
+    {
+      return bodies[cell];
+    }
+
+    /** deal.II's number of the degree of freedom of a node in one direction. */
+    unsigned int
+    dof(const std::size_t node, const unsigned int component) const
+    {
+      return node_dofs[node * dim + component];
+    }
+
+    const dealii::Point<dim> &
+    position(const std::size_t node) const
+    {
+      return positions[node];
+    }
+
+    /** The node at a vertex of the JointedMesh; no_node for a vertex that no cell uses. */
+    unsigned int
+    node_at_vertex(const unsigned int vertex) const
+    {
+      return vertex_nodes.at(vertex);
+    }
+
+    const std::vector<BoundaryFace> &
+    boundary_faces() const
+    {
+      return outer_faces;
+    }
+
+    /** Node @p k of a boundary face, counted along the face. */
+    unsigned int
+    face_node(const BoundaryFace &face, const std::size_t k) const
+    {
+      return cell_nodes(face.cell)[reference.face(face.number).nodes[k]];
+    }
+
+    double
+    face_length(const BoundaryFace &face) const;
+
+    dealii::Point<dim>
+    face_center(const BoundaryFace &face) const;
+
+    /** Unit normal that points out of the body. */
+    dealii::Tensor<1, dim>
+    outer_normal(const BoundaryFace &face) const;
+
+    /** Number of the piece of mesh a cell belongs to; cells of one piece are connected through
+     * faces.
+     */
+    unsigned int
+    cell_piece(const std::size_t cell) const
+    {
+      return pieces[cell];
+    }
+
+    unsigned int
+    n_pieces() const
+    {
+      return piece_count;
+    }
+
+  private:
+    void
+    create_mesh(const JointedMesh &jointed, const unsigned int refinements);
+
+    void
+    number_nodes();
+
+    void
+    find_boundary_faces();
+
+    void
+    find_pieces();
+
+    ReferenceElement<dim> reference;
+    std::unique_ptr<dealii::Mapping<dim, dim>> cell_mapping;
+    std::unique_ptr<dealii::Triangulation<dim, dim>> mesh;
+    std::unique_ptr<dealii::FiniteElement<dim, dim>> element;
+    std::unique_ptr<dealii::DoFHandler<dim, dim>> dofs;
+
+    std::vector<unsigned int> nodes_of_cells;
+    std::vector<unsigned int> bodies;
+    std::vector<unsigned int> pieces;
+    unsigned int piece_count = 0;
+    std::vector<unsigned int> node_dofs;
+    std::vector<dealii::Point<dim>> positions;
+    std::vector<unsigned int> vertex_nodes;
+    std::vector<BoundaryFace> outer_faces;
+  };
+} // namespace fuga
+
+#endif

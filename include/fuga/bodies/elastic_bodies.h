@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_elastic_bodies_h
+#define fuga_bodies_elastic_bodies_h
+
+#include <fuga/bodies/interface_coordinates.h>
+#include <fuga/bodies/schur_solver.h>
+
+namespace fuga
+{
+  template <int dim>
+  class NodeGraph;
+
+  /** The two numbers of isotropic elasticity, σ = λ tr(ε) 1 + 2μ ε in the plane. */
+  struct LameConstants
+  {
+    double lambda = 0.;
+    double mu     = 0.;
+  };
+
+  LameConstants
+  lame_constants(const Material &material, const PlaneAssumption assumption);
+
+  /**
+   * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
+   * the matrix in the coordinates goes straight into MUMPS' triplets, and products with it
+   * (residuals, energies, reactions) are sums over cells. Vectors: entry node * dim + component.
+   */
+  template <int dim>
+  class ElasticBodies
+  {
+  public:
+    ElasticBodies(const Discretization<dim> &discretization,
+                  const JointedMesh &mesh,
+                  const ModelDefinition &model);
+
+    /** Cᵀ K C, one triangle, with C of @p coordinates. */
+    SymmetricTriplets
+    assemble(const InterfaceCoordinates<dim> &coordinates) const;
+
+    /** K u: the nodal forces that hold the displacement u. */
+    Vector
+    forces(const Vector &u) const;
+
+    /** ½ uᵀ K u. */
+    double
+    energy(const Vector &u) const;
+
+  private:
+    class CellStiffness;
+
+    /** Calls @p action(nodes, u of the cell relative to its first node, forces) for every cell. */
+    template <typename Action>
+    void
+    for_each_cell_force(const Vector &u, const Action &action) const;
+
+    void
+    add_plain_cells(const NodeGraph<dim> &graph,
+                    const std::vector<std::size_t> &cells,
+                    const InterfaceCoordinates<dim> &coordinates,
+                    SymmetricTriplets &matrix) const;
+
+    void
+    add_special_cells(const std::vector<std::size_t> &cells,
+                      const InterfaceCoordinates<dim> &coordinates,
+                      SymmetricTriplets &matrix) const;
+
+    const Discretization<dim> &discretization;
+    std::vector<LameConstants> materials;
+    double thickness;
+  };
+} // namespace fuga
+
+#endif

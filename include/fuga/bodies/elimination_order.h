@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_elimination_order_h
+#define fuga_bodies_elimination_order_h
+
+#include <fuga/bodies/interface_coordinates.h>
+
+namespace fuga
+{
+  /**
+   * The place of every coordinate in the elimination, numbered from 1 as MUMPS wants it; interface
+   * coordinates come last.
+   *
+   * MUMPS orders by minimum degree when it is to return a Schur complement, whatever ICNTL(7) says.
+   * Nested dissection by the positions of the nodes is better: halve the set of nodes again and
+   * again along the longer side of its box, and eliminate the nodes between the halves after both
+   * halves.
+   */
+  template <int dim>
+  std::vector<int>
+  elimination_order(const Discretization<dim> &discretization,
+                    const InterfaceCoordinates<dim> &coordinates);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_interface_coordinates_h
+#define fuga_bodies_interface_coordinates_h
+
+#include <fuga/bodies/contact_bars.h>
+
+namespace fuga
+{
+  /**
+   * The change of variables that puts the jumps in the place of one lip: u⁺ = u⁻ + Q δ. In the new
+   * coordinates δ = 0 is the bonded structure, so that everything but the jumps can be eliminated
+   * even if the joints alone hold a body.
+   *
+   * Every degree of freedom (entry node * dim + component) is a sum of coordinates with factors,
+   * plus a prescribed part: that of the support it hangs on. Coordinates are numbered from 0; the
+   * interface coordinates come last. Where more than two nodes meet (joints cross or touch), or
+   * several elements tie the same nodes, the interface coordinates are offsets from one of the
+   * nodes in global directions, and the jump operator is not the identity.
+   */
+  template <int dim>
+  class InterfaceCoordinates
+  {
+  public:
+    struct Term
+    {
+      unsigned int coordinate = 0;
+      double factor           = 0.;
+    };
+
+    InterfaceCoordinates(const Discretization<dim> &discretization,
+                         const ContactBars<dim> &bars,
+                         const std::vector<bool> &fixed);
+
+    unsigned int
+    size() const
+    {
+      return n_coordinates;
+    }
+
+    unsigned int
+    n_interface() const
+    {
+      return interface_count;
+    }
+
+    unsigned int
+    first_interface_coordinate() const
+    {
+      return n_coordinates - interface_count;
+    }
+
+    /** All degrees of freedom of the node are coordinates themselves. */
+    bool
+    is_plain(const std::size_t node) const
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        if (rows[node * dim + c] < 0)
+          return false;
+      return true;
+    }
+
+    /** The coordinate which a degree of freedom of a plain node is. */
+    unsigned int
+    plain_coordinate(const std::size_t dof) const
+    {
+      return static_cast<unsigned int>(rows[dof]);
+    }
+
+    /** Replaces @p terms by those of a degree of freedom (none if it is held). */
+    void
+    terms_of(const std::size_t dof, std::vector<Term> &terms) const;
+
+    /** u = C y + prescribed part (which may be empty). */
+    Vector
+    distribute(const double *y, const Vector &prescribed) const;
+
+    /** Cᵀ f. */
+    Vector
+    gather(const Vector &forces) const;
+
+    /** Gives the degrees of freedom that hang on a support its prescribed displacement. */
+    void
+    extend_prescribed(Vector &prescribed) const;
+
+    /** Jumps of the bars from the interface coordinates; empty if it is the identity. */
+    const DenseMatrix &
+    jump_operator() const
+    {
+      return B;
+    }
+
+  private:
+    /** What a term of a special row refers to before the coordinates have their final numbers. */
+    enum class Kind
+    {
+      interface,
+      slide,
+      dof
+    };
+
+    struct RawTerm
+    {
+      Kind kind;
+      std::size_t index;
+      double factor;
+    };
+
+    class Builder;
+
+    void
+    number(const Builder &builder);
+
+    unsigned int n_coordinates   = 0;
+    unsigned int interface_count = 0;
+    /** A coordinate, or -1 - number of a special row; special row 0 has no terms. */
+    std::vector<int> rows;
+    std::vector<std::vector<Term>> special;
+    std::vector<std::pair<std::size_t, std::size_t>> hangs_on;
+    DenseMatrix B;
+  };
+} // namespace fuga
+
+#endif

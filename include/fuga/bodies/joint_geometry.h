@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_joint_geometry_h
+#define fuga_bodies_joint_geometry_h
+
+#include <fuga/bodies/discretization.h>
+
+namespace fuga
+{
+  /** Two nodes that face each other across a joint, or one node and the rigid obstacle. */
+  template <int dim>
+  struct NodePair
+  {
+    unsigned int joint     = 0;
+    unsigned int plus_node = 0;
+    /** Discretization::no_node for the obstacle. */
+    unsigned int minus_node = 0;
+    /** Unit vector from the minus to the plus side. */
+    dealii::Tensor<1, dim> normal;
+    dealii::Point<dim> position;
+    /** Tributary area, thickness included. */
+    double area = 0.;
+  };
+
+  /** The second vector of the local frame: (tangent, normal) is right-handed as (x, y). */
+  inline dealii::Tensor<1, 2>
+  tangent(const dealii::Tensor<1, 2> &normal)
+  {
+    dealii::Tensor<1, 2> t;
+    t[0] = normal[1];
+    t[1] = -normal[0];
+    return t;
+  }
+
+  /**
+   * Node pairs of all joints. The lips are matched face by face, not node by node, so that where
+   * joints cross every pair of copies that really faces each other is found. At a kink the normal
+   * is the average of the neighbouring faces weighted by tributary areas.
+   */
+  template <int dim>
+  class JointGeometry
+  {
+  public:
+    /** One face of a joint: indices of pairs in the direction of numbering. */
+    struct Face
+    {
+      unsigned int joint = 0;
+      std::vector<unsigned int> pairs;
+    };
+
+    /** @throws InputError with coordinates where the lips do not match. */
+    JointGeometry(const Discretization<dim> &discretization,
+                  const JointedMesh &mesh,
+                  const double thickness);
+
+    /** By joints, and from one end of each to the other: the one with the smaller x, then y, first.
+     */
+    const std::vector<NodePair<dim>> &
+    pairs() const
+    {
+      return all_pairs;
+    }
+
+    const std::vector<Face> &
+    faces() const
+    {
+      return all_faces;
+    }
+
+  private:
+    using BoundaryFace = typename Discretization<dim>::BoundaryFace;
+
+    /** A face of the plus lip and the nodes of both lips along it. */
+    struct MatchedFace
+    {
+      const BoundaryFace *plus = nullptr;
+      std::vector<unsigned int> plus_nodes, minus_nodes;
+    };
+
+    std::vector<MatchedFace>
+    match_lips(const JointedMesh::Joint &joint) const;
+
+    void
+    match_nodes(const std::string &name, MatchedFace &face, const BoundaryFace &minus) const;
+
+    /** Sorts the faces along the joint and turns their nodes into the direction of the walk. */
+    std::vector<MatchedFace>
+    walk(const std::vector<MatchedFace> &faces) const;
+
+    void
+    add_pairs(const unsigned int joint,
+              const std::vector<MatchedFace> &faces,
+              const double thickness);
+
+    const Discretization<dim> &discretization;
+    std::vector<NodePair<dim>> all_pairs;
+    std::vector<Face> all_faces;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_load_assembly_h
+#define fuga_bodies_load_assembly_h
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/bodies/discretization.h>
+
+namespace fuga
+{
+  template <int dim>
+  class FieldExpression;
+
+  /** What a load does to the bodies; entry node * dim + component. */
+  struct LoadPattern
+  {
+    /** Nodal forces. */
+    Vector forces;
+    /** Displacements of held degrees of freedom; empty if nothing is moved. */
+    Vector prescribed;
+  };
+
+  /** Whether the pattern of a load changes with the load time. */
+  bool
+  depends_on_time(const LoadDefinition &load);
+
+  /** Turns load definitions into nodal forces and displacements. */
+  template <int dim>
+  class LoadAssembly
+  {
+  public:
+    LoadAssembly(const Discretization<dim> &discretization,
+                 const JointedMesh &mesh,
+                 const ModelDefinition &model,
+                 const std::vector<bool> &fixed);
+
+    /**
+     * The pattern of a load at load time @p t.
+     * @throws InputError for expressions that cannot be evaluated or are too many or too few, for
+     * points that are not there or not unique, for loads without target.
+     */
+    LoadPattern
+    assemble(const LoadDefinition &load, const double t) const;
+
+  private:
+    void
+    add_weight(const LoadDefinition &load,
+               const FieldExpression<dim> &direction,
+               Vector &forces) const;
+
+    /** Pressure (one component, against the outer normal) or traction. */
+    void
+    add_surface_load(const LoadDefinition &load,
+                     const FieldExpression<dim> &intensity,
+                     Vector &forces) const;
+
+    void
+    add_point_force(const LoadDefinition &load,
+                    const FieldExpression<dim> &force,
+                    Vector &forces) const;
+
+    unsigned int
+    node_at(const LoadDefinition &load) const;
+
+    void
+    set_displacement(const LoadDefinition &load,
+                     const FieldExpression<dim> &displacement,
+                     Vector &prescribed) const;
+
+    const Discretization<dim> &discretization;
+    const JointedMesh &mesh;
+    const ModelDefinition &model;
+    const std::vector<bool> &fixed;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_load_program_h
+#define fuga_bodies_load_program_h
+
+#include <fuga/bodies/condensed_system.h>
+#include <fuga/contact/load_history.h>
+
+namespace fuga
+{
+/**
+ * The stages of the model as the contact layer needs them: load patterns fixed in space, and their
+ * factors, piecewise linear in the load time. A stage whose histories are linear in its fraction,
+ * and whose loads do not depend on time otherwise, is one segment and exact; any other is cut into
+ * ModelDefinition::load_knots segments, between which the load is interpolated (and says so in
+ * report).
+ */
+struct LoadProgram
+{
+  std::vector<LoadPattern> patterns;
+  LoadHistory history;
+  /** Load times to report at, the levels of all stages. */
+  std::vector<double> levels;
+  /** Lines for the log. */
+  std::vector<std::string> report;
+  /** Factor of every load at the corners of the history, whatever became of it as patterns. */
+  LoadHistory load_factors;
+
+  /** Factors of the loads at a load time, by name. */
+  std::map<std::string, double>
+  factors_by_name(const ModelDefinition &model, const double t) const;
+};
+
+/**
+ * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
+ * beginning of a stage.
+ */
+template <int dim>
+LoadProgram make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
+} // namespace fuga
+
+#endif

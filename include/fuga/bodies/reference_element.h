@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_reference_element_h
+#define fuga_bodies_reference_element_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class FiniteElement;
+  template <int dim, int spacedim>
+  class Mapping;
+} // namespace dealii
+
+namespace fuga
+{
+  /** Shape of all cells of a mesh. */
+  enum class ReferenceShape
+  {
+    hypercube,
+    simplex
+  };
+
+  /**
+   * Everything that depends on the kind of element only: the scalar Lagrange element, where its
+   * nodes are, and tables of its values at quadrature points. The one place where finite element,
+   * mapping and quadrature are chosen from the shape of the cells (a tensor Gauss rule on a
+   * triangle is accepted by deal.II and doubles its area).
+   *
+   * The geometry of a cell is linear (bilinear) in its corners, whatever the degree. The corners
+   * are the first nodes of the cell.
+   */
+  template <int dim>
+  class ReferenceElement
+  {
+  public:
+    /** Tables of one face. Weights sum to one. */
+    struct Face
+    {
+      /** The nodes on the face, from its first corner to its second one. */
+      std::vector<unsigned int> nodes;
+      /** ∫ shape function of each of them over the face, per length. */
+      std::vector<double> node_weights;
+      /** Quadrature points: position as a mix of the two corners, and weight. */
+      std::vector<double> position, weight;
+      /** Values of the shape functions of `nodes`, values[q][k]. */
+      std::vector<std::vector<double>> values;
+    };
+
+    /** Tables at the quadrature points of the cell; weights sum to the reference measure. */
+    struct Quadrature
+    {
+      std::vector<double> weight;
+      std::vector<std::vector<double>> values;
+      std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
+      /** Of the (bi)linear functions of the corners. */
+      std::vector<std::vector<double>> geometry_values;
+      std::vector<std::vector<dealii::Tensor<1, dim>>> geometry_gradients;
+    };
+
+    /** @throws InputError when there is no such element, with the degrees that exist. */
+    ReferenceElement(const ReferenceShape shape, const unsigned int degree);
+
+    ~ReferenceElement();
+
+    const dealii::FiniteElement<dim, dim> &
+    scalar_element() const
+    {
+      return *element;
+    }
+
+    std::unique_ptr<dealii::Mapping<dim, dim>>
+    make_mapping() const;
+
+    std::size_t
+    n_nodes() const
+    {
+      return node_geometry.size();
+    }
+
+    std::size_t
+    n_corners() const
+    {
+      return node_geometry.front().size();
+    }
+
+    /** The (bi)linear functions of the corners at node @p i. */
+    const std::vector<double> &
+    geometry_at_node(const std::size_t i) const
+    {
+      return node_geometry[i];
+    }
+
+    const Quadrature &
+    quadrature() const
+    {
+      return cell;
+    }
+
+    const Face &
+    face(const unsigned int number) const
+    {
+      return faces[number];
+    }
+
+  private:
+    void
+    tabulate_cell(const unsigned int degree);
+
+    void
+    tabulate_face(const unsigned int number, const unsigned int degree);
+
+    ReferenceShape shape;
+    std::unique_ptr<dealii::FiniteElement<dim, dim>> element;
+    std::unique_ptr<dealii::FiniteElement<dim, dim>> geometry;
+    std::vector<std::vector<double>> node_geometry;
+    Quadrature cell;
+    std::vector<Face> faces;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_rigid_pieces_h
+#define fuga_bodies_rigid_pieces_h
+
+#include <fuga/bodies/contact_bars.h>
+
+namespace fuga
+{
+  /**
+   * The connected pieces of the open mesh as rigid bodies. Before anything is factorised they tell
+   * whether supports and closed joints hold the structure, and if not, what moves and how. A piece
+   * is connected through faces; pieces that share a single vertex are hinged there.
+   */
+  template <int dim>
+  class RigidPieces
+  {
+  public:
+    RigidPieces(const Discretization<dim> &discretization,
+                const JointedMesh &mesh,
+                const std::vector<bool> &fixed);
+
+    /** Supports and these bars (all taken as rigid) exclude every rigid motion. */
+    bool
+    are_held_by(const ContactBars<dim> &bars) const;
+
+    /** @throws InputError naming a body that is not held, its motion and the remedy. */
+    void
+    require_held_by(const ContactBars<dim> &bars) const;
+
+    /** Number of rigid motions of all bodies without any support. */
+    std::size_t
+    n_free_motions() const
+    {
+      return 3 * floating.size();
+    }
+
+    /** Displacement of all nodes (entry node * dim + component) in one of these motions. */
+    Vector
+    free_motion(const std::size_t number) const;
+
+    /** Name of the body (of its first cell) that moves in one of these motions. */
+    const std::string &
+    moving_body(const std::size_t number) const;
+
+  private:
+    /** Coefficients of one linear form of the motions, 3 per piece: two shifts and a scaled
+     * rotation.
+     */
+    using Row = std::vector<std::pair<unsigned int, double>>;
+
+    void
+    find_nodes(const Discretization<dim> &discretization);
+
+    void
+    find_floating(const std::vector<bool> &fixed);
+
+    Row
+    displacement(const unsigned int node, const dealii::Tensor<1, dim> &direction) const;
+
+    DenseMatrix
+    gram_matrix(const ContactBars<dim> &bars) const;
+
+    /** Null vectors of the Gram matrix, as columns. */
+    DenseMatrix
+    null_space(const ContactBars<dim> &bars) const;
+
+    std::string
+    describe(const DenseMatrix &motions, const unsigned int piece) const;
+
+    std::string
+    describe(const std::array<double, 3> &motion, const unsigned int piece) const;
+
+    const Discretization<dim> &discretization;
+    const JointedMesh &mesh;
+    std::vector<unsigned int> piece_of_node;
+    std::vector<unsigned int> body_of_piece;
+    std::vector<dealii::Point<dim>> centers;
+    std::vector<double> sizes;
+    DenseMatrix supports;
+    /** Pieces that are hinged together move as one. */
+    std::vector<unsigned int> group_of_piece;
+    std::vector<std::pair<unsigned int, unsigned int>> hinges; // node, other piece
+    std::vector<unsigned int> floating;
+    std::vector<dealii::Point<dim>> floating_centers;
+  };
+} // namespace fuga
+
+#endif

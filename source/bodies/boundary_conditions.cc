@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/discretization.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    /** "file:line: " or nothing. */
+    std::string
+    where(const std::string &origin)
+    {
+      return origin.empty() ? "" : origin + ": ";
+    }
+
+    std::vector<std::string>
+    point_names(const JointedMesh &mesh)
+    {
+      std::vector<std::string> names;
+      for (const auto &point : mesh.points)
+        names.push_back(point.name);
+      std::sort(names.begin(), names.end());
+      names.erase(std::unique(names.begin(), names.end()), names.end());
+      return names;
+    }
+
+    std::string
+    listed(const std::vector<std::string> &names)
+    {
+      return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+    }
+
+    bool
+    is_boundary_or_point(const JointedMesh &mesh, const std::string &name)
+    {
+      return index_of(mesh.label_names, name) < mesh.label_names.size() ||
+             !vertices_of_point(mesh, name).empty();
+    }
+
+    void
+    check_materials(const JointedMesh &mesh, const ModelDefinition &model)
+    {
+      std::vector<unsigned int> count(mesh.body_names.size(), 0);
+      for (const auto &material : model.materials)
+        {
+          const unsigned int body = index_of(mesh.body_names, material.body);
+          if (body == mesh.body_names.size())
+            throw InputError(
+              fmt::format("Material of body '{}': the mesh has no such body. Bodies: {}.",
+                          material.body,
+                          listed(mesh.body_names)));
+          ++count[body];
+          if (!(material.young_modulus > 0.) || !(material.poisson_ratio > -1.) ||
+              !(material.poisson_ratio < 0.5))
+            throw InputError(fmt::format("Material of body '{}': Young's modulus {:g} must be "
+                                         "positive and Poisson's ratio {:g} "
+                                         "between -1 and 0.5.",
+                                         material.body,
+                                         material.young_modulus,
+                                         material.poisson_ratio));
+        }
+      for (std::size_t body = 0; body < count.size(); ++body)
+        if (count[body] != 1)
+          throw InputError(fmt::format("Body '{}' has {} materials; give it exactly one.",
+                                       mesh.body_names[body],
+                                       count[body] == 0 ? "no" : std::to_string(count[body])));
+    }
+
+    void
+    check_conditions(const JointedMesh &mesh, const ModelDefinition &model)
+    {
+      for (auto condition = model.boundary_conditions.begin();
+           condition != model.boundary_conditions.end();
+           ++condition)
+        {
+          const auto &fixed = condition->fixed;
+          const bool held   = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+          if (!is_boundary_or_point(mesh, condition->boundary))
+            throw InputError(
+              fmt::format("{}Boundary '{}' is not in the mesh. Boundaries: {}. Points: {}.",
+                          where(condition->origin),
+                          condition->boundary,
+                          listed(mesh.label_names),
+                          listed(point_names(mesh))));
+          if (held == condition->named_free)
+            throw InputError(fmt::format(
+              held ? "{}Boundary '{}' is both held and named free; remove one of the two."
+                   : "{}Boundary '{}' holds no component; name it free or remove the condition.",
+              where(condition->origin),
+              condition->boundary));
+          for (auto other = model.boundary_conditions.begin(); other != condition; ++other)
+            if (other->boundary == condition->boundary)
+              throw InputError(
+                fmt::format("{}Boundary '{}' has a condition already{}; keep one of them.",
+                            where(condition->origin),
+                            condition->boundary,
+                            other->origin.empty() ? "" : " (" + other->origin + ")"));
+        }
+    }
+
+    const BoundaryCondition *
+    condition_of(const ModelDefinition &model, const std::string &boundary)
+    {
+      for (const auto &condition : model.boundary_conditions)
+        if (condition.boundary == boundary)
+          return &condition;
+      return nullptr;
+    }
+
+    void
+    check_load_target(const JointedMesh &mesh,
+                      const ModelDefinition &model,
+                      const LoadDefinition &load,
+                      const std::string &target)
+    {
+      const std::string start = fmt::format("{}Load '{}': ", where(load.origin), load.name);
+      if (load.kind == LoadKind::weight)
+        {
+          if (index_of(mesh.body_names, target) == mesh.body_names.size())
+            throw InputError(fmt::format(
+              "{}there is no body '{}'. Bodies: {}.", start, target, listed(mesh.body_names)));
+          return;
+        }
+      if (load.kind == LoadKind::point_force)
+        {
+          if (vertices_of_point(mesh, target).empty())
+            throw InputError(fmt::format(
+              "{}there is no point '{}'. Points: {}.", start, target, listed(point_names(mesh))));
+          return;
+        }
+      const bool points_too = load.kind == LoadKind::displacement;
+      if (index_of(mesh.label_names, target) == mesh.label_names.size() &&
+          !(points_too && !vertices_of_point(mesh, target).empty()))
+        throw InputError(fmt::format(
+          "{}there is no boundary '{}'. Boundaries: {}.", start, target, listed(mesh.label_names)));
+      const BoundaryCondition *condition = condition_of(model, target);
+      if (condition && condition->named_free)
+        throw InputError(
+          fmt::format("{}boundary '{}' is named free; remove one of the two.", start, target));
+      if (load.kind == LoadKind::displacement)
+        for (std::size_t c = 0; c < load.expressions.size(); ++c)
+          if (!load.expressions[c].empty() && !(condition && condition->fixed[c]))
+            throw InputError(fmt::format(
+              "{}it moves '{}' in {}, but that component is not held. Only held components can be "
+              "moved: hold it, or leave its expression empty.",
+              start,
+              target,
+              "xyz"[c]));
+    }
+
+    void
+    check_every_label_is_used(const JointedMesh &mesh, const ModelDefinition &model)
+    {
+      std::vector<bool> used(mesh.label_names.size(), false);
+      for (const auto &joint : mesh.joints)
+        {
+          used[joint.plus_label] = true;
+          if (joint.minus_label != JointedMesh::no_label)
+            used[joint.minus_label] = true;
+        }
+      for (unsigned int label = 0; label < used.size(); ++label)
+        {
+          const std::string &name            = mesh.label_names[label];
+          const BoundaryCondition *condition = condition_of(model, name);
+          if (used[label] && condition && !condition->named_free)
+            throw InputError(fmt::format(
+              "{}Boundary '{}' is a lip of a joint and cannot be held. Hold other boundaries, or "
+              "take the joint away.",
+              where(condition->origin),
+              name));
+          used[label] = used[label] || condition;
+          for (const auto &load : model.loads)
+            if (load.kind == LoadKind::pressure || load.kind == LoadKind::traction)
+              used[label] = used[label] || index_of(load.targets, name) < load.targets.size();
+          if (!used[label])
+            throw InputError(fmt::format(
+              "Boundary '{}' of the mesh has no condition. Hold it, load it, use it in a joint, or "
+              "name it free.",
+              name));
+        }
+    }
+  } // namespace
+
+
+  unsigned int
+  index_of(const std::vector<std::string> &names, const std::string &name)
+  {
+    return static_cast<unsigned int>(std::find(names.begin(), names.end(), name) - names.begin());
+  }
+
+
+  std::vector<unsigned int>
+  vertices_of_point(const JointedMesh &mesh, const std::string &name)
+  {
+    std::vector<unsigned int> vertices;
+    for (const auto &point : mesh.points)
+      if (point.name == name)
+        vertices.push_back(point.vertex);
+    return vertices;
+  }
+
+
+  void
+  check_names(const JointedMesh &mesh, const ModelDefinition &model)
+  {
+    check_materials(mesh, model);
+    check_conditions(mesh, model);
+    for (const auto &load : model.loads)
+      for (const auto &target : load.targets)
+        check_load_target(mesh, model, load, target);
+    check_every_label_is_used(mesh, model);
+  }
+
+
+  template <int dim>
+  void
+  check_outer_faces(const Discretization<dim> &discretization)
+  {
+    std::size_t count = 0;
+    dealii::Point<dim> first;
+    for (const auto &face : discretization.boundary_faces())
+      if (face.label == JointedMesh::no_label && ++count == 1)
+        first = discretization.face_center(face);
+    if (count > 0)
+      throw InputError(fmt::format(
+        "{} faces of the outer boundary are in no physical group, the first at ({:g}, {:g}). Put "
+        "every outer line into a named group and say what holds there (named free if nothing "
+        "does).",
+        count,
+        first[0],
+        first[1]));
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  nodes_of_target(const Discretization<dim> &discretization,
+                  const JointedMesh &mesh,
+                  const std::string &name)
+  {
+    std::vector<unsigned int> nodes;
+    for (const unsigned int vertex : vertices_of_point(mesh, name))
+      if (discretization.node_at_vertex(vertex) != Discretization<dim>::no_node)
+        nodes.push_back(discretization.node_at_vertex(vertex));
+    const unsigned int label = index_of(mesh.label_names, name);
+    if (label < mesh.label_names.size())
+      for (const auto &face : discretization.boundary_faces())
+        if (face.label == label)
+          for (std::size_t k = 0;
+               k < discretization.reference_element().face(face.number).nodes.size();
+               ++k)
+            nodes.push_back(discretization.face_node(face, k));
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+
+  template <int dim>
+  std::vector<bool>
+  find_fixed_dofs(const Discretization<dim> &discretization,
+                  const JointedMesh &mesh,
+                  const ModelDefinition &model)
+  {
+    std::vector<bool> fixed(discretization.n_dofs(), false);
+    for (const auto &condition : model.boundary_conditions)
+      if (!condition.named_free)
+        for (const unsigned int node : nodes_of_target(discretization, mesh, condition.boundary))
+          for (unsigned int c = 0; c < dim; ++c)
+            if (condition.fixed[c])
+              fixed[node * dim + c] = true;
+    return fixed;
+  }
+
+
+  template void
+  check_outer_faces(const Discretization<2> &);
+  template std::vector<unsigned int>
+  nodes_of_target(const Discretization<2> &, const JointedMesh &, const std::string &);
+  template std::vector<bool>
+  find_fixed_dofs(const Discretization<2> &, const JointedMesh &, const ModelDefinition &);
+} // namespace fuga

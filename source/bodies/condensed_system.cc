@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <deal.II/lac/vector.h>
+
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/elimination_order.h>
+#include <fuga/bodies/rigid_pieces.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  template <int dim>
+  CondensedSystem<dim>::CondensedSystem(const JointedMesh &jointed,
+                                        const ModelDefinition &model_definition,
+                                        const std::vector<bool> &frictionless)
+    : mesh(jointed), model(model_definition)
+  {
+    check_names(mesh, model);
+    space = std::make_unique<Discretization<dim>>(mesh, model);
+    check_outer_faces(*space);
+    timer.finish("mesh and degrees of freedom");
+    find_coordinates(frictionless);
+    timer.finish("joints and supports");
+    factorise();
+    find_rigid_motions();
+    list_joint_faces();
+    timer.finish("rigid motions");
+  }
+
+
+  template <int dim>
+  CondensedSystem<dim>::~CondensedSystem() = default;
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::find_coordinates(const std::vector<bool> &frictionless)
+  {
+    fixed    = find_fixed_dofs(*space, mesh, model);
+    pieces   = std::make_unique<RigidPieces<dim>>(*space, mesh, fixed);
+    geometry = std::make_unique<JointGeometry<dim>>(*space, mesh, model.thickness);
+    bars     = std::make_unique<ContactBars<dim>>(*geometry, mesh, fixed, frictionless);
+    if (std::find(frictionless.begin(), frictionless.end(), true) != frictionless.end() &&
+        !pieces->are_held_by(*bars))
+      {
+        lines.push_back("the normal bars alone do not hold the structure: frictionless joints keep "
+                        "their tangential bars");
+        bars = std::make_unique<ContactBars<dim>>(
+          *geometry, mesh, fixed, std::vector<bool>(mesh.joints.size(), false));
+      }
+    pieces->require_held_by(*bars);
+    lines.insert(lines.end(), bars->report().begin(), bars->report().end());
+    coordinates = std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed);
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::factorise()
+  {
+    bodies                   = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
+    SymmetricTriplets matrix = bodies->assemble(*coordinates);
+    lines.push_back(fmt::format("{} unknowns, {} of them interface coordinates; {} matrix entries",
+                                coordinates->size(),
+                                coordinates->n_interface(),
+                                matrix.values.size()));
+    timer.finish("assembly");
+    solver = std::make_unique<SchurSolver>();
+    timer.finish("start of MPI and MUMPS");
+    std::vector<int> order = elimination_order(*space, *coordinates);
+    timer.finish("ordering");
+    S = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
+    timer.set_apart("analysis", solver->analysis_seconds());
+    timer.finish("factorisation");
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::find_rigid_motions()
+  {
+    motions = DenseMatrix(bars->bars().size(), pieces->n_free_motions());
+    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+      {
+        const Vector jump = bars->jumps(pieces->free_motion(k));
+        std::copy(jump.begin(), jump.end(), motions.column(k));
+      }
+    // Only where the interface coordinates are the jumps.
+    projection =
+      std::make_unique<RigidProjection>(jump_operator().empty() ? motions : DenseMatrix());
+    projection->project_stiffness(S);
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::list_joint_faces()
+  {
+    static_assert(JointFace::no_element == ContactBars<dim>::no_element, "same mark");
+    for (const auto &face : geometry->faces())
+      {
+        JointFace result;
+        result.joint = face.joint;
+        for (const unsigned int pair : face.pairs)
+          {
+            result.elements.push_back(bars->elements_of_pairs()[pair]);
+            result.positions.emplace_back();
+            for (unsigned int c = 0; c < dim; ++c)
+              result.positions.back()[c] = geometry->pairs()[pair].position[c];
+          }
+        faces.push_back(std::move(result));
+      }
+  }
+
+
+  template <int dim>
+  const DenseMatrix &
+  CondensedSystem<dim>::jump_operator() const
+  {
+    return coordinates->jump_operator();
+  }
+
+
+  template <int dim>
+  const std::vector<ContactElement> &
+  CondensedSystem<dim>::elements() const
+  {
+    return bars->elements();
+  }
+
+
+  template <int dim>
+  std::array<double, 3>
+  CondensedSystem<dim>::normal(const std::size_t element) const
+  {
+    std::array<double, 3> result{};
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] = bars->pair_of_element(element).normal[c];
+    return result;
+  }
+
+
+  template <int dim>
+  LoadPattern
+  CondensedSystem<dim>::assemble_load(const std::size_t number, const double t) const
+  {
+    timer.restart();
+    LoadPattern pattern =
+      LoadAssembly<dim>(*space, mesh, model, fixed).assemble(model.loads.at(number), t);
+    timer.finish("loads");
+    return pattern;
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::check_settlement(const Vector &prescribed) const
+  {
+    double largest = 0.;
+    for (const double value : prescribed)
+      largest = std::max(largest, std::abs(value));
+    for (const auto &pair : bars->held_pairs())
+      {
+        const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
+        const double jump   = prescribed[pair.plus_node * dim + pair.component] -
+                            (obstacle ? 0. : prescribed[pair.minus_node * dim + pair.component]);
+        const auto &at = space->position(pair.plus_node);
+        if (std::abs(jump) > 1e-9 * largest)
+          throw InputError(
+            fmt::format("A settlement tears the two sides of a joint apart at ({:g}, {:g}), where "
+                        "supports hold "
+                        "both of them in {}. Hold one side only, or move both alike.",
+                        at[0],
+                        at[1],
+                        "xyz"[pair.component]));
+      }
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
+  {
+    timer.restart();
+    patterns     = std::move(new_patterns);
+    motion_loads = DenseMatrix(pieces->n_free_motions(), patterns.size());
+    for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)
+      {
+        const Vector motion = pieces->free_motion(k);
+        for (std::size_t j = 0; j < patterns.size(); ++j)
+          motion_loads(k, j) = dot(motion, patterns[j].forces);
+      }
+    DenseMatrix loads(coordinates->size(), patterns.size());
+    for (std::size_t j = 0; j < patterns.size(); ++j)
+      {
+        Vector &prescribed = patterns[j].prescribed;
+        if (!prescribed.empty())
+          {
+            check_settlement(prescribed);
+            coordinates->extend_prescribed(prescribed);
+          }
+        if (coordinates->n_interface() == 0)
+          continue; // recover() does all that is to be done
+        // Condensing what the bonded structure leaves out of balance instead of the load itself
+        // keeps rounding errors out of F that would grow with the model.
+        Vector u = coordinates->distribute(Vector(coordinates->size(), 0.).data(), prescribed);
+        add_bonded_response(patterns[j].forces, u);
+        const Vector residual = out_of_balance(patterns[j].forces, u);
+        std::copy(residual.begin(), residual.end(), loads.column(j));
+      }
+    F = solver->condense(loads);
+    projection->project_loads(F, motion_loads);
+    timer.finish("condensation of loads");
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::combination(const Vector &a, const Vector LoadPattern::*part) const
+  {
+    Vector sum;
+    for (std::size_t j = 0; j < patterns.size(); ++j)
+      if (const Vector &column = patterns[j].*part; a[j] != 0. && !column.empty())
+        {
+          sum.resize(column.size(), 0.);
+          for (std::size_t i = 0; i < column.size(); ++i)
+            sum[i] += a[j] * column[i];
+        }
+    return sum;
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::out_of_balance(const Vector &loads, const Vector &u) const
+  {
+    Vector residual = bodies->forces(u);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = loads[i] - residual[i];
+    return coordinates->gather(residual);
+  }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::add_bonded_response(const Vector &loads, Vector &u) const
+  {
+    Vector y = out_of_balance(loads, u);
+    solver->solve(y, Vector(coordinates->n_interface(), 0.));
+    u = coordinates->distribute(y.data(), u);
+  }
+
+
+  template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::recover(const Vector &a, const Vector &x) const
+  {
+    timer.restart();
+    const Vector prescribed = combination(a, &LoadPattern::prescribed);
+    Vector loads            = combination(a, &LoadPattern::forces);
+    loads.resize(space->n_dofs(), 0.);
+    Vector y(coordinates->size(), 0.);
+    std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
+    Vector u = coordinates->distribute(y.data(), prescribed);
+    add_bonded_response(loads, u);
+    add_bonded_response(loads, u); // refines
+    dealii::Vector<double> result(static_cast<unsigned int>(u.size()));
+    for (std::size_t node = 0; node < space->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[space->dof(node, c)] = u[node * dim + c];
+    timer.finish("recovery of displacements");
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::by_nodes(const dealii::Vector<double> &u) const
+  {
+    Vector result(space->n_dofs());
+    for (std::size_t node = 0; node < space->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[node * dim + c] = u[space->dof(node, c)];
+    return result;
+  }
+
+
+  template <int dim>
+  EquilibriumError
+  CondensedSystem<dim>::equilibrium_error(const dealii::Vector<double> &u,
+                                          const Vector &p,
+                                          const Vector &a) const
+  {
+    timer.restart();
+    const Vector elastic = bodies->forces(by_nodes(u));
+    Vector loads         = combination(a, &LoadPattern::forces);
+    loads.resize(space->n_dofs(), 0.);
+    Vector contact(space->n_dofs(), 0.);
+    bars->add_forces(1., p, contact);
+
+    const EquilibriumError error = fuga::equilibrium_error(elastic, contact, loads, fixed, *pieces);
+    timer.finish("equilibrium check");
+    return error;
+  }
+
+
+  template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
+  {
+    const Vector forces = bodies->forces(by_nodes(u));
+    dealii::Vector<double> result(u.size());
+    for (std::size_t node = 0; node < space->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[space->dof(node, c)] = forces[node * dim + c];
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::jumps(const dealii::Vector<double> &u) const
+  {
+    return bars->jumps(by_nodes(u));
+  }
+
+
+  template <int dim>
+  double
+  CondensedSystem<dim>::bulk_energy(const dealii::Vector<double> &u) const
+  {
+    return bodies->energy(by_nodes(u));
+  }
+
+
+  template <int dim>
+  int
+  CondensedSystem<dim>::factorisation_memory() const
+  {
+    return solver->memory();
+  }
+
+
+  template class CondensedSystem<2>;
+} // namespace fuga

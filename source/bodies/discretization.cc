@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/disjoint_sets.h>
+
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    ReferenceShape
+    shape_of_cells(const JointedMesh &jointed)
+    {
+      if (jointed.cells.empty())
+        throw InputError("The mesh has no cells.");
+      const CellShape shape = jointed.cells.front().shape;
+      for (const auto &cell : jointed.cells)
+        if (cell.shape != shape)
+          throw InputError(
+            "The mesh has triangles and quadrilaterals. Use one kind of cells: in Gmsh, "
+            "recombine all surfaces (Recombine Surface{:}) or none.");
+      if (shape == CellShape::quadrilateral)
+        return ReferenceShape::hypercube;
+      if (shape == CellShape::triangle)
+        return ReferenceShape::simplex;
+      throw InputError("The cells of a plane model are triangles or quadrilaterals.");
+    }
+
+    double
+    signed_area(const JointedMesh &jointed, const JointedMesh::Cell &cell)
+    {
+      double twice         = 0.;
+      const unsigned int n = n_vertices(cell.shape);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto &a = jointed.vertices[cell.vertices[i]];
+          const auto &b = jointed.vertices[cell.vertices[(i + 1) % n]];
+          twice += a[0] * b[1] - a[1] * b[0];
+        }
+      return twice / 2.;
+    }
+
+    /** Counter-clockwise corners in the order deal.II wants them. */
+    template <int dim>
+    dealii::CellData<dim>
+    cell_data(const JointedMesh &jointed, const JointedMesh::Cell &cell)
+    {
+      const double area = signed_area(jointed, cell);
+      const auto &at    = jointed.vertices[cell.vertices[0]];
+      if (!(std::abs(area) > 0.))
+        throw InputError(
+          fmt::format("A cell of body '{}' at ({:g}, {:g}) has no area. Mend the mesh there.",
+                      jointed.body_names[cell.body],
+                      at[0],
+                      at[1]));
+      const unsigned int n = n_vertices(cell.shape);
+      dealii::CellData<dim> data(n);
+      for (unsigned int i = 0; i < n; ++i)
+        data.vertices[i] = cell.vertices[area > 0. ? i : (n - i) % n];
+      if (n == 4)
+        std::swap(data.vertices[2], data.vertices[3]);
+      data.material_id = cell.body;
+      return data;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Discretization<dim>::Discretization(const JointedMesh &jointed, const ModelDefinition &model)
+    : reference(shape_of_cells(jointed), model.polynomial_degree)
+    , cell_mapping(reference.make_mapping())
+    , mesh(std::make_unique<dealii::Triangulation<dim>>())
+    , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
+  {
+    create_mesh(jointed, model.refinements);
+    dofs = std::make_unique<dealii::DoFHandler<dim>>(*mesh);
+    dofs->distribute_dofs(*element);
+    vertex_nodes.assign(jointed.vertices.size(), no_node);
+    number_nodes();
+    find_boundary_faces();
+    find_pieces();
+  }
+
+
+  template <int dim>
+  Discretization<dim>::~Discretization() = default;
+
+
+  template <int dim>
+  void
+  Discretization<dim>::create_mesh(const JointedMesh &jointed, const unsigned int refinements)
+  {
+    std::vector<dealii::Point<dim>> vertices(jointed.vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        vertices[i][c] = jointed.vertices[i][c];
+
+    std::vector<dealii::CellData<dim>> cells;
+    cells.reserve(jointed.cells.size());
+    for (const auto &cell : jointed.cells)
+      cells.push_back(cell_data<dim>(jointed, cell));
+    if (jointed.cells.front().shape == CellShape::quadrilateral)
+      dealii::GridTools::consistently_order_cells(cells);
+
+    // Boundary id 0 is what deal.II gives to faces that are not listed: shift the labels by one.
+    dealii::SubCellData faces;
+    faces.boundary_lines.reserve(jointed.faces.size());
+    for (const auto &face : jointed.faces)
+      {
+        dealii::CellData<1> line(2);
+        line.vertices    = {face.vertices[0], face.vertices[1]};
+        line.boundary_id = face.label + 1;
+        faces.boundary_lines.push_back(line);
+      }
+    mesh->create_triangulation(vertices, cells, faces);
+    for (const auto &face : mesh->active_face_iterators())
+      if (face->at_boundary())
+        face->set_boundary_id(face->boundary_id() == 0 ? JointedMesh::no_label - 1
+                                                       : face->boundary_id() - 1);
+    mesh->refine_global(refinements);
+  }
+
+
+  template <int dim>
+  void
+  Discretization<dim>::number_nodes()
+  {
+    const unsigned int n_local = static_cast<unsigned int>(reference.n_nodes());
+    // Local number of the degree of freedom of node i in direction c.
+    std::vector<unsigned int> local(n_local * dim);
+    for (unsigned int i = 0; i < element->n_dofs_per_cell(); ++i)
+      {
+        const auto component                            = element->system_to_component_index(i);
+        local[component.second * dim + component.first] = i;
+      }
+
+    std::vector<unsigned int> node_of_dof(dofs->n_dofs(), no_node);
+    std::vector<dealii::types::global_dof_index> indices(element->n_dofs_per_cell());
+    nodes_of_cells.reserve(mesh->n_active_cells() * n_local);
+    bodies.reserve(mesh->n_active_cells());
+    node_dofs.reserve(dofs->n_dofs());
+    for (const auto &cell : dofs->active_cell_iterators())
+      {
+        bodies.push_back(cell->material_id());
+        cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < n_local; ++i)
+          {
+            unsigned int &node = node_of_dof[indices[local[i * dim]]];
+            if (node == no_node)
+              {
+                node = static_cast<unsigned int>(positions.size());
+                for (unsigned int c = 0; c < dim; ++c)
+                  node_dofs.push_back(indices[local[i * dim + c]]);
+                dealii::Point<dim> position;
+                for (unsigned int v = 0; v < reference.n_corners(); ++v)
+                  position += reference.geometry_at_node(i)[v] * cell->vertex(v);
+                positions.push_back(position);
+              }
+            nodes_of_cells.push_back(node);
+          }
+        for (unsigned int v = 0; v < reference.n_corners(); ++v)
+          if (cell->vertex_index(v) < vertex_nodes.size())
+            vertex_nodes[cell->vertex_index(v)] = *(nodes_of_cells.end() - n_local + v);
+      }
+  }
+
+
+  template <int dim>
+  void
+  Discretization<dim>::find_boundary_faces()
+  {
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              const auto id = cell->face(f)->boundary_id();
+              outer_faces.push_back({cell->active_cell_index(),
+                                     f,
+                                     id == JointedMesh::no_label - 1 ? JointedMesh::no_label : id});
+            }
+  }
+
+
+  template <int dim>
+  void
+  Discretization<dim>::find_pieces()
+  {
+    DisjointSets sets(n_cells());
+    for (const auto &cell : mesh->active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->at_boundary(f) &&
+            cell->neighbor(f)->active_cell_index() < cell->active_cell_index())
+          sets.unite(cell->active_cell_index(), cell->neighbor(f)->active_cell_index());
+    piece_count = sets.number(pieces);
+  }
+
+
+  template <int dim>
+  double
+  Discretization<dim>::face_length(const BoundaryFace &face) const
+  {
+    const std::size_t last = reference.face(face.number).nodes.size() - 1;
+    return position(face_node(face, 0)).distance(position(face_node(face, last)));
+  }
+
+
+  template <int dim>
+  dealii::Point<dim>
+  Discretization<dim>::face_center(const BoundaryFace &face) const
+  {
+    const std::size_t last = reference.face(face.number).nodes.size() - 1;
+    return (position(face_node(face, 0)) + position(face_node(face, last))) / 2.;
+  }
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  Discretization<dim>::outer_normal(const BoundaryFace &face) const
+  {
+    static_assert(dim == 2, "faces are lines");
+    const std::size_t last             = reference.face(face.number).nodes.size() - 1;
+    const dealii::Point<dim> start     = position(face_node(face, 0));
+    const dealii::Tensor<1, dim> along = position(face_node(face, last)) - start;
+    dealii::Tensor<1, dim> normal;
+    normal[0] = along[1] / along.norm();
+    normal[1] = -along[0] / along.norm();
+
+    dealii::Point<dim> center;
+    for (unsigned int v = 0; v < reference.n_corners(); ++v)
+      center += position(cell_nodes(face.cell)[v]) / static_cast<double>(reference.n_corners());
+    return (center - start) * normal > 0. ? -normal : normal;
+  }
+
+
+  template class Discretization<2>;
+} // namespace fuga

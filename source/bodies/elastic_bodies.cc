@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/node_graph.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  LameConstants
+  lame_constants(const Material &material, const PlaneAssumption assumption)
+  {
+    const double E = material.young_modulus, nu = material.poisson_ratio;
+    LameConstants result;
+    result.mu     = E / (2. * (1. + nu));
+    result.lambda = assumption == PlaneAssumption::plane_stress
+                      ? E * nu / (1. - nu * nu)
+                      : E * nu / ((1. + nu) * (1. - 2. * nu));
+    return result;
+  }
+
+
+  /** Stiffness matrices of one cell after the other; entry (node * dim + component). */
+  template <int dim>
+  class ElasticBodies<dim>::CellStiffness
+  {
+  public:
+    explicit CellStiffness(const ElasticBodies<dim> &elastic_bodies)
+      : bodies(elastic_bodies)
+      , geometry(elastic_bodies.discretization)
+      , n_nodes(elastic_bodies.discretization.reference_element().n_nodes())
+      , matrix(n_nodes * dim * n_nodes * dim)
+    {
+    }
+
+    /** All entries, row by row. */
+    const double *
+    of(const std::size_t cell)
+    {
+      const unsigned int next = bodies.discretization.cell_body(cell);
+      const bool is_moved     = geometry.move_to(cell);
+      if (is_moved || next != body)
+        {
+          body = next;
+          compute();
+        }
+      return matrix.data();
+    }
+
+  private:
+    void
+    compute()
+    {
+      const auto &quadrature = bodies.discretization.reference_element().quadrature();
+      for (std::size_t a = 0; a < n_nodes; ++a)
+        for (std::size_t b = 0; b <= a; ++b)
+          {
+            dealii::Tensor<2, dim> product;
+            for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+              product += outer_product(geometry.volume(q) * geometry.gradients(q)[a],
+                                       geometry.gradients(q)[b]);
+            set_block(a, b, product * bodies.thickness);
+          }
+    }
+
+    void
+    set_block(const std::size_t a, const std::size_t b, const dealii::Tensor<2, dim> &product)
+    {
+      const LameConstants &material = bodies.materials[body];
+      const double diagonal         = material.mu * trace(product);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double value = material.lambda * product[c][d] + material.mu * product[d][c] +
+                                 (c == d ? diagonal : 0.);
+            matrix[(a * dim + c) * n_nodes * dim + b * dim + d] = value;
+            matrix[(b * dim + d) * n_nodes * dim + a * dim + c] = value;
+          }
+    }
+
+    const ElasticBodies<dim> &bodies;
+    CellGeometry<dim> geometry;
+    std::size_t n_nodes;
+    std::vector<double> matrix;
+    unsigned int body = static_cast<unsigned int>(-1);
+  };
+
+
+  template <int dim>
+  ElasticBodies<dim>::ElasticBodies(const Discretization<dim> &space,
+                                    const JointedMesh &mesh,
+                                    const ModelDefinition &model)
+    : discretization(space)
+    , materials(mesh.body_names.size())
+    , thickness(dim == 2 ? model.thickness : 1.)
+  {
+    for (const Material &material : model.materials)
+      materials.at(index_of(mesh.body_names, material.body)) =
+        lame_constants(material, model.assumption);
+  }
+
+
+  template <int dim>
+  SymmetricTriplets
+  ElasticBodies<dim>::assemble(const InterfaceCoordinates<dim> &coordinates) const
+  {
+    std::vector<bool> is_plain(discretization.n_nodes());
+    for (std::size_t node = 0; node < is_plain.size(); ++node)
+      is_plain[node] = coordinates.is_plain(node);
+    std::vector<std::size_t> plain, special;
+    plain.reserve(discretization.n_cells());
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        const bool all            = std::all_of(nodes,
+                                     nodes + discretization.reference_element().n_nodes(),
+                                     [&](const unsigned int node) { return is_plain[node]; });
+        (all ? plain : special).push_back(cell);
+      }
+    SymmetricTriplets matrix;
+    matrix.size = static_cast<int>(coordinates.size());
+    add_plain_cells(NodeGraph<dim>(discretization, plain, is_plain), plain, coordinates, matrix);
+    add_special_cells(special, coordinates, matrix);
+    return matrix;
+  }
+
+
+  template <int dim>
+  void
+  ElasticBodies<dim>::add_plain_cells(const NodeGraph<dim> &graph,
+                                      const std::vector<std::size_t> &cells,
+                                      const InterfaceCoordinates<dim> &coordinates,
+                                      SymmetricTriplets &matrix) const
+  {
+    matrix.rows.reserve(graph.n_entries() + graph.n_entries() / 8);
+    matrix.columns.reserve(graph.n_entries() + graph.n_entries() / 8);
+    const auto number = [&](const std::size_t node, const unsigned int c) {
+      return static_cast<int>(coordinates.plain_coordinate(node * dim + c)) + 1;
+    };
+    for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+      if (graph.has_entries(node))
+        {
+          for (auto neighbour = graph.begin(node); neighbour != graph.end(node); ++neighbour)
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  matrix.rows.push_back(number(node, c));
+                  matrix.columns.push_back(number(*neighbour, d));
+                }
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d <= c; ++d)
+              {
+                matrix.rows.push_back(number(node, c));
+                matrix.columns.push_back(number(node, d));
+              }
+        }
+
+    matrix.values.reserve(graph.n_entries() + graph.n_entries() / 8);
+    matrix.values.resize(graph.n_entries(), 0.);
+    const std::size_t n_local = discretization.reference_element().n_nodes();
+    CellStiffness stiffness(*this);
+    for (const std::size_t cell : cells)
+      {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        const double *K           = stiffness.of(cell);
+        for (std::size_t a = 0; a < n_local; ++a)
+          for (std::size_t b = 0; b < n_local; ++b)
+            if (nodes[b] <= nodes[a])
+              {
+                const bool diagonal = a == b;
+                double *value =
+                  matrix.values.data() + (diagonal ? graph.diagonal_entry(nodes[a])
+                                                   : graph.block_entry(nodes[a], nodes[b]));
+                for (unsigned int c = 0; c < dim; ++c)
+                  for (unsigned int d = 0; d < (diagonal ? c + 1 : dim); ++d)
+                    *value++ += K[(a * dim + c) * n_local * dim + b * dim + d];
+              }
+      }
+  }
+
+
+  template <int dim>
+  void
+  ElasticBodies<dim>::add_special_cells(const std::vector<std::size_t> &cells,
+                                        const InterfaceCoordinates<dim> &coordinates,
+                                        SymmetricTriplets &matrix) const
+  {
+    using Term                = typename InterfaceCoordinates<dim>::Term;
+    const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
+    CellStiffness stiffness(*this);
+    std::vector<Term> terms;
+    for (const std::size_t cell : cells)
+      {
+        // Cᵀ K C on the coordinates that occur in this cell.
+        std::vector<unsigned int> used;
+        std::vector<Vector> factors; // of every coordinate, by local degree of freedom
+        for (std::size_t i = 0; i < n_local; ++i)
+          {
+            coordinates.terms_of(discretization.cell_nodes(cell)[i / dim] * dim + i % dim, terms);
+            for (const Term &term : terms)
+              {
+                const auto at = std::find(used.begin(), used.end(), term.coordinate) - used.begin();
+                if (static_cast<std::size_t>(at) == used.size())
+                  {
+                    used.push_back(term.coordinate);
+                    factors.emplace_back(n_local, 0.);
+                  }
+                factors[static_cast<std::size_t>(at)][i] += term.factor;
+              }
+          }
+        const double *K = stiffness.of(cell);
+        Vector product(n_local);
+        for (std::size_t j = 0; j < used.size(); ++j)
+          {
+            for (std::size_t i = 0; i < n_local; ++i)
+              product[i] =
+                std::inner_product(K + i * n_local, K + (i + 1) * n_local, factors[j].begin(), 0.);
+            for (std::size_t i = 0; i < used.size(); ++i)
+              if (used[i] >= used[j])
+                {
+                  matrix.rows.push_back(static_cast<int>(used[i]) + 1);
+                  matrix.columns.push_back(static_cast<int>(used[j]) + 1);
+                  matrix.values.push_back(
+                    std::inner_product(product.begin(), product.end(), factors[i].begin(), 0.));
+                }
+          }
+      }
+  }
+
+
+  template <int dim>
+  template <typename Action>
+  void
+  ElasticBodies<dim>::for_each_cell_force(const Vector &u, const Action &action) const
+  {
+    const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
+    CellStiffness stiffness(*this);
+    Vector local(n_local), force(n_local);
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        // A shift of the whole cell causes no force, and no rounding error either.
+        for (std::size_t i = 0; i < n_local; ++i)
+          local[i] = u[nodes[i / dim] * dim + i % dim] - u[nodes[0] * dim + i % dim];
+        const double *K = stiffness.of(cell);
+        for (std::size_t i = 0; i < n_local; ++i)
+          force[i] = std::inner_product(local.begin(), local.end(), K + i * n_local, 0.);
+        action(nodes, local, force);
+      }
+  }
+
+
+  template <int dim>
+  Vector
+  ElasticBodies<dim>::forces(const Vector &u) const
+  {
+    Vector result(discretization.n_dofs(), 0.);
+    for_each_cell_force(u, [&](const unsigned int *nodes, const Vector &, const Vector &force) {
+      for (std::size_t i = 0; i < force.size(); ++i)
+        result[nodes[i / dim] * dim + i % dim] += force[i];
+    });
+    return result;
+  }
+
+
+  template <int dim>
+  double
+  ElasticBodies<dim>::energy(const Vector &u) const
+  {
+    double sum = 0.;
+    for_each_cell_force(u, [&](const unsigned int *, const Vector &local, const Vector &force) {
+      sum += std::inner_product(local.begin(), local.end(), force.begin(), 0.);
+    });
+    return sum / 2.;
+  }
+
+
+  template class ElasticBodies<2>;
+} // namespace fuga

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/load_assembly.h>
+
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    std::string
+    title(const LoadDefinition &load)
+    {
+      return fmt::format("{}Load '{}'", load.origin.empty() ? "" : load.origin + ": ", load.name);
+    }
+
+    /** The expressions with their defaults; checks their number. */
+    std::vector<std::string>
+    checked_expressions(const LoadDefinition &load, const unsigned int dim)
+    {
+      if (load.kind == LoadKind::weight && load.expressions.empty())
+        return dim == 2 ? std::vector<std::string>{"0", "-1"}
+                        : std::vector<std::string>{"0", "0", "-1"};
+      const std::size_t expected = load.kind == LoadKind::pressure ? 1 : dim;
+      if (load.expressions.size() != expected)
+        throw InputError(fmt::format("{}: it has {} expressions and needs {}.",
+                                     title(load),
+                                     load.expressions.size(),
+                                     expected));
+      if (load.targets.empty() && load.kind != LoadKind::weight && !load.has_coordinates)
+        throw InputError(fmt::format("{}: it acts nowhere; name its targets.", title(load)));
+      return load.expressions;
+    }
+
+    std::vector<bool>
+    selection(const std::vector<std::string> &names, const std::vector<std::string> &targets)
+    {
+      std::vector<bool> selected(names.size(), false);
+      for (const auto &target : targets)
+        if (const unsigned int i = index_of(names, target); i < names.size())
+          selected[i] = true;
+      return selected;
+    }
+  } // namespace
+
+
+  bool
+  depends_on_time(const LoadDefinition &load)
+  {
+    for (const auto &expression : load.expressions)
+      if (expression_uses(expression, "t"))
+        return true;
+    return false;
+  }
+
+
+  template <int dim>
+  LoadAssembly<dim>::LoadAssembly(const Discretization<dim> &space,
+                                  const JointedMesh &jointed,
+                                  const ModelDefinition &model_definition,
+                                  const std::vector<bool> &fixed_dofs)
+    : discretization(space), mesh(jointed), model(model_definition), fixed(fixed_dofs)
+  {
+  }
+
+
+  template <int dim>
+  LoadPattern
+  LoadAssembly<dim>::assemble(const LoadDefinition &load, const double t) const
+  {
+    FieldExpression<dim> field(checked_expressions(load, dim), model.constants, title(load));
+    field.set_time(t);
+    LoadPattern pattern;
+    pattern.forces.assign(discretization.n_dofs(), 0.);
+    switch (load.kind)
+      {
+        case LoadKind::weight:
+          add_weight(load, field, pattern.forces);
+          break;
+        case LoadKind::pressure:
+        case LoadKind::traction:
+          add_surface_load(load, field, pattern.forces);
+          break;
+        case LoadKind::point_force:
+          add_point_force(load, field, pattern.forces);
+          break;
+        case LoadKind::displacement:
+          pattern.prescribed.assign(discretization.n_dofs(), 0.);
+          set_displacement(load, field, pattern.prescribed);
+          break;
+      }
+    return pattern;
+  }
+
+
+  template <int dim>
+  void
+  LoadAssembly<dim>::add_weight(const LoadDefinition &load,
+                                const FieldExpression<dim> &direction,
+                                Vector &forces) const
+  {
+    Vector density(mesh.body_names.size(), 0.);
+    for (const Material &material : model.materials)
+      if (load.targets.empty() || index_of(load.targets, material.body) < load.targets.size())
+        density[index_of(mesh.body_names, material.body)] = material.weight_density;
+
+    dealii::Tensor<1, dim> uniform;
+    if (direction.is_uniform())
+      for (unsigned int c = 0; c < dim; ++c)
+        uniform[c] = direction.value(dealii::Point<dim>(), c);
+
+    const auto &quadrature    = discretization.reference_element().quadrature();
+    const std::size_t n_local = discretization.reference_element().n_nodes();
+    CellGeometry<dim> geometry(discretization);
+    Vector share(n_local);
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        const double specific = density[discretization.cell_body(cell)] * model.thickness;
+        if (specific == 0.)
+          continue;
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        if (geometry.move_to(cell))
+          {
+            std::fill(share.begin(), share.end(), 0.);
+            for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+              for (std::size_t i = 0; i < n_local; ++i)
+                share[i] += geometry.volume(q) * quadrature.values[q][i];
+          }
+        if (direction.is_uniform())
+          for (std::size_t i = 0; i < n_local; ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              forces[nodes[i] * dim + c] += specific * share[i] * uniform[c];
+        else
+          for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const double force =
+                  specific * geometry.volume(q) * direction.value(geometry.point(q), c);
+                for (std::size_t i = 0; i < n_local; ++i)
+                  forces[nodes[i] * dim + c] += force * quadrature.values[q][i];
+              }
+      }
+  }
+
+
+  template <int dim>
+  void
+  LoadAssembly<dim>::add_surface_load(const LoadDefinition &load,
+                                      const FieldExpression<dim> &intensity,
+                                      Vector &forces) const
+  {
+    const std::vector<bool> loaded = selection(mesh.label_names, load.targets);
+    for (const auto &face : discretization.boundary_faces())
+      {
+        if (face.label == JointedMesh::no_label || !loaded[face.label])
+          continue;
+        const auto &table   = discretization.reference_element().face(face.number);
+        const double area   = discretization.face_length(face) * model.thickness;
+        const auto normal   = discretization.outer_normal(face);
+        const std::size_t n = table.nodes.size();
+        const auto first    = discretization.position(discretization.face_node(face, 0));
+        const auto last     = discretization.position(discretization.face_node(face, n - 1));
+        for (std::size_t q = 0; q < table.weight.size(); ++q)
+          {
+            const dealii::Point<dim> point = first + table.position[q] * (last - first);
+            dealii::Tensor<1, dim> traction;
+            if (load.kind == LoadKind::pressure)
+              traction = -intensity.value(point, 0) * normal;
+            else
+              for (unsigned int c = 0; c < dim; ++c)
+                traction[c] = intensity.value(point, c);
+            for (std::size_t k = 0; k < n; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                forces[discretization.face_node(face, k) * dim + c] +=
+                  area * table.weight[q] * table.values[q][k] * traction[c];
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
+  LoadAssembly<dim>::add_point_force(const LoadDefinition &load,
+                                     const FieldExpression<dim> &force,
+                                     Vector &forces) const
+  {
+    std::vector<unsigned int> nodes;
+    for (const auto &target : load.targets)
+      for (const unsigned int node : nodes_of_target(discretization, mesh, target))
+        nodes.push_back(node);
+    if (load.targets.empty())
+      nodes.push_back(node_at(load));
+    for (const unsigned int node : nodes)
+      for (unsigned int c = 0; c < dim; ++c)
+        forces[node * dim + c] += force.value(discretization.position(node), c);
+  }
+
+
+  template <int dim>
+  unsigned int
+  LoadAssembly<dim>::node_at(const LoadDefinition &load) const
+  {
+    dealii::Point<dim> point, low, high;
+    for (unsigned int c = 0; c < dim; ++c)
+      point[c] = load.coordinates[c];
+    low = high              = discretization.position(0);
+    double nearest_distance = std::numeric_limits<double>::max();
+    unsigned int nearest = 0, count = 0;
+    for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+      {
+        const auto &at        = discretization.position(node);
+        const double distance = at.distance(point);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            low[c]  = std::min(low[c], at[c]);
+            high[c] = std::max(high[c], at[c]);
+          }
+        if (distance < nearest_distance)
+          {
+            nearest          = node;
+            nearest_distance = distance;
+          }
+      }
+    const double tolerance = 1e-8 * low.distance(high);
+    for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+      count += discretization.position(node).distance(point) <= tolerance ? 1 : 0;
+    const auto &at = discretization.position(nearest);
+    if (count == 0)
+      throw InputError(fmt::format("{}: there is no node at ({:g}, {:g}); the nearest one is at "
+                                   "({:.9g}, {:.9g}). Put a point of the geometry there.",
+                                   title(load),
+                                   point[0],
+                                   point[1],
+                                   at[0],
+                                   at[1]));
+    if (count > 1)
+      throw InputError(
+        fmt::format("{}: at ({:g}, {:g}) the lips of a joint have {} nodes. Apply the "
+                    "force a little beside the joint, or use a traction.",
+                    title(load),
+                    point[0],
+                    point[1],
+                    count));
+    return nearest;
+  }
+
+
+  template <int dim>
+  void
+  LoadAssembly<dim>::set_displacement(const LoadDefinition &load,
+                                      const FieldExpression<dim> &displacement,
+                                      Vector &prescribed) const
+  {
+    for (const auto &target : load.targets)
+      for (const unsigned int node : nodes_of_target(discretization, mesh, target))
+        for (unsigned int c = 0; c < dim; ++c)
+          if (!load.expressions[c].empty() && fixed[node * dim + c])
+            prescribed[node * dim + c] = displacement.value(discretization.position(node), c);
+  }
+
+
+  template class LoadAssembly<2>;
+} // namespace fuga

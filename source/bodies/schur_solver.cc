@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/schur_solver.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <dmumps_c.h>
+#include <mpi.h>
+#include <numeric>
+
+namespace fuga
+{
+  namespace
+  {
+    void
+    finalise_mpi()
+    {
+      int finalised = 0;
+      MPI_Finalized(&finalised);
+      if (!finalised)
+        MPI_Finalize();
+    }
+
+    void
+    initialise_mpi()
+    {
+      int initialised = 0;
+      MPI_Initialized(&initialised);
+      if (initialised)
+        return;
+      // A program that mpirun did not start has nobody to talk to: do not open any network.
+      if (!std::getenv("OMPI_COMM_WORLD_SIZE"))
+        {
+          setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+          setenv("OMPI_MCA_btl", "self", 0);
+          setenv("OMPI_MCA_pml", "ob1", 0);
+        }
+      MPI_Init(nullptr, nullptr);
+      std::atexit(finalise_mpi);
+    }
+
+    double
+    seconds()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+    }
+
+    void
+    mirror_lower_triangle(DenseMatrix &S)
+    {
+      for (std::size_t j = 0; j < S.n_columns(); ++j)
+        for (std::size_t i = j + 1; i < S.n_rows(); ++i)
+          S(j, i) = S(i, j);
+    }
+  } // namespace
+
+
+  struct SchurSolver::Instance
+  {
+    DMUMPS_STRUC_C data{};
+    std::vector<int> kept, ordering;
+
+    /** MUMPS' ICNTL, counted from 1 as its manual does. */
+    int &
+    control(const int i)
+    {
+      return data.icntl[i - 1];
+    }
+
+    int
+    info(const int i) const
+    {
+      return data.infog[i - 1];
+    }
+  };
+
+
+  SchurSolver::SchurSolver() : mumps(std::make_unique<Instance>())
+  {
+    initialise_mpi();
+    mumps->data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
+    mumps->data.par          = 1;
+    mumps->data.sym          = 1;
+    call(-1, "start");
+    for (const int stream : {1, 2, 3})
+      mumps->control(stream) = -1;
+    mumps->control(4)  = 0;
+    mumps->control(7)  = 5;
+    mumps->control(14) = 30;
+    mumps->control(27) = 32;
+  }
+
+
+  SchurSolver::~SchurSolver()
+  {
+    int finalised = 0;
+    MPI_Finalized(&finalised);
+    if (finalised)
+      return;
+    mumps->data.job = -2;
+    dmumps_c(&mumps->data);
+  }
+
+
+  void
+  SchurSolver::call(const int job, const char *what)
+  {
+    mumps->data.job = job;
+    dmumps_c(&mumps->data);
+    const int error = mumps->info(1);
+    if (error < 0)
+      throw NumericalFailure(
+        fmt::format("MUMPS failed in its {} (INFOG(1) = {}, INFOG(2) = {}){}.",
+                    what,
+                    error,
+                    mumps->info(2),
+                    error == -13 || error == -7 || error == -19 ? ": out of memory" : ""));
+  }
+
+
+  DenseMatrix
+  SchurSolver::factorise(SymmetricTriplets &matrix,
+                         const unsigned int kept,
+                         std::vector<int> ordering)
+  {
+    auto &data = mumps->data;
+    n_kept     = kept;
+    data.n     = matrix.size;
+    data.nnz   = static_cast<MUMPS_INT8>(matrix.values.size());
+    data.irn   = matrix.rows.data();
+    data.jcn   = matrix.columns.data();
+    data.a     = matrix.values.data();
+
+    DenseMatrix S(n_kept, n_kept);
+    mumps->kept.resize(n_kept);
+    std::iota(mumps->kept.begin(), mumps->kept.end(), matrix.size - static_cast<int>(n_kept) + 1);
+    mumps->control(19) = n_kept > 0 ? 3 : 0;
+    data.size_schur    = static_cast<int>(n_kept);
+    data.listvar_schur = mumps->kept.data();
+    data.nprow = data.npcol = 1;
+    data.mblock = data.nblock = 100;
+    data.schur_lld            = static_cast<int>(n_kept);
+    data.schur                = S.data();
+    mumps->ordering           = std::move(ordering);
+    mumps->control(7)         = mumps->ordering.empty() ? 5 : 1;
+    data.perm_in              = mumps->ordering.empty() ? nullptr : mumps->ordering.data();
+
+    const double start = seconds();
+    call(1, "analysis");
+    const double analysed = seconds();
+    analysis_time         = analysed - start;
+    for (unsigned int attempt = 0;; ++attempt)
+      try
+        {
+          call(2, "factorisation");
+          break;
+        }
+      catch (const NumericalFailure &)
+        {
+          const int error = mumps->info(1);
+          const bool too_little =
+            error == -8 || error == -9 || error == -14 || error == -15 || error == -20;
+          if (!too_little || attempt == 4)
+            throw;
+          mumps->control(14) = 2 * mumps->control(14) + 50; // estimates were too low: more room
+        }
+    factorisation_time = seconds() - analysed;
+
+    data.irn = data.jcn = nullptr;
+    data.a              = nullptr;
+    for (std::size_t i = 0; i < n_kept; ++i)
+      if (!std::isfinite(S(i, i)))
+        throw NumericalFailure(
+          "The factorisation of the bodies gave no finite stiffness. Check that "
+          "no cell is degenerate and that the moduli are of similar size.");
+    mirror_lower_triangle(S);
+    return S;
+  }
+
+
+  void
+  SchurSolver::run_condensation(double *loads, const std::size_t n_columns, DenseMatrix &reduced)
+  {
+    auto &data   = mumps->data;
+    reduced      = DenseMatrix(n_kept, n_columns);
+    data.nrhs    = static_cast<int>(n_columns);
+    data.lrhs    = data.n;
+    data.rhs     = loads;
+    data.lredrhs = static_cast<int>(n_kept);
+    data.redrhs  = reduced.data();
+    // Without kept unknowns this is the whole solution.
+    mumps->control(26) = n_kept > 0 ? 1 : 0;
+    call(3, "condensation of the loads");
+  }
+
+
+  DenseMatrix
+  SchurSolver::condense(DenseMatrix &loads)
+  {
+    DenseMatrix reduced;
+    if (n_kept > 0 && loads.n_columns() > 0)
+      run_condensation(loads.data(), loads.n_columns(), reduced);
+    return reduced;
+  }
+
+
+  void
+  SchurSolver::solve(Vector &load, const Vector &x)
+  {
+    DenseMatrix reduced;
+    run_condensation(load.data(), 1, reduced);
+    if (n_kept == 0)
+      return;
+    std::copy(x.begin(), x.end(), reduced.data());
+    mumps->control(26) = 2;
+    call(3, "expansion of the solution");
+  }
+
+
+  int
+  SchurSolver::memory() const
+  {
+    return mumps->info(22);
+  }
+} // namespace fuga

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "block_mesh.h"
+
+#include <gtest/gtest.h>
+
+namespace fuga::test
+{
+  Vector
+  apply_jump_operator(const CondensedSystem<2> &system, const Vector &x)
+  {
+    const DenseMatrix &B = system.jump_operator();
+    return B.empty() ? x : multiply(B, x);
+  }
+
+
+  Solution
+  solve_linear(const CondensedSystem<2> &system, const double rho_n, const double rho_t)
+  {
+    DenseMatrix K       = system.stiffness();
+    const std::size_t m = K.n_rows();
+    Vector C(system.rigid_motions().n_rows());
+    for (const auto &element : system.elements())
+      {
+        C[element.normal_bar] = element.area / rho_n;
+        if (element.has_tangential_bar())
+          C[element.tangential_bar] = element.area / rho_t;
+      }
+    const DenseMatrix &B = system.jump_operator();
+    for (std::size_t k = 0; k < C.size(); ++k)
+      for (std::size_t i = 0; i < m; ++i)
+        for (std::size_t j = 0; j < m; ++j)
+          K(i, j) +=
+            C[k] * (B.empty() ? double(i == k) : B(k, i)) * (B.empty() ? double(j == k) : B(k, j));
+    DenseMatrix x(m, 1);
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = 0; j < system.load_patterns().n_columns(); ++j)
+        x(i, 0) += system.load_patterns()(i, j);
+    if (!solve_positive_definite(K, x))
+      throw std::runtime_error("not positive definite");
+    Solution solution;
+    solution.x.assign(x.data(), x.data() + m);
+    solution.jumps = apply_jump_operator(system, solution.x);
+    for (std::size_t k = 0; k < C.size(); ++k)
+      solution.p.push_back(C[k] * solution.jumps[k]);
+    return solution;
+  }
+
+
+  BlockMesh
+  two_blocks()
+  {
+    BlockMesh mesh;
+    mesh.add_block("lower", 6, 2, rectangle(-1., 2., -1., 0.), {{"base", "side", "J-", "side"}});
+    mesh.add_block("upper", 6, 3, rectangle(-1., 2., 0., 2.), {{"J+", "free", "top", "free"}});
+    mesh.add_joint("J", "J+", "J-");
+    return mesh;
+  }
+
+  ModelDefinition
+  two_block_model()
+  {
+    ModelDefinition model;
+    add_material(model, "lower", 30000., 0.25);
+    add_material(model, "upper", 3000., 0.2, 0.024);
+    hold(model, "base", "xy");
+    hold(model, "side", "x");
+    hold(model, "free", "");
+    add_load(model, LoadKind::weight, {"upper"}, {});
+    add_load(model, LoadKind::traction, {"top"}, {"0.01*x", "-0.02*(x+2)"});
+    return model;
+  }
+
+  std::string
+  message_of(const JointedMesh &mesh, const ModelDefinition &model)
+  {
+    try
+      {
+        const CondensedSystem<2> system(mesh, model, std::vector<bool>(mesh.joints.size(), false));
+      }
+    catch (const std::runtime_error &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void
+  expect_message(const std::string &message, const std::vector<std::string> &parts)
+  {
+    for (const auto &part : parts)
+      EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+  }
+} // namespace fuga::test
