@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_history_writer_h
+#define fuga_io_history_writer_h
+
+#include <fuga/contact/certificate.h>
+#include <fuga/contact/event_path.h>
+#include <fuga/io/joint_results.h>
+#include <fuga/io/output_files.h>
+#include <fuga/io/units.h>
+
+namespace fuga
+{
+  /** Fixed data that every row refers to. */
+  struct HistoryContext
+  {
+    const std::vector<ContactElement> &elements;
+    const std::vector<std::string> &joint_names;
+    const std::vector<std::string> &stage_names;
+    const std::vector<std::array<double, 3>> &normals;
+    Units units;
+  };
+
+  /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.
+   */
+  std::pair<std::size_t, double>
+  stage_of(const double t, const std::size_t n_stages);
+
+  /**
+   * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
+   * element and level), resultants.csv (one row per joint and level). Columns: README, "Results".
+   */
+  class HistoryWriter
+  {
+  public:
+    HistoryWriter(const std::string &directory, const HistoryContext &context);
+
+    void
+    add_events(const std::vector<ContactEvent> &events, const double certificate);
+
+    void
+    add_level(const double t,
+              const std::vector<ElementResult> &results,
+              const EnergyLedger &energies,
+              const double certificate);
+
+    /** Brings the files on disk up to date. */
+    void
+    publish(const bool now);
+
+  private:
+    const HistoryContext context;
+    CsvFile events, history, resultants;
+    std::size_t n_events = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameter_expressions_h
+#define fuga_io_parameter_expressions_h
+
+#include <map>
+#include <string>
+
+namespace fuga
+{
+  /** What an expression may depend on. */
+  enum class ExpressionArguments
+  {
+    /** x, y. */
+    place,
+    /** x, y and the load time t. */
+    place_and_time,
+    /** The stage fraction t. */
+    stage_fraction
+  };
+
+  /**
+   * Parses and evaluates an expression once, before anything is computed with it.
+   * @returns "" or a sentence that says what is wrong and what to do. Values which are not finite
+   * are wrong at any stage fraction tried, but in the plane only if they are so at all points tried
+   * (a pressure may well be defined at its own boundary only).
+   */
+  std::string
+  expression_problem(const std::string &expression,
+                     const ExpressionArguments arguments,
+                     const std::map<std::string, double> &constants);
+} // namespace fuga
+
+#endif

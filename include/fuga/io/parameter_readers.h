@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameter_readers_h
+#define fuga_io_parameter_readers_h
+
+#include <fuga/io/parameter_expressions.h>
+#include <fuga/io/parameter_values.h>
+#include <fuga/io/parameters.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** Fails at the entry if expression_problem() finds one in one of its expressions. */
+  void
+  check_expression(const ParameterSection &section,
+                   const std::string &entry,
+                   const std::string &expression,
+                   const ExpressionArguments arguments,
+                   const std::map<std::string, double> &constants);
+
+  /** Section Joints. @throws InputError */
+  std::vector<JointParameters>
+  read_joints(const ParameterValues &values, const std::map<std::string, double> &constants);
+
+  /** Section Boundaries of a plane problem. @throws InputError */
+  std::vector<BoundaryCondition>
+  read_boundaries(const ParameterValues &values);
+
+  /** Section Loads, each load for itself. @throws InputError */
+  std::vector<LoadDefinition>
+  read_loads(const ParameterValues &values, const ModelDefinition &model);
+
+  /** Section Stages. @throws InputError */
+  std::vector<StageDefinition>
+  read_stages(const ParameterValues &values, const ModelDefinition &model);
+
+  /** What several sections together can get wrong. @throws InputError naming both culprits. */
+  void
+  check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);
+} // namespace fuga
+
+#endif

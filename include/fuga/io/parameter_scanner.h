@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameter_scanner_h
+#define fuga_io_parameter_scanner_h
+
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** The names of the subsections around an entry, outermost first. */
+  using SectionPath = std::vector<std::string>;
+
+  /** "Joints/base"; empty for the top level. */
+  std::string
+  path_name(const SectionPath &path);
+
+  /** One `set NAME = VALUE` of a file or of the command line; blanks are normalised. */
+  struct ScannedEntry
+  {
+    SectionPath path;
+    std::string name;
+    std::string value;
+    /** "file:line" or the --set option, for messages. */
+    std::string origin;
+
+    /** "Joints/base/Friction coefficient". */
+    std::string
+    full_name() const;
+  };
+
+  /** One opening of a subsection. */
+  struct ScannedSection
+  {
+    SectionPath path;
+    std::string origin;
+  };
+
+  /** What stands in a parameter file, in its order; nothing is known yet of what may stand there.
+   */
+  struct ParameterScan
+  {
+    std::string file;
+    std::vector<ScannedSection> sections;
+    std::vector<ScannedEntry> entries;
+  };
+
+  /**
+   * Reads a file in the format that its extension says.
+   * @throws InputError for a file that cannot be read, is empty or breaks the rules of its format.
+   */
+  ParameterScan
+  scan_parameter_file(const std::string &file);
+
+  /**
+   * Scans text in the format of deal.II's ParameterHandler: `subsection NAME`, `set NAME = VALUE`,
+   * `end`, comments from # to the end of the line, lines continued by a backslash at their end.
+   */
+  ParameterScan
+  scan_prm(const std::string &file, const std::string &text);
+
+  /** Scans nested JSON objects of strings, numbers and truth values. */
+  ParameterScan
+  scan_json(const std::string &file, const std::string &text);
+
+  /**
+   * Applies the --set options in their order: the value takes the place of the one in the file, or
+   * is added; an empty value takes the entry out. Two options for the same entry are an error.
+   */
+  void
+  apply_overrides(ParameterScan &scan, const std::vector<std::string> &overrides);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameter_values_h
+#define fuga_io_parameter_values_h
+
+#include <fuga/io/parameter_scanner.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fuga
+{
+  class ParameterValues;
+
+  /** The entries of one section (or named subsection) with their values; a light view. */
+  class ParameterSection
+  {
+  public:
+    ParameterSection(const ParameterValues &values, const SectionPath &path);
+
+    /** The innermost name. */
+    const std::string &
+    name() const
+    {
+      return path.back();
+    }
+
+    /** Whether the entry stands in the file or in an override. */
+    bool
+    given(const std::string &entry) const;
+
+    /** Value or default. */
+    std::string
+    text(const std::string &entry) const;
+
+    double
+    number(const std::string &entry) const;
+
+    unsigned int
+    integer(const std::string &entry) const;
+
+    /** The pieces between commas. @throws InputError for empty or repeated ones. */
+    std::vector<std::string>
+    list(const std::string &entry) const;
+
+    /** Where the entry is set, else where the section is opened, else the file. */
+    std::string
+    origin(const std::string &entry = "") const;
+
+    /** Throws the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
+    [[noreturn]] void
+    fail(const std::string &entry, const std::string &problem_and_remedy) const;
+
+    /** The same for the section as a whole. */
+    [[noreturn]] void
+    fail(const std::string &problem_and_remedy) const;
+
+  private:
+    const ParameterValues *values;
+    SectionPath path;
+  };
+
+  /**
+   * The values of a scanned file within what is declared. The constructor refuses unknown,
+   * repeated, missing and ill-formed entries; what it accepts sits in a dealii::ParameterHandler.
+   */
+  class ParameterValues
+  {
+  public:
+    /** @throws InputError */
+    explicit ParameterValues(const ParameterScan &scan);
+
+    ParameterSection
+    section(const std::string &name) const;
+
+    /** The named subsections of a section, in the order of the file. */
+    std::vector<ParameterSection>
+    subsections(const std::string &name) const;
+
+    std::vector<std::string>
+    subsection_names(const std::string &name) const;
+
+    /** The numbers of section Constants. */
+    std::map<std::string, double>
+    constants() const;
+
+    /** (path, value) of all entries with a value, in the order of the declarations. */
+    std::vector<std::pair<std::string, std::string>>
+    echo() const;
+
+    const std::string &
+    file() const
+    {
+      return file_name;
+    }
+
+  private:
+    friend class ParameterSection;
+
+    void
+    add_section(const ScannedSection &section);
+
+    void
+    declare(const SectionPath &path);
+
+    void
+    add_constant(const ScannedEntry &entry);
+
+    void
+    add_entry(const ScannedEntry &entry);
+
+    void
+    refuse_unknown(const ScannedEntry &entry) const;
+
+    void
+    set(const ScannedEntry &entry);
+
+    void
+    require_entries(const SectionPath &path) const;
+
+    /** All paths that can hold entries: the declared sections and the subsections of the file. */
+    std::vector<SectionPath>
+    all_paths() const;
+
+    std::string file_name;
+    dealii::ParameterHandler handler;
+    std::map<std::string, std::vector<SectionPath>> subsection_paths;
+    std::map<SectionPath, std::string> section_origins;
+    std::map<std::string, std::string> entry_origins;
+    std::vector<std::string> constant_names;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameters_h
+#define fuga_io_parameters_h
+
+#include <fuga/bodies/model_definition.h>
+#include <fuga/io/units.h>
+#include <fuga/laws/friction_law.h>
+#include <fuga/mesh/joint_splitter.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fuga
+{
+  /** The curve of stress against deformation of a joint layer in one direction; see ComplianceLaw.
+   */
+  enum class LayerLaw
+  {
+    /** ρ = 0; also what a linear law with compliance 0 becomes. */
+    rigid,
+    linear,
+    /** Law (9) of the paper; needs the thickness of the layer. */
+    cubic_root
+  };
+
+  /** One joint: where it is in the mesh, its layer, its friction. */
+  struct JointParameters
+  {
+    JointDefinition definition;
+
+    LayerLaw normal_law = LayerLaw::linear;
+    LayerLaw shear_law  = LayerLaw::linear;
+    /** ρn at zero deformation [m/MPa]; 0 exactly if, and only if, the law is rigid. */
+    double normal_compliance = 0.;
+    /** ρt, likewise. A joint without friction and without a shear compliance is rigid here. */
+    double shear_compliance = 0.;
+    /** ζ0 [m]; 0 = not given. Positive for every cubic root law. */
+    double thickness = 0.;
+
+    FrictionLaw friction;
+    /** muParser expression of x, y for the initial gap [m]. */
+    std::string initial_gap = "0";
+    /** file:line of the subsection, for messages. */
+    std::string origin;
+
+    /** ζ0/ρn [MPa], what a user recognises a slip of units by; 0 if thickness or compliance is 0.
+     */
+    double
+    normal_layer_modulus() const
+    {
+      return normal_compliance > 0. ? thickness / normal_compliance : 0.;
+    }
+  };
+
+  /** How the equations of a nonlinear layer are solved. */
+  enum class IterationKind
+  {
+    newton,
+    /** The paper's iteration with the stiffness at zero deformation; may diverge, see its limits.
+     */
+    constant_stiffness
+  };
+
+  struct SolverSettings
+  {
+    IterationKind iteration         = IterationKind::newton;
+    double iteration_tolerance      = 1e-12;
+    unsigned int maximum_iterations = 200;
+    /** A certificate above this ends the run with exit code 4. */
+    double certificate_bound = 1e-9;
+  };
+
+  /** When fields (VTU files) are written. */
+  enum class FieldOutput
+  {
+    levels,
+    end,
+    never
+  };
+
+  /** What gets a line on the screen. */
+  enum class LogDetail
+  {
+    events,
+    levels,
+    quiet
+  };
+
+  struct OutputSettings
+  {
+    /** Never empty; relative names are relative to the current directory of the process. */
+    std::string directory;
+    FieldOutput fields = FieldOutput::levels;
+    LogDetail log      = LogDetail::events;
+    Units units;
+  };
+
+  /** Everything a parameter file says. */
+  struct Parameters
+  {
+    std::string title;
+    /** As given on the command line. */
+    std::string parameter_file;
+    /** Exists; its name is already resolved against the folder of the parameter file. */
+    std::string mesh_file;
+
+    /** The constants contain "pi" besides those of the user. */
+    ModelDefinition model;
+    std::vector<JointParameters> joints;
+    SolverSettings solver;
+    OutputSettings output;
+
+    /** (path, value) of every entry that was given or has a default, in the order of
+     *  default_parameter_text(); e.g. ("Bodies/dam/Young modulus", "3060"). */
+    std::vector<std::pair<std::string, std::string>> echo;
+  };
+
+  /**
+   * Reads a .prm or .json file, applies the @p overrides ("Section/Sub/Entry=value"; an empty value
+   * takes the entry out of the file) and checks everything that can be checked without the mesh.
+   * @throws InputError whose message names file, line, entry, value, what is allowed and what to
+   * do.
+   */
+  Parameters
+  read_parameters(const std::string &file, const std::vector<std::string> &overrides = {});
+
+  /**
+   * A complete parameter file with every entry, its documentation and its default (or an example
+   * where there is none). Entries which may only be given in place of another one are comments.
+   */
+  std::string
+  default_parameter_text();
+
+  /** The echo as a JSON object with nested sections: itself a valid .json parameter file. */
+  std::string
+  echo_json(const Parameters &parameters);
+} // namespace fuga
+
+#endif

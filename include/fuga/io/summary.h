@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_summary_h
+#define fuga_io_summary_h
+
+#include <fuga/contact/certificate.h>
+#include <fuga/contact/event_path.h>
+#include <fuga/io/parameters.h>
+
+#include <map>
+#include <string>
+
+namespace fuga
+{
+  /** The words of summary.json and of the log. */
+  std::string
+  verdict_name(const Verdict verdict);
+  std::string
+  mechanism_name(const MechanismKind kind);
+
+  /** What summary.json says; see README, "Results". */
+  struct Summary
+  {
+    std::string verdict;
+    int exit_code = 0;
+    /** Reason of a numerical failure. */
+    std::string message;
+    /** Name of the stage and its fraction at t. */
+    double t = 0.;
+    std::string stage;
+    double stage_fraction = 0.;
+    /** Factors of the load patterns at t, by load name. */
+    std::map<std::string, double> load_factors;
+
+    std::vector<std::pair<std::string, std::size_t>> sizes;
+    std::map<std::string, std::size_t> events_by_kind;
+    std::size_t n_events = 0;
+    PathResult path;
+    IterationCount iterations;
+    Certificate certificate;
+    double certificate_bound = 0.;
+    std::vector<std::pair<std::string, double>> phases;
+    double memory_MB = 0.;
+    std::vector<std::string> split_report;
+    std::vector<std::string> warnings;
+  };
+
+  std::string
+  summary_json(const Summary &summary, const Parameters &parameters);
+} // namespace fuga
+
+#endif

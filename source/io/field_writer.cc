@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/elastic_bodies.h>
+#include <fuga/io/field_writer.h>
+#include <fuga/io/joint_patches.h>
+#include <fuga/io/output_files.h>
+#include <fuga/io/stress_postprocessor.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <fmt/format.h>
+#include <sstream>
+
+namespace fuga
+{
+  namespace
+  {
+    dealii::DataOutBase::VtkFlags
+    fast_compression()
+    {
+      dealii::DataOutBase::VtkFlags flags;
+      flags.compression_level        = dealii::DataOutBase::VtkFlags::best_speed;
+      flags.write_higher_order_cells = false;
+      return flags;
+    }
+  } // namespace
+
+  template <int dim>
+  FieldWriter<dim>::FieldWriter(std::string output_directory,
+                                const CondensedSystem<dim> &condensed_system,
+                                const ModelDefinition &model_definition,
+                                const std::vector<std::string> &names)
+    : directory(std::move(output_directory))
+    , system(condensed_system)
+    , model(model_definition)
+    , body_names(names)
+  {
+  }
+
+  template <int dim>
+  void
+  FieldWriter<dim>::write_collection(const std::string &name,
+                                     Collection &collection,
+                                     const double t,
+                                     const std::string &content)
+  {
+    const std::string file = fmt::format("{}_{:04d}.vtu", name, collection.size());
+    write_complete_file(directory + "/" + file, content);
+    collection.emplace_back(t, file);
+    std::ostringstream pvd;
+    dealii::DataOutBase::write_pvd_record(pvd, collection);
+    write_complete_file(directory + "/" + name + ".pvd", pvd.str());
+  }
+
+  template <int dim>
+  void
+  FieldWriter<dim>::write_bodies(const double t, const dealii::Vector<double> &displacement)
+  {
+    const Discretization<dim> &space = system.discretization();
+    const StressPostprocessor<dim> stresses(model, body_names);
+    const DisplacementOutput<dim> displacements;
+    dealii::DataOut<dim> output;
+    dealii::Vector<float> body(static_cast<unsigned int>(space.n_cells()));
+    for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
+      body[cell] = static_cast<float>(space.cell_body(cell));
+    output.set_flags(fast_compression());
+    output.attach_dof_handler(space.dof_handler());
+    output.add_data_vector(displacement, displacements);
+    output.add_data_vector(displacement, stresses);
+    output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
+    output.build_patches(space.mapping(), model.polynomial_degree);
+    std::ostringstream content;
+    output.write_vtu(content);
+    write_collection("bodies", bodies, t, content.str());
+  }
+
+  template <int dim>
+  void
+  FieldWriter<dim>::write_joints(const double t,
+                                 const std::vector<ContactElement> &elements,
+                                 const std::vector<ElementResult> &results,
+                                 const Vector &dissipation)
+  {
+    const auto write = [&](const std::string &name, Collection &collection, const JointView view) {
+      JointPatches<dim> patches(system, elements, results, dissipation, view);
+      patches.set_flags(fast_compression());
+      std::ostringstream content;
+      patches.write_vtu(content);
+      write_collection(name, collection, t, content.str());
+    };
+    write("joints", joints, JointView::in_place);
+    write("joints_exploded", exploded, JointView::exploded);
+  }
+
+  template class FieldWriter<2>;
+} // namespace fuga

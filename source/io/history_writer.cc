@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/history_writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  std::pair<std::size_t, double>
+  stage_of(const double t, const std::size_t n_stages)
+  {
+    const double number = std::clamp(std::ceil(t) - 1., 0., static_cast<double>(n_stages - 1));
+    return {static_cast<std::size_t>(number), t - number};
+  }
+
+  namespace
+  {
+    std::vector<std::string>
+    event_columns(const Units &u)
+    {
+      return {"event",
+              "t",
+              "stage",
+              "stage_fraction",
+              "joint",
+              "element",
+              fmt::format("x[{}]", u.length),
+              fmt::format("y[{}]", u.length),
+              fmt::format("z[{}]", u.length),
+              "from",
+              "to",
+              "certificate"};
+    }
+
+    std::vector<std::string>
+    history_columns(const Units &u)
+    {
+      std::vector<std::string> columns = {"t", "joint", "element"};
+      for (const char *name : {"x", "y", "z"})
+        columns.push_back(fmt::format("{}[{}]", name, u.length));
+      columns.push_back(fmt::format("area[{}2]", u.length));
+      columns.push_back("state");
+      for (const char *name : {"N", "T1", "T2"})
+        columns.push_back(fmt::format("{}[{}]", name, u.force));
+      for (const char *name : {"pressure", "shear1", "shear2"})
+        columns.push_back(fmt::format("{}[{}]", name, u.stress()));
+      for (const char *name : {"gap", "slip1", "slip2", "jump_n", "jump_t1", "jump_t2"})
+        columns.push_back(fmt::format("{}[{}]", name, u.length));
+      return columns;
+    }
+
+    std::vector<std::string>
+    resultant_columns(const Units &u)
+    {
+      return {"t",
+              "joint",
+              fmt::format("N[{}]", u.force),
+              fmt::format("T[{}]", u.force),
+              fmt::format("M[{}]", u.energy()),
+              fmt::format("position_x[{}]", u.length),
+              fmt::format("position_y[{}]", u.length),
+              "share_open",
+              "share_stick",
+              "share_slip",
+              fmt::format("largest_pressure[{}]", u.stress()),
+              fmt::format("largest_gap[{}]", u.length),
+              fmt::format("largest_slip[{}]", u.length),
+              "sliding_safety",
+              fmt::format("external_work[{}]", u.energy()),
+              fmt::format("energy_bodies[{}]", u.energy()),
+              fmt::format("energy_layer[{}]", u.energy()),
+              fmt::format("dissipation[{}]", u.energy()),
+              "certificate"};
+    }
+  } // namespace
+
+  HistoryWriter::HistoryWriter(const std::string &directory, const HistoryContext &history_context)
+    : context(history_context)
+    , events(directory + "/events.csv", event_columns(context.units))
+    , history(directory + "/joint_history.csv", history_columns(context.units))
+    , resultants(directory + "/resultants.csv", resultant_columns(context.units))
+  {
+  }
+
+  void
+  HistoryWriter::add_events(const std::vector<ContactEvent> &new_events, const double certificate)
+  {
+    for (const ContactEvent &event : new_events)
+      {
+        const ContactElement &element = context.elements[event.element];
+        const auto [stage, fraction]  = stage_of(event.t, context.stage_names.size());
+        events.add(++n_events);
+        events.add(event.t);
+        events.add(context.stage_names[stage]);
+        events.add(fraction);
+        events.add(context.joint_names[element.joint]);
+        events.add(std::size_t{element.number});
+        for (const double x : element.position)
+          events.add(x);
+        events.add(std::string(state_name(event.from)));
+        events.add(std::string(state_name(event.to)));
+        events.add(certificate);
+        events.end_row();
+      }
+  }
+
+  void
+  HistoryWriter::add_level(const double t,
+                           const std::vector<ElementResult> &results,
+                           const EnergyLedger &energies,
+                           const double certificate)
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const ElementResult &r        = results[k];
+        history.add(t);
+        history.add(context.joint_names[element.joint]);
+        history.add(std::size_t{element.number});
+        for (const double x : element.position)
+          history.add(x);
+        history.add(element.area);
+        history.add(std::string(state_name(r.state)));
+        for (const double value :
+             {r.N, r.T, 0., r.pressure, r.shear, 0., r.gap, r.slip, 0., r.jump_n, r.jump_t, 0.})
+          history.add(value);
+        history.end_row();
+      }
+    for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
+      {
+        const JointResultant r = joint_resultant(joint, context.elements, context.normals, results);
+        resultants.add(t);
+        resultants.add(context.joint_names[joint]);
+        for (const double value : {r.N,
+                                   r.T,
+                                   r.M,
+                                   r.position[0],
+                                   r.position[1],
+                                   r.share_open,
+                                   r.share_stick,
+                                   r.share_slip,
+                                   r.largest_pressure,
+                                   r.largest_gap,
+                                   r.largest_slip,
+                                   r.sliding_safety,
+                                   energies.external_work,
+                                   energies.bodies,
+                                   energies.layer,
+                                   energies.dissipation,
+                                   certificate})
+          resultants.add(value);
+        resultants.end_row();
+      }
+  }
+
+  void
+  HistoryWriter::publish(const bool now)
+  {
+    events.publish(now);
+    history.publish(now);
+    resultants.publish(now);
+  }
+} // namespace fuga

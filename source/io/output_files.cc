@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/io/output_files.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace fuga
+{
+  void
+  write_complete_file(const std::string &path, const std::string &content)
+  {
+    const std::string temporary = path + ".part";
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file || std::rename(temporary.c_str(), path.c_str()) != 0)
+      throw NumericalFailure(
+        fmt::format("The result file {} cannot be written: {}.", path, std::strerror(errno)));
+  }
+
+  CsvFile::CsvFile(std::string file_path, const std::vector<std::string> &header)
+    : path(std::move(file_path))
+  {
+    for (const std::string &name : header)
+      add(name);
+    end_row();
+    publish(true);
+  }
+
+  void
+  CsvFile::separate()
+  {
+    if (row_begun)
+      text += ',';
+    row_begun   = true;
+    unpublished = true;
+  }
+
+  void
+  CsvFile::add(const std::string &field)
+  {
+    separate();
+    if (field.find_first_of(",\"\r\n") == std::string::npos)
+      {
+        text += field;
+        return;
+      }
+    text += '"';
+    for (const char c : field)
+      text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    text += '"';
+  }
+
+  void
+  CsvFile::add(const double value)
+  {
+    separate();
+    fmt::format_to(std::back_inserter(text), "{:.17g}", value);
+  }
+
+  void
+  CsvFile::add(const std::size_t value)
+  {
+    separate();
+    fmt::format_to(std::back_inserter(text), "{}", value);
+  }
+
+  void
+  CsvFile::end_row()
+  {
+    text += "\r\n";
+    row_begun = false;
+  }
+
+  void
+  CsvFile::publish(const bool now)
+  {
+    using seconds             = std::chrono::duration<double>;
+    const double cost_divisor = 20.;
+    const auto begin          = std::chrono::steady_clock::now();
+    if (!unpublished ||
+        (!now && seconds(begin - last_publication).count() < cost_divisor * last_cost))
+      return;
+    write_complete_file(path, text);
+    last_publication = std::chrono::steady_clock::now();
+    last_cost        = seconds(last_publication - begin).count();
+    unpublished      = false;
+  }
+} // namespace fuga

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_readers.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    const std::array<const char *, 3> component_names = {{"x", "y", "z"}};
+
+
+    BoundaryCondition
+    read_boundary(const ParameterSection &section)
+    {
+      BoundaryCondition condition;
+      condition.boundary                   = section.name();
+      condition.origin                     = section.origin("Fixed");
+      const std::vector<std::string> words = section.list("Fixed");
+      for (const std::string &word : words)
+        {
+          if ((word == "free" || word == "all") && words.size() > 1)
+            section.fail(
+              "Fixed",
+              fmt::format("'{}' stands alone. Write either it or a list of components.", word));
+          if (word == "z")
+            section.fail("Fixed", "a plane problem has no component z. Use x, y or all.");
+          if (word == "free")
+            condition.named_free = true;
+          else if (word == "all")
+            condition.fixed = {{true, true, false}};
+          else if (word == "x" || word == "y")
+            condition.fixed[word == "x" ? 0 : 1] = true;
+          else
+            section.fail(
+              "Fixed",
+              fmt::format("'{}' is unknown. Allowed: x or y or x, y, or the words all, free.",
+                          word));
+        }
+      return condition;
+    }
+
+
+    const BoundaryCondition *
+    find_condition(const ModelDefinition &model, const std::string &boundary)
+    {
+      for (const BoundaryCondition &condition : model.boundary_conditions)
+        if (condition.boundary == boundary)
+          return &condition;
+      return nullptr;
+    }
+
+
+    /** No load may act where the user says that none does. */
+    void
+    check_free_boundaries(const ParameterSection &section,
+                          const LoadDefinition &load,
+                          const ModelDefinition &model)
+    {
+      if (load.kind == LoadKind::weight)
+        return;
+      for (const std::string &target : load.targets)
+        if (const BoundaryCondition *condition = find_condition(model, target);
+            condition != nullptr && condition->named_free)
+          section.fail(
+            load.kind == LoadKind::point_force ? "Point" : "Boundaries",
+            fmt::format("'{}' is said to be free at {}. Remove that statement or this load.",
+                        target,
+                        condition->origin));
+    }
+
+
+    /** A displacement moves components that are fixed, and only those. */
+    void
+    check_displacement(const ParameterSection &section,
+                       const LoadDefinition &load,
+                       const ModelDefinition &model)
+    {
+      if (load.kind != LoadKind::displacement)
+        return;
+      for (const std::string &target : load.targets)
+        {
+          const BoundaryCondition *condition = find_condition(model, target);
+          for (unsigned int c = 0; c < model.dimension; ++c)
+            if (!load.expressions[c].empty() && (condition == nullptr || !condition->fixed[c]))
+              section.fail(
+                "Value",
+                fmt::format("component {} of boundary '{}' is to be moved but it is not "
+                            "fixed{}. Set Boundaries/{}/Fixed, or leave the component "
+                            "empty.",
+                            component_names[c],
+                            target,
+                            condition == nullptr ? "" : " (see " + condition->origin + ")",
+                            target));
+        }
+    }
+
+
+    bool
+    is_used(const ModelDefinition &model, const std::size_t load)
+    {
+      return std::any_of(model.stages.begin(), model.stages.end(), [&](const auto &stage) {
+        return std::any_of(stage.histories.begin(),
+                           stage.histories.end(),
+                           [&](const auto &history) { return history.load == load; });
+      });
+    }
+  } // namespace
+
+
+  std::vector<BoundaryCondition>
+  read_boundaries(const ParameterValues &values)
+  {
+    std::vector<BoundaryCondition> conditions;
+    for (const ParameterSection &section : values.subsections("Boundaries"))
+      conditions.push_back(read_boundary(section));
+    return conditions;
+  }
+
+
+  void
+  check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model)
+  {
+    const std::vector<ParameterSection> sections = values.subsections("Loads");
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      {
+        check_free_boundaries(sections[i], model.loads[i], model);
+        check_displacement(sections[i], model.loads[i], model);
+        if (!is_used(model, i))
+          sections[i].fail(fmt::format(
+            "no stage uses this load; the stages are {}. Add '{}: t' to the Loads of one, or "
+            "remove the load.",
+            quoted_list(values.subsection_names("Stages")),
+            model.loads[i].name));
+      }
+  }
+} // namespace fuga

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_expressions.h>
+#include <fuga/io/parameter_names.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace fuga
+{
+  namespace
+  {
+    /** deal.II prints muParser's message on std::cerr and throws it as well: once is enough. */
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream() : old_buffer(std::cerr.rdbuf(sink.rdbuf()))
+      {
+      }
+
+      ~SilentErrorStream()
+      {
+        std::cerr.rdbuf(old_buffer);
+      }
+
+      SilentErrorStream(const SilentErrorStream &) = delete;
+      SilentErrorStream &
+      operator=(const SilentErrorStream &) = delete;
+
+    private:
+      std::ostringstream sink;
+      std::streambuf *old_buffer;
+    };
+
+
+    const char *
+    variable_names(const ExpressionArguments arguments)
+    {
+      return arguments == ExpressionArguments::place            ? "x,y"
+             : arguments == ExpressionArguments::place_and_time ? "x,y,t"
+                                                                : "t";
+    }
+
+
+    /** What muParser takes without a word, and what nobody means. */
+    std::string
+    silent_trap(const std::string &expression)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < expression.size(); ++i)
+        {
+          const char c        = expression[i];
+          const char previous = i > 0 ? expression[i - 1] : ' ';
+          const char next     = i + 1 < expression.size() ? expression[i + 1] : ' ';
+          depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+          if (c == ',' && depth == 0)
+            return "there is a comma outside of all brackets. Write decimal points, not commas, "
+                   "and "
+                   "separate expressions by ';'.";
+          if (c == '=' && next != '=' && std::string("=<>!").find(previous) == std::string::npos)
+            return "there is an assignment '='. Compare with '=='.";
+        }
+      return "";
+    }
+
+
+    /** "The parser said: Unexpected token ..." without the decoration of the exception. */
+    std::string
+    parser_message(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      const std::string message = normalise_blanks(text.str());
+      const std::string marker  = "The parser said: ";
+      const std::size_t at      = message.find(marker);
+      std::string reason = at == std::string::npos ? message : message.substr(at + marker.size());
+      if (!reason.empty() && reason.back() == '.')
+        reason.pop_back();
+      return reason;
+    }
+
+
+    /** A value that is not finite at a point where it has to be, or else no finite value at all. */
+    template <int n_arguments>
+    std::string
+    evaluate(const std::string &expression,
+             const std::string &variables,
+             const std::map<std::string, double> &constants,
+             const std::vector<dealii::Point<n_arguments>> &points,
+             const bool everywhere)
+    {
+      dealii::FunctionParser<n_arguments> function(1);
+      function.initialize(variables, std::vector<std::string>{expression}, constants, false);
+      unsigned int n_finite = 0;
+      std::string problem;
+      for (const auto &point : points)
+        {
+          const double value = function.value(point);
+          if (std::isfinite(value))
+            ++n_finite;
+          else if (problem.empty())
+            {
+              std::ostringstream place;
+              place << point;
+              problem =
+                fmt::format("its value at {} = ({}) is {}, not a finite number. Correct the "
+                            "expression.",
+                            variables,
+                            place.str(),
+                            std::isnan(value) ? "NaN" : "infinite");
+            }
+        }
+      return everywhere || n_finite == 0 ? problem : "";
+    }
+
+
+    std::string
+    evaluate(const std::string &expression,
+             const ExpressionArguments arguments,
+             const std::map<std::string, double> &constants)
+    {
+      const std::string variables = variable_names(arguments);
+      if (arguments == ExpressionArguments::stage_fraction)
+        return evaluate<1>(expression,
+                           variables,
+                           constants,
+                           {dealii::Point<1>(0.), dealii::Point<1>(0.5), dealii::Point<1>(1.)},
+                           true);
+      std::vector<dealii::Point<2>> plane;
+      for (const double size : {0., 1., 13.7, 1234.})
+        for (const double x : {-size, size})
+          for (const double y : {-0.9 * size, 0.9 * size})
+            plane.emplace_back(x + 0., y + 0.); // no -0 in messages
+      if (arguments == ExpressionArguments::place)
+        return evaluate<2>(expression, variables, constants, plane, false);
+      std::vector<dealii::Point<3>> plane_at_start;
+      for (const auto &point : plane)
+        plane_at_start.emplace_back(point[0], point[1], 0.);
+      return evaluate<3>(expression, variables, constants, plane_at_start, false);
+    }
+  } // namespace
+
+
+  std::string
+  expression_problem(const std::string &expression,
+                     const ExpressionArguments arguments,
+                     const std::map<std::string, double> &constants)
+  {
+    const std::string trap = silent_trap(expression);
+    if (!trap.empty())
+      return fmt::format("in the expression '{}' {}", expression, trap);
+    const SilentErrorStream guard;
+    try
+      {
+        const std::string problem = evaluate(expression, arguments, constants);
+        return problem.empty()
+                 ? ""
+                 : fmt::format("the expression '{}' has no usable value: {}", expression, problem);
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        std::string names;
+        for (const auto &[name, value] : constants)
+          names += ", " + name;
+        return fmt::format("the expression '{}' cannot be understood: {}. Known here: {}{}.",
+                           expression,
+                           parser_message(exception),
+                           variable_names(arguments),
+                           names);
+      }
+  }
+} // namespace fuga

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_values.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  ParameterSection::ParameterSection(const ParameterValues &all_values,
+                                     const SectionPath &section_path)
+    : values(&all_values), path(section_path)
+  {
+  }
+
+
+  bool
+  ParameterSection::given(const std::string &entry) const
+  {
+    const ScannedEntry wanted{path, entry, "", ""};
+    return values->entry_origins.count(wanted.full_name()) > 0;
+  }
+
+
+  std::string
+  ParameterSection::text(const std::string &entry) const
+  {
+    return values->handler.get(path, entry);
+  }
+
+
+  double
+  ParameterSection::number(const std::string &entry) const
+  {
+    return values->handler.get_double(path, entry);
+  }
+
+
+  unsigned int
+  ParameterSection::integer(const std::string &entry) const
+  {
+    return static_cast<unsigned int>(values->handler.get_integer(path, entry));
+  }
+
+
+  std::vector<std::string>
+  ParameterSection::list(const std::string &entry) const
+  {
+    const std::vector<std::string> pieces = split_pieces(text(entry), ',');
+    for (auto piece = pieces.begin(); piece != pieces.end(); ++piece)
+      {
+        if (piece->empty())
+          fail(entry, "the list has an empty item. Write names separated by single commas.");
+        if (std::find(pieces.begin(), piece, *piece) != piece)
+          fail(entry, fmt::format("'{}' is in the list twice. Remove one of the two.", *piece));
+      }
+    return pieces;
+  }
+
+
+  std::string
+  ParameterSection::origin(const std::string &entry) const
+  {
+    const ScannedEntry wanted{path, entry, "", ""};
+    if (const auto at = values->entry_origins.find(wanted.full_name());
+        !entry.empty() && at != values->entry_origins.end())
+      return at->second;
+    const auto at = values->section_origins.find(path);
+    return at == values->section_origins.end() ? values->file_name : at->second;
+  }
+
+
+  void
+  ParameterSection::fail(const std::string &entry, const std::string &problem_and_remedy) const
+  {
+    const ScannedEntry wanted{path, entry, "", ""};
+    throw InputError(fmt::format(
+      "{}: {} = '{}': {}", origin(entry), wanted.full_name(), text(entry), problem_and_remedy));
+  }
+
+
+  void
+  ParameterSection::fail(const std::string &problem_and_remedy) const
+  {
+    throw InputError(fmt::format("{}: {}: {}", origin(), path_name(path), problem_and_remedy));
+  }
+} // namespace fuga

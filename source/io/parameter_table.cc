@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_declarations.h>
+#include <fuga/io/parameter_number_pattern.h>
+
+namespace fuga
+{
+  namespace
+  {
+    using dealii::Patterns::PatternBase;
+    using Pattern = std::shared_ptr<const PatternBase>;
+
+    Pattern
+    text()
+    {
+      return std::make_shared<dealii::Patterns::Anything>();
+    }
+
+    Pattern
+    choice(const std::string &words)
+    {
+      return std::make_shared<dealii::Patterns::Selection>(words);
+    }
+
+    Pattern
+    integer(const double lower, const double upper)
+    {
+      return std::make_shared<NumberPattern>(
+        NumberPattern::Kind::integer, lower, true, upper, true, false);
+    }
+
+    Pattern
+    number_above(const double lower)
+    {
+      return std::make_shared<NumberPattern>(
+        NumberPattern::Kind::real, lower, false, NumberPattern::infinity, false, true);
+    }
+
+    Pattern
+    number_from(const double lower)
+    {
+      return std::make_shared<NumberPattern>(
+        NumberPattern::Kind::real, lower, true, NumberPattern::infinity, false, true);
+    }
+
+    Pattern
+    number_between(const double lower, const bool lower_is_allowed, const double upper)
+    {
+      return std::make_shared<NumberPattern>(
+        NumberPattern::Kind::real, lower, lower_is_allowed, upper, false, true);
+    }
+
+    EntryDeclaration
+    required(const std::string &name,
+             const Pattern &pattern,
+             const std::string &documentation,
+             const std::vector<std::string> &examples)
+    {
+      return {name, Presence::required, "", pattern, documentation, examples, false};
+    }
+
+    EntryDeclaration
+    optional(const std::string &name,
+             const Pattern &pattern,
+             const std::string &documentation,
+             const std::vector<std::string> &examples = {})
+    {
+      return {name, Presence::optional, "", pattern, documentation, examples, false};
+    }
+
+    EntryDeclaration
+    defaulted(const std::string &name,
+              const std::string &default_value,
+              const Pattern &pattern,
+              const std::string &documentation,
+              const std::vector<std::string> &examples = {})
+    {
+      return {name,
+              Presence::defaulted,
+              default_value,
+              pattern,
+              documentation,
+              examples,
+              default_value.empty()};
+    }
+
+
+    SectionDeclaration
+    top_level()
+    {
+      return {"",
+              "",
+              {defaulted("Title", "", text(), "One line for the output."),
+               defaulted("Dimension",
+                         "2",
+                         integer(2, 3),
+                         "2 = plane problems; 3 is not available in this version."),
+               defaulted("Output directory",
+                         "",
+                         text(),
+                         "Relative to this file; empty: results/NAME-OF-THIS-FILE in the current "
+                         "directory.")},
+              {}};
+    }
+
+    SectionDeclaration
+    mesh_section()
+    {
+      return {
+        "Mesh",
+        "The mesh. Units are free, but must be the same everywhere (for example MN, m, MPa).",
+        {required("File",
+                  text(),
+                  "Gmsh .msh file (2.2 or 4.1, text, named physical groups), relative to this "
+                  "file.",
+                  {"mesh.msh"}),
+         defaulted("Polynomial degree", "1", integer(1, 3), "Degree of the elements."),
+         defaulted("Refinements", "0", integer(0, 8), "Global refinements of the mesh."),
+         defaulted("Assumption",
+                   "plane strain",
+                   choice("plane strain|plane stress"),
+                   "What is assumed across the plane."),
+         defaulted("Thickness", "1", number_above(0), "Extent across the plane [m].")},
+        {}};
+    }
+
+    SectionDeclaration
+    bodies_section()
+    {
+      return {
+        "Bodies",
+        "One subsection per body: the name of a physical group of cells.",
+        {required("Young modulus", number_above(0), "E of the body [MPa].", {"3060", "30600"}),
+         required("Poisson ratio",
+                  number_between(-1, false, 0.5),
+                  "Lateral contraction; nearly incompressible: 0.49, not 0.5.",
+                  {"0.2", "0.2"}),
+         defaulted("Weight density",
+                   "0",
+                   number_from(0),
+                   "Weight per volume [MN/m^3]; acts only through a load of type weight.",
+                   {"0.024", "0"})},
+        {"structure", "foundation"}};
+    }
+
+    std::vector<EntryDeclaration>
+    joint_place()
+    {
+      return {
+        optional("Line",
+                 text(),
+                 "Named line inside a conforming mesh, along which the mesh is opened. Either "
+                 "Line with its two bodies or the two lips.",
+                 {"base"}),
+        optional("Plus body", text(), "Body into which the normal points.", {"structure"}),
+        optional("Minus body", text(), "Body at the other side of Line.", {"foundation"}),
+        optional("Plus lip", text(), "Boundary of a mesh which is already open."),
+        optional("Minus lip",
+                 text(),
+                 "Boundary opposite to Plus lip, or the word rigid: a fixed rigid obstacle.")};
+    }
+
+    std::vector<EntryDeclaration>
+    joint_layer()
+    {
+      return {
+        defaulted("Normal law",
+                  "linear",
+                  choice("rigid|linear|cubic root"),
+                  "Pressure against closure; cubic root: w/(rho (1 - (w/Thickness)^(1/3)))."),
+        optional("Normal compliance",
+                 number_from(0),
+                 "Closure per pressure [m/MPa]; 0 = exactly rigid. Either this or Normal "
+                 "stiffness; neither for a rigid law.",
+                 {"1.25e-4"}),
+        optional("Normal stiffness",
+                 number_above(0),
+                 "Pressure per closure [MPa/m], in place of the compliance."),
+        defaulted("Shear law",
+                  "linear",
+                  choice("rigid|linear|cubic root"),
+                  "Shear stress against elastic shear jump."),
+        optional("Shear compliance",
+                 number_from(0),
+                 "Shear jump per shear stress [m/MPa]; 0 = exactly rigid. Either this or Shear "
+                 "stiffness; neither for a rigid law or without friction.",
+                 {"1.25e-4"}),
+        optional("Shear stiffness",
+                 number_above(0),
+                 "Shear stress per shear jump [MPa/m], in place of the compliance."),
+        optional("Thickness",
+                 number_above(0),
+                 "Thickness of the layer [m]; the cubic root law needs it, the output shows "
+                 "Thickness/compliance with it.",
+                 {"0.002"})};
+    }
+
+    std::vector<EntryDeclaration>
+    joint_friction()
+    {
+      return {
+        optional("Friction coefficient",
+                 number_from(0),
+                 "Limit of shear/pressure. Either this or Friction angle; neither = 0.",
+                 {"0.2"}),
+        optional("Friction angle",
+                 number_between(0, true, 90),
+                 "In degrees, in place of the coefficient."),
+        defaulted("Cohesion", "0", number_from(0), "Shear strength without pressure [MPa]."),
+        defaulted(
+          "Initial gap", "0", text(), "Gap of the undeformed joint [m]: expression of x, y.")};
+    }
+
+    SectionDeclaration
+    joints_section()
+    {
+      SectionDeclaration section{
+        "Joints", "One subsection per joint, with a name of your choice.", {}, {"base"}};
+      for (const auto &part : {joint_place(), joint_layer(), joint_friction()})
+        section.entries.insert(section.entries.end(), part.begin(), part.end());
+      return section;
+    }
+
+    SectionDeclaration
+    boundaries_section()
+    {
+      return {
+        "Boundaries",
+        "One subsection per boundary that is held: the name of a physical group of faces (or of "
+        "a point).",
+        {required("Fixed",
+                  text(),
+                  "Components held at zero: x or y or all; or the word free: neither support "
+                  "nor load.",
+                  {"all", "x", "free"})},
+        {"bottom", "sides", "crest"}};
+    }
+
+    SectionDeclaration
+    loads_section()
+    {
+      return {
+        "Loads",
+        "One subsection per load pattern, with a name of your choice; stages make it act.",
+        {required("Type",
+                  choice("weight|pressure|traction|point force|displacement"),
+                  "Weight of bodies, pressure towards the body, traction vector, force at a "
+                  "point, displacement of fixed components.",
+                  {"weight", "pressure"}),
+         optional("Bodies", text(), "For weight: list of bodies; without it all of them."),
+         optional("Boundaries",
+                  text(),
+                  "For pressure, traction, displacement: list of boundaries.",
+                  {"", "upstream"}),
+         optional("Point", text(), "For a point force: named point, or coordinates: x, y."),
+         optional("Value",
+                  text(),
+                  "Expressions of x, y and the load time t, separated by ';': one for a "
+                  "pressure [MPa], else one per component [MPa, MN, m] (an empty one leaves a "
+                  "displacement free); the direction of a weight is 0; -1 without this entry.",
+                  {"0; -1", "0.0144"})},
+        {"weight", "water"}};
+    }
+
+    SectionDeclaration
+    stages_section()
+    {
+      return {
+        "Stages",
+        "One subsection per load stage, in the order in which they happen.",
+        {required("Loads",
+                  text(),
+                  "List 'LOAD: FACTOR; ...', each factor an expression of the stage fraction t "
+                  "from 0 to 1. A load that a stage does not name keeps its last factor.",
+                  {"weight: t", "water: t"}),
+         defaulted("Levels",
+                   "1",
+                   integer(1, 1e6),
+                   "Number of equal steps after which results are written; no influence on "
+                   "them.",
+                   {"1", "10"})},
+        {"weight", "push"}};
+    }
+
+    SectionDeclaration
+    constants_section()
+    {
+      return {"Constants",
+              "Named numbers for all expressions: set NAME = NUMBER. The name pi is known.",
+              {},
+              {},
+              true};
+    }
+
+    SectionDeclaration
+    solver_section()
+    {
+      return {
+        "Solver",
+        "Rigid and linear laws need no iteration: the first three entries are for other laws.",
+        {defaulted("Iteration",
+                   "newton",
+                   choice("newton|constant stiffness"),
+                   "Constant stiffness is the iteration of the paper; it can diverge."),
+         defaulted("Iteration tolerance",
+                   "1e-12",
+                   number_above(0),
+                   "Relative change at which an iteration ends."),
+         defaulted("Maximum iterations", "200", integer(1, 1e6), "Of one step."),
+         defaulted("Load knots",
+                   "20",
+                   integer(1, 1e6),
+                   "Linear pieces per stage for factors that are not linear in t."),
+         defaulted("Certificate bound",
+                   "1e-9",
+                   number_above(0),
+                   "A larger certificate ends the run with exit code 4.")},
+        {}};
+    }
+
+    SectionDeclaration
+    output_section()
+    {
+      return {
+        "Output",
+        "",
+        {defaulted("Fields", "levels", choice("levels|end|never"), "When VTU files are written."),
+         defaulted("Log",
+                   "events",
+                   choice("events|levels|quiet"),
+                   "What gets a line on the screen; quiet: nothing."),
+         defaulted("Force unit",
+                   "MN",
+                   text(),
+                   "Name of the unit of force, for the headers of the results only."),
+         defaulted("Length unit",
+                   "m",
+                   text(),
+                   "Name of the unit of length, for the headers of the results only.")},
+        {}};
+    }
+  } // namespace
+
+
+  const std::vector<SectionDeclaration> &
+  parameter_declarations()
+  {
+    static const std::vector<SectionDeclaration> sections = {top_level(),
+                                                             mesh_section(),
+                                                             bodies_section(),
+                                                             joints_section(),
+                                                             boundaries_section(),
+                                                             loads_section(),
+                                                             stages_section(),
+                                                             constants_section(),
+                                                             solver_section(),
+                                                             output_section()};
+    return sections;
+  }
+} // namespace fuga

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/io/parameter_readers.h>
+#include <fuga/io/parameter_scanner.h>
+#include <fuga/io/parameter_values.h>
+#include <fuga/io/parameters.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace fuga
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** A path of the file, which is relative to the folder of the file. */
+    std::string
+    resolve(const std::string &parameter_file, const std::string &path)
+    {
+      return (fs::path(parameter_file).parent_path() / path).lexically_normal().string();
+    }
+
+
+    std::string
+    read_mesh_file(const ParameterSection &mesh, const std::string &parameter_file)
+    {
+      const std::string name = mesh.text("File");
+      const std::string path = resolve(parameter_file, name);
+      std::error_code ignored;
+      if (fs::path(name).extension() != ".msh")
+        mesh.fail("File", "the name of a mesh file ends in .msh (Gmsh, version 2.2 or 4.1, text).");
+      if (!fs::exists(path, ignored))
+        mesh.fail(
+          "File",
+          fmt::format("the mesh file '{}' does not exist. The name is relative to the folder "
+                      "of the parameter file.",
+                      path));
+      if (fs::is_directory(path, ignored))
+        mesh.fail("File", "this is a directory. Give the name of a .msh file.");
+      return path;
+    }
+
+
+    std::vector<Material>
+    read_materials(const ParameterValues &values)
+    {
+      std::vector<Material> materials;
+      for (const ParameterSection &section : values.subsections("Bodies"))
+        materials.push_back({section.name(),
+                             section.number("Young modulus"),
+                             section.number("Poisson ratio"),
+                             section.number("Weight density")});
+      if (materials.empty())
+        throw InputError(
+          fmt::format("{}: there are no bodies. Add a section Bodies with one subsection "
+                      "per physical group of cells.",
+                      values.file()));
+      return materials;
+    }
+
+
+    unsigned int
+    read_dimension(const ParameterSection &top)
+    {
+      const unsigned int dimension = top.integer("Dimension");
+      if (dimension == 3)
+        top.fail("Dimension", "three dimensions are not available in this version. Allowed: 2.");
+      return dimension;
+    }
+
+
+    ModelDefinition
+    read_model(const ParameterValues &values)
+    {
+      const ParameterSection mesh = values.section("Mesh");
+      ModelDefinition model;
+      model.dimension         = read_dimension(values.section(""));
+      model.polynomial_degree = mesh.integer("Polynomial degree");
+      model.refinements       = mesh.integer("Refinements");
+      model.assumption = mesh.text("Assumption") == "plane stress" ? PlaneAssumption::plane_stress
+                                                                   : PlaneAssumption::plane_strain;
+      model.thickness  = mesh.number("Thickness");
+      model.load_knots = values.section("Solver").integer("Load knots");
+      model.constants  = values.constants();
+      model.constants["pi"] = std::acos(-1.);
+
+      model.materials           = read_materials(values);
+      model.boundary_conditions = read_boundaries(values);
+      model.loads               = read_loads(values, model);
+      model.stages              = read_stages(values, model);
+      if (model.stages.empty())
+        throw InputError(fmt::format("{}: there are no stages, so that nothing would happen. Add a "
+                                     "section Stages with one subsection per load stage.",
+                                     values.file()));
+      check_loads_and_supports(values, model);
+      return model;
+    }
+
+
+    SolverSettings
+    read_solver(const ParameterSection &section)
+    {
+      SolverSettings solver;
+      solver.iteration           = section.text("Iteration") == "newton" ? IterationKind::newton
+                                                                         : IterationKind::constant_stiffness;
+      solver.iteration_tolerance = section.number("Iteration tolerance");
+      solver.maximum_iterations  = section.integer("Maximum iterations");
+      solver.certificate_bound   = section.number("Certificate bound");
+      return solver;
+    }
+
+
+    OutputSettings
+    read_output(const ParameterValues &values, const std::string &parameter_file)
+    {
+      const ParameterSection section = values.section("Output");
+      const std::string directory    = values.section("").text("Output directory");
+      const std::string fields       = section.text("Fields");
+      const std::string log          = section.text("Log");
+      OutputSettings output;
+      output.directory = directory.empty()
+                           ? (fs::path("results") / fs::path(parameter_file).stem()).string()
+                           : resolve(parameter_file, directory);
+      output.fields    = fields == "levels" ? FieldOutput::levels
+                         : fields == "end"  ? FieldOutput::end
+                                            : FieldOutput::never;
+      output.log       = log == "events"   ? LogDetail::events
+                         : log == "levels" ? LogDetail::levels
+                                           : LogDetail::quiet;
+      output.units     = {section.text("Force unit"), section.text("Length unit")};
+      return output;
+    }
+  } // namespace
+
+
+  Parameters
+  read_parameters(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    ParameterScan scan = scan_parameter_file(file);
+    apply_overrides(scan, overrides);
+    const ParameterValues values(scan);
+
+    Parameters parameters;
+    parameters.parameter_file = file;
+    parameters.title          = values.section("").text("Title");
+    parameters.model          = read_model(values);
+    parameters.joints         = read_joints(values, parameters.model.constants);
+    parameters.solver         = read_solver(values.section("Solver"));
+    parameters.output         = read_output(values, file);
+    parameters.mesh_file      = read_mesh_file(values.section("Mesh"), file);
+    parameters.echo           = values.echo();
+    return parameters;
+  }
+} // namespace fuga

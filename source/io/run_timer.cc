@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/run_timer.h>
+
+#include <fstream>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace fuga
+{
+  RunTimer::RunTimer()
+    : phases{{"start", seconds_since_process_start()}}, running("start"), start(Clock::now())
+  {
+  }
+
+  double &
+  RunTimer::entry(const std::string &name)
+  {
+    for (auto &phase : phases)
+      if (phase.first == name)
+        return phase.second;
+    phases.emplace_back(name, 0.);
+    return phases.back().second;
+  }
+
+  void
+  RunTimer::begin(const std::string &name)
+  {
+    const Clock::time_point now = Clock::now();
+    entry(running) += std::chrono::duration<double>(now - start).count();
+    running = name;
+    start   = now;
+    entry(name);
+  }
+
+  void
+  RunTimer::include(const std::vector<std::pair<std::string, double>> &measured)
+  {
+    for (const auto &[name, seconds] : measured)
+      {
+        entry(name) += seconds;
+        entry(running) -= seconds;
+      }
+  }
+
+  std::vector<std::pair<std::string, double>>
+  RunTimer::seconds()
+  {
+    begin(running);
+    return phases;
+  }
+
+  // Field 22 of /proc/self/stat is the start of the process in clock ticks since boot; the name in
+  // field 2 may contain blanks, so counting begins behind its closing bracket.
+  double
+  seconds_since_process_start()
+  {
+    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
+    std::string text;
+    std::getline(stat, text);
+    double up = 0.;
+    if (!(uptime >> up) || text.rfind(')') == std::string::npos)
+      return 0.;
+    std::istringstream rest(text.substr(text.rfind(')') + 2));
+    std::string field;
+    for (int i = 3; i <= 21; ++i)
+      rest >> field;
+    double ticks = 0.;
+    if (!(rest >> ticks))
+      return 0.;
+    return up - ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  }
+
+  double
+  peak_memory_in_megabytes()
+  {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const double kilobytes_per_megabyte = 1024.;
+    return static_cast<double>(usage.ru_maxrss) / kilobytes_per_megabyte;
+  }
+} // namespace fuga

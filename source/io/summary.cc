@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/summary.h>
+#include <fuga/io/version.h>
+
+#include <deal.II/base/config.h>
+
+#include <nlohmann/json.hpp>
+
+namespace fuga
+{
+  std::string
+  verdict_name(const Verdict verdict)
+  {
+    switch (verdict)
+      {
+        case Verdict::done:
+          return "done";
+        case Verdict::limit_load:
+          return "limit load";
+        case Verdict::no_continuation:
+          return "no continuation";
+      }
+    return "";
+  }
+
+  std::string
+  mechanism_name(const MechanismKind kind)
+  {
+    switch (kind)
+      {
+        case MechanismKind::none:
+          return "none";
+        case MechanismKind::sliding:
+          return "sliding";
+        case MechanismKind::overturning:
+          return "overturning";
+        case MechanismKind::mixed:
+          return "mixed";
+      }
+    return "";
+  }
+
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    template <typename Pairs>
+    Json
+    object(const Pairs &pairs)
+    {
+      Json result = Json::object();
+      for (const auto &[name, value] : pairs)
+        result[std::string(name)] = value;
+      return result;
+    }
+
+    Json
+    path_section(const Summary &summary)
+    {
+      const PathResult &path = summary.path;
+      Json json;
+      json["total"]             = summary.n_events;
+      json["by_kind"]           = object(summary.events_by_kind);
+      json["steps"]             = path.n_steps;
+      json["zero_length_steps"] = path.n_zero_steps;
+      json["schemes_tried"]     = path.n_schemes;
+      json["decided_by"]        = {{"block switching", path.n_decided_by[0]},
+                                   {"single switching", path.n_decided_by[1]},
+                                   {"enumeration", path.n_decided_by[2]},
+                                   {"lemke", path.n_decided_by[3]}};
+      return json;
+    }
+  } // namespace
+
+  std::string
+  summary_json(const Summary &summary, const Parameters &parameters)
+  {
+    Json json;
+    json["program"]        = "fuga";
+    json["title"]          = parameters.title;
+    json["parameter_file"] = parameters.parameter_file;
+    json["verdict"]        = summary.verdict;
+    json["exit_code"]      = summary.exit_code;
+    json["t"]              = summary.t;
+    json["stage"]          = summary.stage;
+    json["stage_fraction"] = summary.stage_fraction;
+    if (!summary.message.empty())
+      json["message"] = summary.message;
+    if (summary.path.verdict == Verdict::limit_load)
+      json["limit_load"] = {{"t", summary.t},
+                            {"stage", summary.stage},
+                            {"stage_fraction", summary.stage_fraction},
+                            {"load_factors", object(summary.load_factors)},
+                            {"mechanism", mechanism_name(summary.path.mechanism)}};
+    json["load_factors"] = object(summary.load_factors);
+    json["sizes"]        = object(summary.sizes);
+    json["events"]       = path_section(summary);
+    json["iterations"]   = {{"solutions", summary.iterations.n_solutions},
+                            {"iterations", summary.iterations.n_iterations},
+                            {"largest_in_one_solution", summary.iterations.max_in_one}};
+    json["certificate"]  = {{"worst", summary.certificate.worst()},
+                            {"bound", summary.certificate_bound},
+                            {"entries", object(summary.certificate.entries())}};
+    json["seconds"]      = object(summary.phases);
+    json["memory_MB"]    = summary.memory_MB;
+    json["joints"]       = summary.split_report;
+    json["warnings"]     = summary.warnings;
+    json["versions"]     = {{"fuga", version}, {"deal.II", DEAL_II_PACKAGE_VERSION}};
+    json["parameters"]   = Json::parse(echo_json(parameters));
+    return json.dump(2) + "\n";
+  }
+} // namespace fuga

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/bodies/discretization.h>
+#include <fuga/io/summary.h>
+#include <fuga/io/version.h>
+#include <fuga/simulation.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Whether a file in a result directory was written by an earlier run of this program. */
+    bool
+    is_own_file(const std::string &name)
+    {
+      for (const char *known :
+           {"events.csv", "joint_history.csv", "resultants.csv", "summary.json", "log.txt"})
+        if (name == known)
+          return true;
+      for (const char *prefix : {"bodies", "joints", "joints_exploded"})
+        if (name.rfind(prefix, 0) == 0 &&
+            (name == std::string(prefix) + ".pvd" ||
+             (name.size() > 4 && name.substr(name.size() - 4) == ".vtu")))
+          return true;
+      return name.size() > 5 && name.substr(name.size() - 5) == ".part";
+    }
+  } // namespace
+
+  // The results of an earlier run go first: a directory never shows a mixture of two runs.
+  template <int dim>
+  void
+  Simulation<dim>::begin_output()
+  {
+    timer.begin("results");
+    std::error_code error;
+    fs::create_directories(parameters.output.directory, error);
+    if (error)
+      throw InputError(
+        fmt::format("The output directory '{}' cannot be made: {}. Give another one by the entry "
+                    "'Output directory' or --output-dir.",
+                    parameters.output.directory,
+                    error.message()));
+    for (const auto &entry : fs::directory_iterator(parameters.output.directory))
+      if (entry.is_regular_file() && is_own_file(entry.path().filename().string()))
+        fs::remove(entry.path());
+    history = std::make_unique<HistoryWriter>(parameters.output.directory, context);
+    Outcome unfinished;
+    unfinished.verdict = "unfinished";
+    write_summary(unfinished);
+    timer.begin("path");
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_header()
+  {
+    const Discretization<dim> &space = bodies.discretization();
+    log.line(fmt::format("fuga {}  {}", version, parameters.title));
+    log.line(fmt::format("{}: {} cells, {} degrees of freedom, {} contact elements, {} bars",
+                         parameters.mesh_file,
+                         space.n_cells(),
+                         space.n_dofs(),
+                         elements.size(),
+                         layered.n_bars()));
+    for (const std::string &line : mesh.report)
+      log.line(line);
+    for (const std::string &line : bodies.report())
+      log.line(line);
+    log_layers();
+    for (const std::string &line : loads.report)
+      log.line(line);
+  }
+
+  // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
+  // bodies.
+  template <int dim>
+  void
+  Simulation<dim>::log_layers()
+  {
+    double softest_body = std::numeric_limits<double>::infinity();
+    for (const Material &material : parameters.model.materials)
+      softest_body = std::min(softest_body, material.young_modulus);
+    for (unsigned int j = 0; j < parameters.joints.size(); ++j)
+      {
+        const JointParameters &joint = parameters.joints[j];
+        double length                = 0.;
+        for (const ContactElement &element : elements)
+          length += element.joint == j ? element.area / parameters.model.thickness : 0.;
+        std::string text =
+          fmt::format("joint '{}': normal {}, shear {}, friction {:g}, cohesion {:g}",
+                      joint.definition.name,
+                      laws[2 * j]->description(),
+                      laws[2 * j + 1]->description(),
+                      joint.friction.coefficient,
+                      joint.friction.cohesion);
+        if (joint.normal_compliance > 0.)
+          text +=
+            fmt::format("; rho E / B = {:.3g}", joint.normal_compliance * softest_body / length);
+        if (joint.normal_layer_modulus() > 0.)
+          text += fmt::format(", layer modulus {:.4g} {}",
+                              joint.normal_layer_modulus(),
+                              parameters.output.units.stress());
+        log.line(text);
+        if (joint.normal_layer_modulus() > softest_body)
+          log.warning(fmt::format(
+            "joint '{}': the layer modulus thickness/compliance = {:.4g} {} is above the modulus "
+            "{:.4g} of the softest body. The layer hardly deforms; check the unit of the "
+            "compliance.",
+            joint.definition.name,
+            joint.normal_layer_modulus(),
+            parameters.output.units.stress(),
+            softest_body));
+      }
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish(const Outcome &outcome)
+  {
+    timer.begin("results");
+    history->publish(true);
+    log_closing_table(outcome);
+    log.close();
+    write_complete_file(parameters.output.directory + "/log.txt", log.text());
+    write_summary(outcome);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_closing_table(const Outcome &outcome)
+  {
+    const auto [stage, fraction] = stage_of(outcome.path.t, names_of_stages.size());
+    log.line(std::string(72, '-'));
+    switch (outcome.code)
+      {
+        case ExitCode::numerical_failure:
+          log.line(fmt::format("Verdict     numerical failure: {}", outcome.message));
+          break;
+        case ExitCode::loss_of_equilibrium:
+          log.line(
+            fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
+                        outcome.verdict,
+                        fraction,
+                        names_of_stages[stage],
+                        outcome.path.t,
+                        outcome.path.verdict == Verdict::limit_load
+                          ? "mechanism: " + mechanism_name(outcome.path.mechanism)
+                          : "although nothing moves freely: friction beyond its critical value"));
+          break;
+        default:
+          log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
+      }
+    std::string kinds;
+    for (const auto &[kind, count] : events_by_kind)
+      kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
+    log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
+    const IterationCount iterations = path.iterations();
+    if (iterations.n_solutions > 0)
+      log.line(fmt::format("Iterations  {} in {} solutions, at most {} in one",
+                           iterations.n_iterations,
+                           iterations.n_solutions,
+                           iterations.max_in_one));
+    const auto entries = worst.entries();
+    const auto largest =
+      std::max_element(entries.begin(), entries.end(), [](const auto &a, const auto &b) {
+        return a.second < b.second;
+      });
+    log.line(fmt::format("Certificate {:.2e} ({}), bound {:.0e}{}",
+                         worst.worst(),
+                         largest->first,
+                         parameters.solver.certificate_bound,
+                         outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
+    double total = 0.;
+    for (const auto &phase : timer.seconds())
+      total += phase.second;
+    log.line(
+      fmt::format("Time        {:.3f} s, memory {:.0f} MB", total, peak_memory_in_megabytes()));
+    log.line(fmt::format("Results     {}", parameters.output.directory));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_summary(const Outcome &outcome)
+  {
+    Summary summary;
+    summary.verdict              = outcome.verdict;
+    summary.exit_code            = static_cast<int>(outcome.code);
+    summary.message              = outcome.message;
+    summary.t                    = outcome.path.t;
+    const auto [stage, fraction] = stage_of(summary.t, names_of_stages.size());
+    summary.stage                = names_of_stages[stage];
+    summary.stage_fraction       = fraction;
+    summary.path                 = outcome.path;
+    summary.load_factors         = loads.factors_by_name(parameters.model, summary.t);
+    summary.sizes                = {{"cells", bodies.discretization().n_cells()},
+                                    {"degrees_of_freedom", bodies.discretization().n_dofs()},
+                                    {"contact_elements", elements.size()},
+                                    {"bars", layered.n_bars()}};
+    summary.events_by_kind       = events_by_kind;
+    summary.n_events             = n_events;
+    summary.iterations           = path.iterations();
+    summary.certificate          = worst;
+    summary.certificate_bound    = parameters.solver.certificate_bound;
+    summary.phases               = timer.seconds();
+    summary.memory_MB            = peak_memory_in_megabytes();
+    summary.split_report         = mesh.report;
+    summary.warnings             = log.all_warnings();
+    write_complete_file(parameters.output.directory + "/summary.json",
+                        summary_json(summary, parameters));
+  }
+
+  template class Simulation<2>;
+} // namespace fuga

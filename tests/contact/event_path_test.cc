@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "contact/toy_system.h"
+
+#include <gtest/gtest.h>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  /** Event loads come from a few divisions of numbers of order one. */
+  constexpr double event_tolerance = 1e-12;
+} // namespace
+
+// V1, Code_Aster SSND116A: all numbers are exact fractions that follow by hand from the springs in
+// series and Coulomb's law.
+TEST(EventPath, OneBarWithGapSlipAndReversal)
+{
+  ToyJoint joint(1, 1., make_linear_law(1.), make_linear_law(2.), {0.5, 0.});
+  joint.elements[0].initial_gap = 0.5;
+  ToySystem system;
+  system.S       = DenseMatrix(2, 2);
+  system.S(0, 0) = system.S(1, 1) = 1.;
+  system.F                        = DenseMatrix(2, 2);
+  system.F(0, 0)                  = -1.; // pressing
+  system.F(1, 1)                  = 1.;
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 1.5, 2.}, {{0., 0.}, {1., 0.}, {1., 2.}, {1., 0.}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  const PathResult result = path.run({1., 1.05, 1.5, 1.55, 2.}, record);
+
+  EXPECT_LE(record.worst.worst(), event_tolerance);
+  EXPECT_EQ(result.verdict, Verdict::done);
+  ASSERT_EQ(record.events.size(), 4u);
+  const double times[]        = {0.5, 1.09375, 1.5, 1.6875};
+  const ContactState states[] = {ContactState::stick,
+                                 ContactState::slip_forward,
+                                 ContactState::stick,
+                                 ContactState::slip_backward};
+  for (std::size_t i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(record.events[i].t, times[i], event_tolerance);
+      EXPECT_EQ(record.events[i].to, states[i]);
+    }
+  ASSERT_EQ(record.levels.size(), 5u);
+  const auto jump = [&](const std::size_t level, const std::size_t bar) {
+    return layered.jumps(record.levels[level].dislocations, record.levels[level].forces)[bar];
+  };
+  EXPECT_NEAR(jump(0, 0), -0.75, event_tolerance);
+  EXPECT_NEAR(jump(1, 1), 2. / 15., event_tolerance);
+  EXPECT_NEAR(jump(2, 1), 1.875, event_tolerance);
+  EXPECT_NEAR(jump(3, 1), 1.8 - 0.35 / 6., event_tolerance);
+  EXPECT_NEAR(jump(4, 1), 0.125, event_tolerance);
+}
+
+// V4: H(d) of bars that slip one after the other, verification.md; printed to nine digits there and
+// exact as fractions: d_k = (f k_n / k_t) w_k, H = Σ min(C_t d, f N_k).
+TEST(EventPath, ProgressiveSlipOfRigidBlock)
+{
+  const std::size_t n = 8;
+  const double f      = 0.2;
+  const ToyJoint joint =
+    rigid_block_joint(n, 1., make_linear_law(1.), make_linear_law(1.), {f, 0.});
+  const ToySystem system = rigid_block(n, 1.);
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 2.},
+                            {{0., 0., 0.}, {0., -1., -1. / 12.}, {1.1 * f, -1., -1. / 12.}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  const PathResult result = path.run({1., 2.}, record);
+
+  EXPECT_LE(record.worst.worst(), event_tolerance);
+  EXPECT_EQ(result.verdict, Verdict::limit_load);
+  EXPECT_EQ(result.mechanism, MechanismKind::sliding);
+  EXPECT_NEAR(result.t, 1. + 1. / 1.1, 1e-9);
+  const double h[] = {0.515151515,
+                      0.628787879,
+                      0.727272727,
+                      0.810606061,
+                      0.878787879,
+                      0.931818182,
+                      0.969696970,
+                      0.992424242,
+                      1.};
+  ASSERT_GE(record.events.size(), 7u);
+  for (std::size_t i = 0; i < record.events.size(); ++i)
+    EXPECT_NEAR((record.events[i].t - 1.) * 1.1, h[i], 1e-9);
+}
+
+// V3: opening under a growing eccentricity, nine bars; the list of verification.md, exact as
+// fractions (contact of m bars ends where the edge bar of the trapezoidal distribution is
+// unloaded).
+TEST(EventPath, EccentricLoadOnRigidBlock)
+{
+  const std::size_t n = 8;
+  const ToyJoint joint =
+    rigid_block_joint(n, 1., make_linear_law(1.), make_linear_law(1.), {0.5, 0.});
+  const ToySystem system = rigid_block(n, 1.);
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 2.}, {{0., 0., 0.}, {0., -1., 0.}, {0., -1., -0.6}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  const PathResult result = path.run({1., 2.}, record);
+
+  EXPECT_LE(record.worst.worst(), event_tolerance);
+  EXPECT_EQ(result.verdict, Verdict::limit_load);
+  EXPECT_EQ(result.mechanism, MechanismKind::overturning);
+  // The last bar alone carries the load from e = 4/9 on: the discrete block topples there.
+  const double e[] = {0.171875, 0.214285714, 0.256944444, 0.3, 0.34375, 0.388888889, 0.4375};
+  ASSERT_GE(record.events.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_NEAR((record.events[i].t - 1.) * 0.6, e[i], 1e-9) << i;
+}
