@@ -78,6 +78,8 @@ namespace fuga
     normals() const;
 
     void
+    include_body_phases();
+    void
     begin_output();
     void
     log_header();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/blas.h>
 #include <fuga/base/dense_matrix.h>
 #include <fuga/base/errors.h>
 
 #include <algorithm>
-#include <cblas.h>
 #include <cmath>
 #include <lapacke.h>
 #include <string>
@@ -14,11 +14,7 @@ namespace fuga
 {
   namespace
   {
-    int
-    to_int(const std::size_t n)
-    {
-      return static_cast<int>(n);
-    }
+    using blas::to_int;
 
     // BLAS wants a leading dimension of at least one, also for empty matrices.
     int
@@ -41,18 +37,7 @@ namespace fuga
   {
     Vector y(A.n_rows(), 0.);
     if (!A.empty())
-      cblas_dgemv(CblasColMajor,
-                  CblasNoTrans,
-                  to_int(A.n_rows()),
-                  to_int(A.n_columns()),
-                  1.,
-                  A.data(),
-                  leading(A),
-                  x.data(),
-                  1,
-                  0.,
-                  y.data(),
-                  1);
+      blas::gemv('N', A.n_rows(), A.n_columns(), A.data(), A.n_rows(), x.data(), y.data());
     return y;
   }
 
@@ -61,44 +46,29 @@ namespace fuga
   {
     Vector y(A.n_columns(), 0.);
     if (!A.empty())
-      cblas_dgemv(CblasColMajor,
-                  CblasTrans,
-                  to_int(A.n_rows()),
-                  to_int(A.n_columns()),
-                  1.,
-                  A.data(),
-                  leading(A),
-                  x.data(),
-                  1,
-                  0.,
-                  y.data(),
-                  1);
+      blas::gemv('T', A.n_rows(), A.n_columns(), A.data(), A.n_rows(), x.data(), y.data());
     return y;
   }
 
   namespace
   {
     DenseMatrix
-    product(const CBLAS_TRANSPOSE transpose, const DenseMatrix &A, const DenseMatrix &B)
+    product(const char op, const DenseMatrix &A, const DenseMatrix &B)
     {
-      const std::size_t rows  = transpose == CblasNoTrans ? A.n_rows() : A.n_columns();
-      const std::size_t inner = transpose == CblasNoTrans ? A.n_columns() : A.n_rows();
+      const std::size_t rows  = op == 'N' ? A.n_rows() : A.n_columns();
+      const std::size_t inner = op == 'N' ? A.n_columns() : A.n_rows();
       DenseMatrix C(rows, B.n_columns());
       if (!C.empty() && inner > 0)
-        cblas_dgemm(CblasColMajor,
-                    transpose,
-                    CblasNoTrans,
-                    to_int(rows),
-                    to_int(B.n_columns()),
-                    to_int(inner),
-                    1.,
-                    A.data(),
-                    leading(A),
-                    B.data(),
-                    leading(B),
-                    0.,
-                    C.data(),
-                    leading(C));
+        blas::gemm(op,
+                   rows,
+                   B.n_columns(),
+                   inner,
+                   A.data(),
+                   A.n_rows(),
+                   B.data(),
+                   B.n_rows(),
+                   C.data(),
+                   rows);
       return C;
     }
   } // namespace
@@ -106,19 +76,19 @@ namespace fuga
   DenseMatrix
   multiply(const DenseMatrix &A, const DenseMatrix &B)
   {
-    return product(CblasNoTrans, A, B);
+    return product('N', A, B);
   }
 
   DenseMatrix
   multiply_transposed(const DenseMatrix &A, const DenseMatrix &B)
   {
-    return product(CblasTrans, A, B);
+    return product('T', A, B);
   }
 
   double
   dot(const Vector &x, const Vector &y)
   {
-    return cblas_ddot(to_int(x.size()), x.data(), 1, y.data(), 1);
+    return blas::dot(x.size(), x.data(), y.data());
   }
 
   double

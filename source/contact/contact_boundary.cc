@@ -137,21 +137,21 @@ namespace fuga
     return nearest;
   }
 
-  double
-  ContactBoundary::force_rate_tolerance(const std::size_t bar,
+  ContactBoundary::RateNoise::RateNoise(const LayeredSystem &layered_system,
                                         const JointRates &rates,
-                                        const Drive &drive) const
+                                        const Drive &path_drive)
+    : system(layered_system), drive(path_drive), largest_dislocation(max_abs(rates.dislocations))
   {
-    return rate_tolerance * (std::abs(drive.reactions[bar]) +
-                             system.stiffness()(bar, bar) * max_abs(rates.dislocations));
+    double size = largest_dislocation;
+    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
+      size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
+    jump_noise = rate_tolerance * size;
   }
 
   double
-  ContactBoundary::jump_rate_tolerance(const JointRates &rates, const Drive &drive) const
+  ContactBoundary::RateNoise::force(const std::size_t bar) const
   {
-    double size = max_abs(rates.dislocations);
-    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
-      size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
-    return rate_tolerance * size;
+    return rate_tolerance *
+           (std::abs(drive.reactions[bar]) + system.stiffness()(bar, bar) * largest_dislocation);
   }
 } // namespace fuga

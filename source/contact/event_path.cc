@@ -37,7 +37,7 @@ namespace fuga
     , options(path_options)
     , boundary(elements, system)
     , scheme(elements, system)
-    , rate_problem(elements, system, boundary, scheme)
+    , rate_problem(elements, system, scheme)
   {
   }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/blas.h>
 #include <fuga/contact/lemke.h>
 
 #include <algorithm>
-#include <cblas.h>
 #include <cmath>
 
 namespace fuga
@@ -96,7 +96,7 @@ namespace fuga
             if (column[row] == 0.)
               continue;
             const double factor = column[row] / pivot;
-            cblas_daxpy(static_cast<int>(n), -factor, pivot_column.data(), 1, column, 1);
+            blas::axpy(n, -factor, pivot_column.data(), column);
             column[row] = factor;
           }
         basis[row] = entering;

@@ -12,6 +12,9 @@ namespace fuga
 {
   namespace
   {
+    /** Residuals of the active rows below this share of the largest force are left. */
+    constexpr double rounding = 1e-14;
+
     Vector
     along(const Vector &origin, const double tau, const Vector &rates)
     {
@@ -68,6 +71,8 @@ namespace fuga
   PathPoint
   StraightSegment::at(const double tau)
   {
+    if (tau == 0.)
+      return start;
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
     if (!course.release.empty())
@@ -75,7 +80,7 @@ namespace fuga
     complete_state(context, course, tau, result.state);
 
     const Vector residual = context.scheme.residual(result.state);
-    if (max_abs(residual) > 0.)
+    if (max_abs(residual) > rounding * max_abs(result.state.forces))
       if (const std::optional<JointRates> change = context.scheme.correction(residual))
         {
           result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);

@@ -13,12 +13,8 @@ namespace fuga
 {
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
                            const LayeredSystem &layered_system,
-                           const ContactBoundary &contact_boundary,
                            WorkingScheme &working_scheme)
-    : elements(contact_elements)
-    , system(layered_system)
-    , boundary(contact_boundary)
-    , scheme(working_scheme)
+    : elements(contact_elements), system(layered_system), scheme(working_scheme)
   {
   }
 
@@ -83,17 +79,17 @@ namespace fuga
                           const JointRates &rates) const
   {
     std::vector<Switch> switches;
-    const double jump_noise = boundary.jump_rate_tolerance(rates, drive);
+    const ContactBoundary::RateNoise noise(system, rates, drive);
     for (const BoundaryElement &candidate : set)
       {
         const std::size_t k           = candidate.element;
         const ContactElement &element = elements[k];
         const ContactState now        = scheme.state(k);
         const double dN               = rates.forces[element.normal_bar];
-        const double N_noise = boundary.force_rate_tolerance(element.normal_bar, rates, drive);
+        const double N_noise          = noise.force(element.normal_bar);
         if (now == ContactState::open)
           {
-            if (rates.dislocations[element.normal_bar] < -jump_noise)
+            if (rates.dislocations[element.normal_bar] < -noise.jump())
               switches.push_back({k, state_on_closing(candidate, rates)});
             continue;
           }
@@ -106,7 +102,7 @@ namespace fuga
           continue;
         if (is_slipping(now))
           {
-            if (slip_sign(now) * slip_rate(element, state, k, rates) < -jump_noise)
+            if (slip_sign(now) * slip_rate(element, state, k, rates) < -noise.jump())
               switches.push_back({k, ContactState::stick});
             continue;
           }
@@ -114,8 +110,7 @@ namespace fuga
         const double dT = rates.forces[element.tangential_bar];
         const double sign =
           candidate.shear == ShearPosition::at_apex ? std::copysign(1., dT) : candidate.sign;
-        const double shear_noise =
-          boundary.force_rate_tolerance(element.tangential_bar, rates, drive) + f * N_noise;
+        const double shear_noise = noise.force(element.tangential_bar) + f * N_noise;
         if (sign * dT + f * dN > shear_noise)
           switches.push_back(
             {k, sign > 0. ? ContactState::slip_forward : ContactState::slip_backward});

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/blas.h>
 #include <fuga/contact/updated_inverse.h>
 
 #include <algorithm>
-#include <cblas.h>
 #include <cmath>
 #include <limits>
 
 namespace fuga
 {
-  namespace
-  {
-    int
-    to_int(const std::size_t n)
-    {
-      return static_cast<int>(n);
-    }
-  } // namespace
-
   void
   UpdatedInverse::reserve(const std::size_t new_size)
   {
@@ -58,18 +49,7 @@ namespace fuga
     if (n > 0)
       {
         u = solve(new_column);
-        cblas_dgemv(CblasColMajor,
-                    CblasTrans,
-                    to_int(n),
-                    to_int(n),
-                    1.,
-                    values.data(),
-                    to_int(stride),
-                    new_row.data(),
-                    1,
-                    0.,
-                    v.data(),
-                    1);
+        blas::gemv('T', n, n, values.data(), stride, new_row.data(), v.data());
         pivot -= dot(new_row, u);
       }
     if (!(std::abs(pivot) > smallest_pivot))
@@ -77,16 +57,7 @@ namespace fuga
 
     reserve(n + 1);
     if (n > 0)
-      cblas_dger(CblasColMajor,
-                 to_int(n),
-                 to_int(n),
-                 1. / pivot,
-                 u.data(),
-                 1,
-                 v.data(),
-                 1,
-                 values.data(),
-                 to_int(stride));
+      blas::ger(n, n, 1. / pivot, u.data(), v.data(), values.data(), stride);
     for (std::size_t i = 0; i < n; ++i)
       {
         column(n)[i] = -u[i] / pivot;
@@ -121,16 +92,13 @@ namespace fuga
         return false;
       }
     if (last > 0)
-      cblas_dger(CblasColMajor,
-                 to_int(last),
-                 to_int(last),
-                 -1. / diagonal,
-                 removed_column.data(),
-                 1,
-                 removed_row.data(),
-                 1,
-                 values.data(),
-                 to_int(stride));
+      blas::ger(last,
+                last,
+                -1. / diagonal,
+                removed_column.data(),
+                removed_row.data(),
+                values.data(),
+                stride);
     n = last;
     return true;
   }
@@ -140,18 +108,7 @@ namespace fuga
   {
     Vector x(n, 0.);
     if (n > 0)
-      cblas_dgemv(CblasColMajor,
-                  CblasNoTrans,
-                  to_int(n),
-                  to_int(n),
-                  1.,
-                  values.data(),
-                  to_int(stride),
-                  b.data(),
-                  1,
-                  0.,
-                  x.data(),
-                  1);
+      blas::gemv('N', n, n, values.data(), stride, b.data(), x.data());
     return x;
   }
 } // namespace fuga

@@ -70,11 +70,29 @@ namespace fuga
       return zero_gap;
     }
 
-    /** Rates of bar forces, and of jumps, that count as zero. */
-    double
-    force_rate_tolerance(const std::size_t bar, const JointRates &rates, const Drive &drive) const;
-    double
-    jump_rate_tolerance(const JointRates &rates, const Drive &drive) const;
+    /** What counts as zero among given rates. */
+    class RateNoise
+    {
+    public:
+      RateNoise(const LayeredSystem &system, const JointRates &rates, const Drive &drive);
+
+      /** Rate of the force of a bar. */
+      double
+      force(const std::size_t bar) const;
+
+      /** Rate of any jump. */
+      double
+      jump() const
+      {
+        return jump_noise;
+      }
+
+    private:
+      const LayeredSystem &system;
+      const Drive &drive;
+      double largest_dislocation;
+      double jump_noise;
+    };
 
   private:
     double

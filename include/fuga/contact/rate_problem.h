@@ -53,7 +53,6 @@ namespace fuga
   public:
     RateProblem(const std::vector<ContactElement> &elements,
                 const LayeredSystem &system,
-                const ContactBoundary &boundary,
                 WorkingScheme &scheme);
 
     /** Finds a continuation from @p state under @p drive; the states of the scheme are the first guess. */
@@ -110,7 +109,6 @@ namespace fuga
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
-    const ContactBoundary &boundary;
     WorkingScheme &scheme;
   };
 
