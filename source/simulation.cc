@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/io/process_info.h>
 #include <fuga/io/summary.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/simulation.h>
@@ -16,12 +17,12 @@ namespace fuga
   template <int dim>
   Simulation<dim>::Simulation(const Parameters &run_parameters)
     : parameters(run_parameters)
-    , mesh((timer.begin("mesh"),
+    , mesh((timer.book("start", seconds_since_process_start()),
             split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions())))
-    , bodies((timer.begin("bodies"), mesh), parameters.model, frictionless_joints())
+    , bodies((timer.finish("mesh"), mesh), parameters.model, frictionless_joints())
     , elements(make_elements())
     , loads(make_loads())
-    , layered((include_body_phases(), timer.begin("layered system"), bodies), elements)
+    , layered((book_body_phases(), bodies), elements)
     , path(elements, layered, loads.history, path_options())
     , judge(bodies, elements, loads.history)
     , names_of_joints(joint_names())
@@ -31,18 +32,20 @@ namespace fuga
     , log(parameters.output.log, context)
     , fields(parameters.output.directory, bodies, parameters.model, mesh.body_names)
   {
-    timer.begin("path");
+    timer.finish("layered system");
   }
 
   template <int dim>
   Simulation<dim>::~Simulation() = default;
 
-  // The bodies keep their own time; what is left of the phase "bodies" is the tables around them.
+  // The bodies keep their own time.
   template <int dim>
   void
-  Simulation<dim>::include_body_phases()
+  Simulation<dim>::book_body_phases()
   {
-    timer.include(bodies.phase_seconds());
+    for (const auto &[name, seconds] : bodies.phase_seconds())
+      timer.set_apart(name, seconds);
+    timer.finish("elements and loads");
   }
 
   template <int dim>
@@ -244,7 +247,7 @@ namespace fuga
   void
   Simulation<dim>::write_state(const JointState &state, const bool with_fields)
   {
-    timer.begin("results");
+    timer.finish("path");
     Certificate certificate = judge.judge(state);
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);
     const Vector x          = judge.coordinates(jumps);
@@ -252,21 +255,20 @@ namespace fuga
     const auto results      = element_results(elements, state, jumps);
     if (with_fields)
       {
-        timer.begin("recovery");
         const dealii::Vector<double> u = bodies.recover(a, x);
         const EquilibriumError error   = bodies.equilibrium_error(u, state.forces, a);
         certificate.equilibrium        = std::max(certificate.equilibrium, error.residual);
         certificate.body_equilibrium   = std::max(certificate.body_equilibrium, error.resultant);
-        timer.begin("fields");
+        timer.finish("recovery of displacements");
         fields.write_bodies(state.t, u);
         fields.write_joints(state.t, elements, results, judge.dissipation());
+        timer.finish("fields");
       }
-    timer.begin("results");
     worst.absorb(certificate);
     history->add_level(state.t, results, judge.energies(), certificate.worst());
     history->publish(false);
     log.level(state.t, results, certificate.worst());
-    timer.begin("path");
+    timer.finish("tables");
   }
 
   // At a limit load the last state in equilibrium is written like a level.

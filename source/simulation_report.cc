@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/discretization.h>
+#include <fuga/io/process_info.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
 #include <fuga/simulation.h>
@@ -39,7 +40,6 @@ namespace fuga
   void
   Simulation<dim>::begin_output()
   {
-    timer.begin("results");
     std::error_code error;
     fs::create_directories(parameters.output.directory, error);
     if (error)
@@ -55,7 +55,7 @@ namespace fuga
     Outcome unfinished;
     unfinished.verdict = "unfinished";
     write_summary(unfinished);
-    timer.begin("path");
+    timer.finish("tables");
   }
 
   template <int dim>
@@ -125,7 +125,7 @@ namespace fuga
   void
   Simulation<dim>::finish(const Outcome &outcome)
   {
-    timer.begin("results");
+    timer.finish("path");
     history->publish(true);
     log_closing_table(outcome);
     log.close();
@@ -179,6 +179,7 @@ namespace fuga
                          parameters.solver.certificate_bound,
                          outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
     double total = 0.;
+    timer.finish("tables");
     for (const auto &phase : timer.seconds())
       total += phase.second;
     log.line(

@@ -4,13 +4,13 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
+#include <fuga/base/phase_timer.h>
 #include <fuga/bodies/load_program.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/field_writer.h>
 #include <fuga/io/parameters.h>
 #include <fuga/io/run_log.h>
-#include <fuga/io/run_timer.h>
 
 namespace fuga
 {
@@ -78,7 +78,7 @@ namespace fuga
     normals() const;
 
     void
-    include_body_phases();
+    book_body_phases();
     void
     begin_output();
     void
@@ -97,7 +97,7 @@ namespace fuga
     write_summary(const Outcome &outcome);
 
     const Parameters parameters;
-    RunTimer timer;
+    PhaseTimer timer;
     const JointedMesh mesh;
     CondensedSystem<dim> bodies;
     std::vector<std::unique_ptr<ComplianceLaw>> laws;

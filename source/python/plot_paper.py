@@ -25,6 +25,7 @@ from paper_quantities import MILLIMETRES, PaperQuantities, law_9_stiffening, per
 NAMES = ("1  rigid joint", "2  linear joint", "3  law (9), cubic root")
 LINES = ("-", "--", ":")  # as in the paper: solid, dashed, dotted
 WIDTHS = (1.5, 1.5, 2.4)
+EDGE = 0.02  # room beside the base, as share of its length
 PRESSURES_OF_INTEREST = (0.5, 2.0)  # MPa, the range of which the paper's test speaks
 
 
@@ -70,7 +71,7 @@ def picture(profiles, title, upper, lower, path):
     draw_curves(axes[1], profiles, *lower)
     draw_states(axes[2], profiles)
     axes[2].set_xlabel("distance along the base from the loaded side [m]", labelpad=3)
-    axes[2].margins(x=0.015)
+    axes[2].set_xlim(-EDGE * profiles[0]["x"][-1], (1.0 + EDGE) * profiles[0]["x"][-1])
     figure.align_ylabels(axes)
 
     lines = [Line2D([], [], color="black", linestyle=line, linewidth=width, label=name)

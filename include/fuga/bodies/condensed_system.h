@@ -6,7 +6,7 @@
 
 #include <fuga/bodies/equilibrium_error.h>
 #include <fuga/bodies/load_assembly.h>
-#include <fuga/bodies/phase_timer.h>
+#include <fuga/base/phase_timer.h>
 #include <fuga/bodies/rigid_projection.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_bodies_phase_timer_h
-#define fuga_bodies_phase_timer_h
+#ifndef fuga_base_phase_timer_h
+#define fuga_base_phase_timer_h
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +33,13 @@ namespace fuga
       const double end = now();
       add(name, end - start);
       start = end;
+    }
+
+    /** Books @p seconds that belong to none of the calls of finish(). */
+    void
+    book(const std::string &name, const double seconds)
+    {
+      add(name, seconds);
     }
 
     /** Books @p seconds to @p name that finish() must not book again. */

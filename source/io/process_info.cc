@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/run_timer.h>
+#include <fuga/io/process_info.h>
 
 #include <fstream>
 #include <sstream>
@@ -10,48 +10,6 @@
 
 namespace fuga
 {
-  RunTimer::RunTimer()
-    : phases{{"start", seconds_since_process_start()}}, running("start"), start(Clock::now())
-  {
-  }
-
-  double &
-  RunTimer::entry(const std::string &name)
-  {
-    for (auto &phase : phases)
-      if (phase.first == name)
-        return phase.second;
-    phases.emplace_back(name, 0.);
-    return phases.back().second;
-  }
-
-  void
-  RunTimer::begin(const std::string &name)
-  {
-    const Clock::time_point now = Clock::now();
-    entry(running) += std::chrono::duration<double>(now - start).count();
-    running = name;
-    start   = now;
-    entry(name);
-  }
-
-  void
-  RunTimer::include(const std::vector<std::pair<std::string, double>> &measured)
-  {
-    for (const auto &[name, seconds] : measured)
-      {
-        entry(name) += seconds;
-        entry(running) -= seconds;
-      }
-  }
-
-  std::vector<std::pair<std::string, double>>
-  RunTimer::seconds()
-  {
-    begin(running);
-    return phases;
-  }
-
   // Field 22 of /proc/self/stat is the start of the process in clock ticks since boot; the name in
   // field 2 may contain blanks, so counting begins behind its closing bracket.
   double
