@@ -251,8 +251,9 @@ namespace fuga
         raise(result.complementarity, std::abs(T - state.unreleased_shear[k]), largest_force);
         return;
       }
-    const double strength =
-      element.friction.coefficient * std::max(-N, 0.) + element.friction.cohesion * element.area;
+    const double strength = element.friction.coefficient * std::max(-N, 0.) +
+                            (state.broken[k] ? std::abs(state.unreleased_shear[k])
+                                             : element.friction.cohesion * element.area);
     raise(result.layer_law,
           std::abs(gap - deformation(*element.normal_law, element.area, N)),
           largest_jump);

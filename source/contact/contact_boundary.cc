@@ -62,78 +62,75 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
-        const double N                = state.forces[element.normal_bar];
+        const bool open               = state.states[k] == ContactState::open;
         BoundaryElement candidate;
         candidate.element = k;
-        if (state.states[k] == ContactState::open)
-          {
-            // While it still gives up shear it can do nothing else.
-            candidate.grazing = gap(element, state) <= zero_gap && state.unreleased_shear[k] == 0.;
-            candidate.shear   = ShearPosition::inside;
-            if (candidate.grazing && element.has_tangential_bar())
-              candidate.shear =
-                element.friction.cohesion > 0. ? ShearPosition::inside : ShearPosition::at_apex;
-          }
-        else
-          {
-            candidate.grazing = N >= -force_tolerances[element.normal_bar];
-            if (element.has_tangential_bar())
-              {
-                const double T        = state.forces[element.tangential_bar];
-                const double strength = shear_strength(element, std::min(N, 0.));
-                const double tolerance =
-                  force_tolerances[element.tangential_bar] +
-                  element.friction.coefficient * force_tolerances[element.normal_bar];
-                if (strength <= tolerance)
-                  candidate.shear = ShearPosition::at_apex;
-                else if (is_slipping(state.states[k]) || std::abs(T) >= strength - tolerance)
-                  {
-                    candidate.shear = ShearPosition::at_strength;
-                    candidate.sign  = is_slipping(state.states[k]) ? slip_sign(state.states[k])
-                                                                   : std::copysign(1., T);
-                  }
-              }
-          }
+        candidate.grazing =
+          open ? gap(element, state) <= zero_gap
+               : state.forces[element.normal_bar] >= -force_tolerances[element.normal_bar];
+        if (element.has_tangential_bar() && (candidate.grazing || !open))
+          place_shear(state, candidate);
         if (candidate.grazing || candidate.shear != ShearPosition::inside)
           result.push_back(candidate);
       }
     return result;
   }
 
+  void
+  ContactBoundary::place_shear(const JointState &state, BoundaryElement &candidate) const
+  {
+    const std::size_t k           = candidate.element;
+    const ContactElement &element = elements[k];
+    const double T                = state.forces[element.tangential_bar];
+    const double strength         = shear_strength(element, state, k);
+    const double tolerance        = force_tolerances[element.tangential_bar] +
+                             element.friction.coefficient * force_tolerances[element.normal_bar];
+    const bool slipping = is_slipping(state.states[k]);
+    if (strength <= tolerance)
+      candidate.shear = ShearPosition::at_apex;
+    else if (slipping || std::abs(T) >= strength - tolerance)
+      {
+        candidate.shear = ShearPosition::at_strength;
+        candidate.sign  = slipping ? slip_sign(state.states[k]) : std::copysign(1., T);
+      }
+  }
+
   double
   ContactBoundary::distance_of(const std::size_t k,
                                const JointState &state,
-                               const JointRates &rates) const
+                               const JointRates &rates,
+                               const Drive &drive) const
   {
     const ContactElement &element = elements[k];
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return state.unreleased_shear[k] != 0.
-               ? never
-               : root(gap(element, state), rates.dislocations[n], zero_gap);
+      return root(gap(element, state), rates.dislocations[n], zero_gap);
 
     double nearest = root(-state.forces[n], -rates.forces[n], force_tolerances[n]);
     if (state.states[k] == ContactState::stick && element.has_tangential_bar())
       for (const double sign : {1., -1.})
         {
           const double f         = element.friction.coefficient;
-          const double strength  = shear_strength(element, state.forces[n]);
+          const double strength  = shear_strength(element, state, k);
           const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
-          nearest                = std::min(nearest,
-                             root(strength - sign * state.forces[t],
-                                  -f * rates.forces[n] - sign * rates.forces[t],
-                                  tolerance));
+          nearest                = std::min(
+            nearest,
+            root(strength - sign * state.forces[t],
+                 -f * rates.forces[n] + cohesive_strength_rate(drive, k) - sign * rates.forces[t],
+                 tolerance));
         }
     return nearest;
   }
 
   double
-  ContactBoundary::distance(const JointState &state, const JointRates &rates) const
+  ContactBoundary::distance(const JointState &state,
+                            const JointRates &rates,
+                            const Drive &drive) const
   {
     double nearest = never;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      nearest = std::min(nearest, distance_of(k, state, rates));
+      nearest = std::min(nearest, distance_of(k, state, rates, drive));
     return nearest;
   }
 

@@ -35,8 +35,6 @@ namespace fuga
     , course(path_course)
     , options(path_options)
     , count(iteration_count)
-    , drive{multiply(path_context.system.reactions(), path_course.factor_rates),
-            path_course.release}
     , taus{0.}
     , points{start}
     , functions{event_functions(start)}
@@ -156,9 +154,8 @@ namespace fuga
         const double n_noise = context.boundary.force_tolerance(n);
         if (state.states[k] == ContactState::open)
           {
-            if (state.unreleased_shear[k] == 0.)
-              result.push_back(
-                {gap(element, state), dd[n], context.boundary.gap_tolerance(), true, k});
+            result.push_back(
+              {gap(element, state), dd[n], context.boundary.gap_tolerance(), true, k});
             continue;
           }
         result.push_back({-state.forces[n], -dp[n], n_noise, true, k});
@@ -167,8 +164,8 @@ namespace fuga
         const double f = element.friction.coefficient;
         if (state.states[k] == ContactState::stick)
           for (const double sign : {1., -1.})
-            result.push_back({shear_strength(element, state.forces[n]) - sign * state.forces[t],
-                              -f * dp[n] - sign * dp[t],
+            result.push_back({shear_strength(element, state, k) - sign * state.forces[t],
+                              -f * dp[n] + cohesive_strength_rate(course.drive, k) - sign * dp[t],
                               context.boundary.force_tolerance(t) + f * n_noise,
                               true,
                               k});

@@ -26,14 +26,14 @@ namespace fuga
     PathPoint point    = {points.front().state, {}};
     JointState &state  = point.state;
     state.dislocations = predicted_dislocations;
-    for (std::size_t k = 0; k < course.release.size(); ++k)
-      state.unreleased_shear[k] += tau * course.release[k];
+    for (std::size_t k = 0; k < course.drive.release.size(); ++k)
+      state.unreleased_shear[k] += tau * course.drive.release[k];
     complete_state(context, course, tau, state);
     if (!iterate(tau, state))
       return {};
 
     context.scheme.linearise(state);
-    const std::optional<JointRates> rates = context.scheme.rates(drive);
+    const std::optional<JointRates> rates = context.scheme.rates(course.drive);
     if (!rates)
       return {};
     point.rates = *rates;

@@ -61,11 +61,13 @@ namespace fuga
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
+            if (break_unloaded_bonds(state))
+              continue;
             lose_equilibrium(state, continuation, result);
             return result;
           }
         if (course.kind == Course::Kind::loading && max_abs(state.unreleased_shear) > 0.)
-          continue; // an element broke: its shear is given up before the load goes on
+          continue; // a bond broke: its shear is given up before the load goes on
 
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
@@ -101,9 +103,14 @@ namespace fuga
     state.dislocations.assign(system.n_bars(), 0.);
     state.slips.assign(elements.size(), 0.);
     state.unreleased_shear.assign(elements.size(), 0.);
+    state.broken.assign(elements.size(), false);
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (elements[k].initial_gap > 0.)
-        state.states[k] = ContactState::open;
+        {
+          // Lips that never touched have no bond.
+          state.states[k] = ContactState::open;
+          state.broken[k] = true;
+        }
     return state;
   }
 
@@ -116,10 +123,10 @@ namespace fuga
     course.factors = history.factors(state.t);
     if (max_abs(state.unreleased_shear) > 0.)
       {
-        course.kind         = Course::Kind::release;
-        course.factor_rates = Vector(course.factors.size(), 0.);
-        course.release      = negative(state.unreleased_shear);
-        course.length       = 1.;
+        course.kind          = Course::Kind::release;
+        course.factor_rates  = Vector(course.factors.size(), 0.);
+        course.drive.release = negative(state.unreleased_shear);
+        course.length        = 1.;
       }
     else
       {
@@ -127,13 +134,8 @@ namespace fuga
         course.t_end        = history.next_corner(state.t);
         course.length       = course.t_end - state.t;
       }
+    course.drive.reactions = multiply(system.reactions(), course.factor_rates);
     return course;
-  }
-
-  Drive
-  EventPath::drive_of(const Course &course) const
-  {
-    return {multiply(system.reactions(), course.factor_rates), course.release};
   }
 
   Continuation
@@ -149,7 +151,7 @@ namespace fuga
     scheme.linearise(state);
 
     const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
-    const Continuation continuation        = rate_problem.solve(state, set, drive_of(course));
+    const Continuation continuation        = rate_problem.solve(state, set, course.drive);
     result.n_schemes += continuation.n_schemes;
     if (!continuation.exists)
       return continuation;
@@ -162,30 +164,44 @@ namespace fuga
         if (state.states[k] == scheme.state(k))
           continue;
         events.push_back({state.t, k, state.states[k], scheme.state(k)});
-        // A closing element of a linear layer has N = 0 exactly at gap = 0.
-        if (state.states[k] == ContactState::open && !has_nonlinear_closure(elements[k]))
-          state.dislocations[elements[k].normal_bar] = -elements[k].initial_gap;
+        if (scheme.state(k) == ContactState::open)
+          break_cohesion(state, k);
+        else if (state.states[k] == ContactState::open)
+          state.dislocations[elements[k].normal_bar] = -elements[k].initial_gap; // gap = 0 exactly
         state.states[k] = scheme.state(k);
       }
     result.n_events += events.size();
-    break_cohesion(state, events);
     if (!events.empty())
       observer.changed(events, state);
     return continuation;
   }
 
-  // Cohesion holds while the element is closed. What shear it still carries when it opens is given
-  // up at that load, quasi-statically; without cohesion nothing is left at N = 0.
+  // Cohesion holds until the element first opens. The shear it carries then is given up at that
+  // load, quasi-statically; without cohesion nothing is left at N = 0.
   void
-  EventPath::break_cohesion(JointState &state, const std::vector<ContactEvent> &events) const
+  EventPath::break_cohesion(JointState &state, const std::size_t k) const
   {
-    for (const ContactEvent &event : events)
-      {
-        const ContactElement &element = elements[event.element];
-        if (event.to == ContactState::open && element.has_tangential_bar() &&
-            element.friction.cohesion > 0.)
-          state.unreleased_shear[event.element] = state.forces[element.tangential_bar];
-      }
+    const ContactElement &element = elements[k];
+    if (state.broken[k])
+      return;
+    state.broken[k] = true;
+    if (element.has_tangential_bar() && element.friction.cohesion > 0.)
+      state.unreleased_shear[k] = state.forces[element.tangential_bar];
+  }
+
+  // A bond at N = 0 that allows no continuation, neither kept nor lost by opening, breaks.
+  bool
+  EventPath::break_unloaded_bonds(JointState &state) const
+  {
+    bool any = false;
+    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
+      if (candidate.grazing && !state.broken[candidate.element] &&
+          elements[candidate.element].friction.cohesion > 0.)
+        {
+          break_cohesion(state, candidate.element);
+          any = true;
+        }
+    return any;
   }
 
   std::unique_ptr<PathSegment>

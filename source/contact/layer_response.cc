@@ -4,6 +4,7 @@
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/layered_system.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuga
@@ -111,8 +112,22 @@ namespace fuga
   }
 
   double
-  shear_strength(const ContactElement &element, const double normal_force)
+  cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    return -element.friction.coefficient * normal_force + element.friction.cohesion * element.area;
+    return at.broken[k] ? std::abs(at.unreleased_shear[k])
+                        : element.friction.cohesion * element.area;
+  }
+
+  double
+  shear_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    const double pressing = std::max(-at.forces[element.normal_bar], 0.);
+    return element.friction.coefficient * pressing + cohesive_strength(element, at, k);
+  }
+
+  double
+  cohesive_strength_rate(const Drive &drive, const std::size_t k)
+  {
+    return drive.release.empty() ? 0. : -std::abs(drive.release[k]);
   }
 } // namespace fuga

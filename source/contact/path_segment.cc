@@ -62,7 +62,8 @@ namespace fuga
   double
   StraightSegment::find_end()
   {
-    end = std::min(course.length, context.boundary.distance(start.state, start.rates));
+    end =
+      std::min(course.length, context.boundary.distance(start.state, start.rates, course.drive));
     return end;
   }
 
@@ -75,8 +76,9 @@ namespace fuga
       return start;
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
-    if (!course.release.empty())
-      result.state.unreleased_shear = along(start.state.unreleased_shear, tau, course.release);
+    if (!course.drive.release.empty())
+      result.state.unreleased_shear =
+        along(start.state.unreleased_shear, tau, course.drive.release);
     complete_state(context, course, tau, result.state);
 
     const Vector residual = context.scheme.residual(result.state);

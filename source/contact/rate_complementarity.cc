@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/layer_response.h>
 #include <fuga/contact/lemke.h>
 #include <fuga/contact/rate_problem.h>
 
@@ -84,7 +85,11 @@ namespace fuga
     // Scaled to unit diagonal of W, so that one pivot tolerance suits elements of every size.
     for (std::size_t i = 0; i < n; ++i)
       {
-        q[i] = scale[i] * reserve(unknowns[i], elements[unknowns[i].element], stuck->forces);
+        const Unknown &unknown = unknowns[i];
+        q[i]                   = reserve(unknown, elements[unknown.element], stuck->forces);
+        if (unknown.state != ContactState::open)
+          q[i] += cohesive_strength_rate(drive, unknown.element);
+        q[i] *= scale[i];
         for (std::size_t j = 0; j < n; ++j)
           M(i, j) = scale[i] * scale[j] * unknowns[j].sign *
                     reserve(unknowns[i], elements[unknowns[i].element], responses[j].forces);

@@ -14,9 +14,13 @@ namespace fuga
   {
     /** A pivot below this share of the bar's own stiffness is a mechanism, not a stiffness. */
     constexpr double smallest_relative_pivot = 1e-13;
-    /** Relative defect of a solution that is accepted at once, and after refinement. */
+    /**
+     * Defect of a solution, relative to the forces that drive it, that is accepted at once, and
+     * after refinement. A mechanism answers with dislocations so large that their rounding errors
+     * alone exceed the second: this, and no pivot, is what tells it from a soft scheme.
+     */
     constexpr double good_defect     = 1e-13;
-    constexpr double accepted_defect = 1e-9;
+    constexpr double accepted_defect = 1e-8;
   } // namespace
 
   WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
@@ -193,8 +197,7 @@ namespace fuga
     return true;
   }
 
-  // Forces and row defects that belong to the given active dislocations; the largest relative
-  // defect.
+  // Forces and row defects that belong to the given active dislocations; the largest defect.
   double
   WorkingScheme::apply(const Vector &active,
                        const Vector &force_offset,
@@ -205,28 +208,18 @@ namespace fuga
     const DenseMatrix &W = system.stiffness();
     result.forces        = force_offset;
     result.dislocations.assign(system.n_bars(), 0.);
-    Vector size(force_offset.size());
-    for (std::size_t i = 0; i < size.size(); ++i)
-      size[i] = std::abs(force_offset[i]);
     for (std::size_t j = 0; j < rows.size(); ++j)
       {
         blas::axpy(W.n_rows(), -active[j], W.column(rows[j].bar), result.forces.data());
         result.dislocations[rows[j].bar] = active[j];
       }
-    const double largest_dislocation = max_abs(active);
-    double worst                     = 0.;
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const Row &row = rows[i];
         defect[i]      = row.own * result.forces[row.bar] + row.weight * result.forces[row.other] -
                     row.stiffness * active[i] - rhs[i];
-        const double scale = size[row.bar] + std::abs(row.weight) * size[row.other] +
-                             std::abs(rhs[i]) +
-                             (W(row.bar, row.bar) + row.stiffness) * largest_dislocation;
-        if (defect[i] != 0.)
-          worst = std::max(worst, std::abs(defect[i]) / scale);
       }
-    return worst;
+    return max_abs(defect);
   }
 
   std::optional<JointRates>
@@ -235,6 +228,7 @@ namespace fuga
     if (!bring_up_to_date())
       return {};
 
+    const double driving_force  = std::max(max_abs(force_offset), max_abs(rhs));
     const auto refined_solution = [&](JointRates &result) {
       Vector active(rows.size(), 0.), defect(rows.size());
       for (std::size_t i = 0; i < rows.size(); ++i)
@@ -242,21 +236,22 @@ namespace fuga
                     rows[i].weight * force_offset[rows[i].other] - rhs[i];
       const int max_sweeps = 3;
       double worst         = 0.;
-      for (int sweep = 0; sweep < max_sweeps && (sweep == 0 || worst > good_defect); ++sweep)
+      for (int sweep = 0; sweep == 0 || (sweep < max_sweeps && worst > good_defect * driving_force);
+           ++sweep)
         {
           const Vector change = inverse.solve(defect);
           for (std::size_t i = 0; i < active.size(); ++i)
             active[i] += change[i];
           worst = apply(active, force_offset, rhs, result, defect);
         }
-      return worst;
+      return worst <= accepted_defect * driving_force;
     };
 
     JointRates result;
-    if (refined_solution(result) <= accepted_defect)
+    if (refined_solution(result))
       return result;
     singular = !rebuild();
-    if (!singular && refined_solution(result) <= accepted_defect)
+    if (!singular && refined_solution(result))
       return result;
     return {};
   }
@@ -268,8 +263,10 @@ namespace fuga
       return {};
     Vector rhs(rows.size(), 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
-      if (!drive.release.empty() && drive.release[k] != 0.)
-        rhs[position[elements[k].tangential_bar]] = drive.release[k];
+      if (!drive.release.empty() && drive.release[k] != 0. && states[k] != ContactState::stick)
+        rhs[position[elements[k].tangential_bar]] =
+          is_slipping(states[k]) ? slip_sign(states[k]) * cohesive_strength_rate(drive, k)
+                                 : drive.release[k];
     return solve(rhs, drive.reactions);
   }
 
@@ -312,7 +309,7 @@ namespace fuga
         if (open)
           defect -= at.unreleased_shear[k];
         else if (is_slipping(states[k]))
-          defect -= slip_sign(states[k]) * element.friction.cohesion * element.area;
+          defect -= slip_sign(states[k]) * cohesive_strength(element, at, k);
         else
           defect -= shear_force(element, at, k);
       }

@@ -38,13 +38,14 @@ namespace fuga
             result.jump_t  = jumps[element.tangential_bar];
             result.slip    = state.slips[k];
           }
-        result.pressure       = result.N == 0. ? 0. : -result.N / element.area;
-        result.shear          = result.T / element.area;
-        const double strength = shear_strength(element, result.N);
+        result.pressure = result.N == 0. ? 0. : -result.N / element.area;
+        result.shear    = result.T / element.area;
+        if (result.state != ContactState::open)
+          result.strength = shear_strength(element, state, k);
         if (is_slipping(result.state))
           result.utilisation = 1.;
-        else if (result.state == ContactState::stick && strength > 0.)
-          result.utilisation = std::min(1., std::abs(result.T) / strength);
+        else if (result.state == ContactState::stick && result.strength > 0.)
+          result.utilisation = std::min(1., std::abs(result.T) / result.strength);
       }
     return results;
   }
@@ -112,8 +113,7 @@ namespace fuga
                         : result.state == ContactState::stick ? resultant.share_stick
                                                               : resultant.share_slip;
         share += element.area / frame.area;
-        if (result.state != ContactState::open)
-          strength += shear_strength(element, result.N);
+        strength += result.strength;
         resultant.largest_pressure = std::max(resultant.largest_pressure, result.pressure);
         resultant.largest_gap      = std::max(resultant.largest_gap, result.gap);
         resultant.largest_slip     = std::max(resultant.largest_slip, std::abs(result.slip));

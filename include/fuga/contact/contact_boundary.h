@@ -54,7 +54,7 @@ namespace fuga
      * infinity if none is.
      */
     double
-    distance(const JointState &state, const JointRates &rates) const;
+    distance(const JointState &state, const JointRates &rates, const Drive &drive) const;
 
     /** Force below which a bar counts as unloaded [MN]. */
     double
@@ -95,8 +95,13 @@ namespace fuga
     };
 
   private:
+    void
+    place_shear(const JointState &state, BoundaryElement &candidate) const;
     double
-    distance_of(const std::size_t k, const JointState &state, const JointRates &rates) const;
+    distance_of(const std::size_t k,
+                const JointState &state,
+                const JointRates &rates,
+                const Drive &drive) const;
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;

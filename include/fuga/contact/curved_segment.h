@@ -98,7 +98,6 @@ namespace fuga
     const Course course;
     const PathOptions options;
     IterationCount &count;
-    Drive drive;
     std::vector<double> taus;
     std::vector<PathPoint> points;
     std::vector<std::vector<EventFunction>> functions;

@@ -102,12 +102,12 @@ namespace fuga
     virgin_state() const;
     Course
     next_course(const JointState &state) const;
-    Drive
-    drive_of(const Course &course) const;
     Continuation
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
     void
-    break_cohesion(JointState &state, const std::vector<ContactEvent> &events) const;
+    break_cohesion(JointState &state, const std::size_t k) const;
+    bool
+    break_unloaded_bonds(JointState &state) const;
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
     JointState

@@ -22,7 +22,10 @@ namespace fuga
     Vector dislocations;
     /** Irreversible slip s of each element [m]; follows the jump while the element is open. */
     Vector slips;
-    /** Shear that an element which lost its cohesion by opening has still to give up [MN]. */
+    /** Elements whose cohesion is lost: it breaks for good when the element first opens. */
+    std::vector<bool> broken;
+    /** Shear that an element which has just broken still carries by cohesion [MN], with its sign.
+     */
     Vector unreleased_shear;
   };
 
@@ -35,7 +38,8 @@ namespace fuga
 
   /**
    * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, and
-   * the rate of the shear that broken elements release. Both per unit of the path parameter.
+   * the rate of the unreleased shear of broken elements, which only falls in size. Both per unit of
+   * the path parameter; `release` is empty while loads change.
    */
   struct Drive
   {

@@ -53,9 +53,18 @@ namespace fuga
   double
   layer_energy(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Largest shear the element can carry at a normal force N: f|N| + cA, N ≤ 0 [MN]. */
+  /** What cohesion adds to the shear strength [MN]: cA, or what is left of it after the element
+   * broke. */
   double
-  shear_strength(const ContactElement &element, const double normal_force);
+  cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Largest shear the element can carry, f|N| + cohesive strength [MN]. */
+  double
+  shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Rate of the cohesive strength under a drive. */
+  double
+  cohesive_strength_rate(const Drive &drive, const std::size_t k);
 } // namespace fuga
 
 #endif

@@ -26,8 +26,7 @@ namespace fuga
     double t_end = 0.;
     Vector factors;
     Vector factor_rates;
-    /** Rate of JointState::unreleased_shear. */
-    Vector release;
+    Drive drive;
     /** Range of τ. */
     double length = 0.;
   };

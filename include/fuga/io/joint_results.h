@@ -31,6 +31,8 @@ namespace fuga
     double jump_t = 0.;
     /** |T| as a share of the strength; 0 while open, 1 while slipping. */
     double utilisation = 0.;
+    /** f|N| + cohesive strength of a closed element [force]. */
+    double strength = 0.;
   };
 
   /** Results of all elements. @p jumps: δ of all bars; @p tangential_jumps: of elements without such a bar. */
