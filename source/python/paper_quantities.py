@@ -14,6 +14,7 @@ class PaperQuantities:
     def __init__(self, results):
         end, before = results.profile(), results.profile(t=END_OF_FIRST_STAGE)
         self.end = end
+        self.certificate = results.summary["certificate"]["worst"]
         self.counts = tuple(end.count(state) for state in (OPEN, STICK, SLIP))
         self.open_length = end.share(OPEN) * sum(end["area"])  # thickness 1
         self.largest_pressure = max(end["pressure"])
@@ -51,4 +52,5 @@ def law_9_stiffening(pressure, initial_compliance, thickness):
 
 def percent(value, reference):
     """Change against a reference, as text."""
-    return f"{100.0 * (value / reference - 1.0):+.0f} %"
+    change = 100.0 * (value / reference - 1.0)
+    return f"{change:+.0f} %" if abs(change) >= 1.0 else f"{change:+.2f} %"

@@ -10,6 +10,7 @@ Needs VTK and, without a screen, xvfb-run, which it starts itself.
 """
 
 import argparse
+import math
 import os
 import sys
 
@@ -26,7 +27,8 @@ from fuga_results import OPEN, SLIP, STATE_COLOURS, STATES, STICK, Results
 
 STATE_OF_CODE = (OPEN, STICK, SLIP, "bonded")
 PIXELS = 1500  # height of the rendered part
-SHOWN_DISPLACEMENT = 0.04  # largest drawn displacement, as share of the height of the view
+SHOWN_DISPLACEMENT = 0.2  # largest drawn displacement at most, as share of the height of the view
+RIM, LIP = 17.0, 10.0  # widths of lines, in pixels
 # Stresses at corners grow with every refinement: the map covers all but these shares of the nodes.
 CLIPPED = (0.5, 99.5)
 
@@ -139,35 +141,38 @@ def line_actor(points, lines, colours, width, depth):
 
 
 def lip_displacements(bodies, positions, tolerance):
-    """Displacements of the two lips (equal at a tip, or against a rigid obstacle) at joint nodes."""
-    points, displacement = points_of(bodies), array_of(bodies, "displacement")
-    result = []
+    """Displacements at joint nodes of the two lips; equal at a tip or against a rigid obstacle."""
+    points, displacement, body = points_of(bodies), array_of(bodies, "displacement"), array_of(bodies, "body")
+    lips = [], []
     for position in positions:
         here = numpy.abs(points - position).max(axis=1) < tolerance
-        found = numpy.unique(displacement[here][:, :2], axis=0)
-        result.append((found.min(axis=0), found.max(axis=0), found.mean(axis=0)))
-    return result
+        found = displacement[here][:, :2][numpy.argsort(body[here], kind="stable")]
+        lips[0].append(found[0])
+        different = numpy.abs(found - found[0]).max(axis=1) > 0.0
+        lips[1].append(found[different][0] if different.any() else found[0])
+    return [numpy.array(lip) for lip in lips]
 
 
 def joint_actors(bodies, joints, factor, view):
-    """Each node colours the half of its faces that is next to it; a white rim sets the line apart."""
+    """Both lips; each node colours the half of its faces that is next to it. White between and around."""
     positions, state = points_of(joints), array_of(joints, "state")
-    tolerance = 1e-6 * view.height
-    middle = [mean for _, _, mean in lip_displacements(bodies, positions, tolerance)]
-    drawn = positions[:, :2] + factor * numpy.array(middle)
-    points, lines, colours = [], [], []
-    for cell in range(joints.GetNumberOfCells()):
-        ids = joints.GetCell(cell).GetPointIds()
-        a, b = ids.GetId(0), ids.GetId(1)
-        centre = 0.5 * (drawn[a] + drawn[b])
-        for node in (a, b):
-            lines.append((len(points), len(points) + 1))
-            points += [drawn[node], centre]
-            colour = matplotlib.colors.to_rgb(STATE_COLOURS[STATE_OF_CODE[int(round(state[node]))]])
-            colours.append([int(255 * c) for c in colour])
-    white = [[255, 255, 255]] * len(lines)
-    return [line_actor(points, lines, white, 17.0, 0.01 * view.height),
-            line_actor(points, lines, colours, 11.0, 0.02 * view.height)]
+    colour_of = [[int(255 * c) for c in matplotlib.colors.to_rgb(STATE_COLOURS[name])] for name in STATE_OF_CODE]
+    actors = []
+    for lip in lip_displacements(bodies, positions, 1e-6 * view.height):
+        drawn = positions[:, :2] + factor * lip
+        points, lines, colours = [], [], []
+        for cell in range(joints.GetNumberOfCells()):
+            ids = joints.GetCell(cell).GetPointIds()
+            ends = ids.GetId(0), ids.GetId(1)
+            centre = 0.5 * (drawn[ends[0]] + drawn[ends[1]])
+            for node in ends:
+                lines.append((len(points), len(points) + 1))
+                points += [drawn[node], centre]
+                colours.append(colour_of[int(round(state[node]))])
+        white = [[255, 255, 255]] * len(lines)
+        actors += [line_actor(points, lines, white, RIM, 0.01 * view.height),
+                   line_actor(points, lines, colours, LIP, 0.02 * view.height)]
+    return actors
 
 
 def render(actors, view):
@@ -198,17 +203,16 @@ def render(actors, view):
     return pixels[::-1]
 
 
-def draw_bodies(axes, image, view, table_limits, colour_map, label, factor, units):
+def draw_bodies(axes, bar_axes, image, view, limits, colour_map, label, factor, units):
     axes.imshow(image, extent=view.extent, interpolation="antialiased", aspect="equal")
-    axes.set_xlabel(f"x [{units['length']}]")
-    axes.set_ylabel(f"y [{units['length']}]")
-    axes.set_title(f"displacements drawn {factor:.3g} times", loc="left", fontsize=9, color="#444444")
+    axes.set_xlabel(f"x [{units['length']}]", labelpad=2)
+    axes.set_ylabel(f"y [{units['length']}]", labelpad=2)
+    axes.set_title(f"deformed shape, displacements drawn {factor:g} times", loc="left", fontsize=9)
     for side in axes.spines.values():
         side.set_visible(False)
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*table_limits), colour_map)
-    bar = axes.figure.colorbar(scale, ax=axes, orientation="horizontal", fraction=0.035, pad=0.09,
-                               aspect=40, extend="both")
-    bar.set_label(f"{label} [{units['stress']}]")
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*limits), colour_map)
+    bar = axes.figure.colorbar(scale, cax=bar_axes, orientation="horizontal", extend="both")
+    bar.set_label(f"{label} [{units['stress']}], tension positive")
     bar.outline.set_visible(False)
 
 
@@ -252,19 +256,37 @@ def compose(results, options, image, view, limits, colour_map, factor, path):
     if "Friction angle" in joint:
         friction = numpy.tan(numpy.radians(float(joint["Friction angle"])))
     plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
-    figure = plt.figure(figsize=(11.0, 6.2), constrained_layout=True)
-    grid = figure.add_gridspec(3, 2, width_ratios=(1.25, 1.0))
-    draw_bodies(figure.add_subplot(grid[:, 0]), image, view, limits, colour_map,
+    figure = plt.figure(figsize=(11.0, 6.4))
+    left = figure.add_gridspec(2, 1, left=0.05, right=0.50, top=0.885, bottom=0.085, hspace=0.22,
+                               height_ratios=(1.0, 0.03))
+    right = figure.add_gridspec(3, 1, left=0.585, right=0.985, top=0.885, bottom=0.085, hspace=0.13)
+    draw_bodies(figure.add_subplot(left[0]), figure.add_subplot(left[1]), image, view, limits, colour_map,
                 options.array.replace("_", " "), factor, units)
-    axes = [figure.add_subplot(grid[0, 1])]
-    axes += [figure.add_subplot(grid[i, 1], sharex=axes[0]) for i in (1, 2)]
+    axes = [figure.add_subplot(right[0])]
+    axes += [figure.add_subplot(right[i], sharex=axes[0]) for i in (1, 2)]
     for one in axes[:2]:
         one.tick_params(labelbottom=False)
     draw_profile(axes, profile, friction, float(joint.get("Cohesion", 0.0)), units)
+    figure.align_ylabels(axes)
     axes[0].legend(handles=[Patch(facecolor=STATE_COLOURS[s], label=s) for s in STATES], ncol=3,
                    frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
-    figure.suptitle(f"{results.title}, t = {profile.t:g}", fontsize=11, fontweight="bold", x=0.01, ha="left")
+    figure.suptitle(f"{results.title}: {describe_time(results, profile.t)}", fontsize=12, fontweight="bold",
+                    x=0.05, y=0.975, ha="left")
     figure.savefig(path, dpi=140)
+
+
+def describe_time(results, t):
+    """Load time in words: stages are counted from 0, and the end of a stage belongs to it."""
+    stages = list(results.summary["parameters"]["Stages"])
+    number = min(max(math.ceil(t) - 1, 0), len(stages) - 1)
+    fraction = t - number
+    return f"end of stage '{stages[number]}'" if fraction == 1.0 else f"{100 * fraction:g} % of stage '{stages[number]}'"
+
+
+def round_down(factor):
+    """The next smaller number of the sequence 1, 2, 5, 10 ..."""
+    power = 10.0 ** math.floor(math.log10(factor))
+    return max(step for step in (1.0, 2.0, 5.0) if step * power <= factor) * power
 
 
 def parse(arguments):
@@ -293,7 +315,7 @@ def main(arguments):
 
     inside = is_inside(points_of(bodies), view)
     moved = numpy.abs(array_of(bodies, "displacement")[inside]).max()
-    factor = options.factor or SHOWN_DISPLACEMENT * view.height / moved
+    factor = options.factor or round_down(SHOWN_DISPLACEMENT * view.height / moved)
     limits = colour_range(array_of(bodies, options.array)[inside], options.diverging)
     colour_map = matplotlib.colormaps[options.map]
     actors = [surface_actor(bodies, options.array, lookup_table(colour_map, limits), factor)]

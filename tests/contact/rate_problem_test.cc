@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "contact/toy_system.h"
+
+#include <fuga/contact/lemke.h>
+#include <fuga/contact/rate_problem.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  /** Number of continuations of V10's node at its strength, over all load rates and both signs. */
+  struct Counts
+  {
+    unsigned int smallest = 1000;
+    unsigned int largest  = 0;
+  };
+
+  Counts
+  count_continuations(const double normal_stiffness)
+  {
+    const ToyJoint joint(
+      1, 1., make_linear_law(1. / normal_stiffness), make_linear_law(1.), {2., 0.});
+    ToySystem system;
+    system.S       = DenseMatrix(2, 2);
+    system.S(0, 0) = system.S(1, 1) = 1.;
+    system.S(0, 1) = system.S(1, 0) = -0.6;
+    system.F                        = DenseMatrix(2, 2);
+    system.F(0, 0) = system.F(1, 1) = 1.;
+    const LayeredSystem layered(system, joint.elements);
+    WorkingScheme scheme(joint.elements, layered);
+    RateProblem problem(joint.elements, layered, scheme);
+
+    Counts counts;
+    const int n_directions = 48;
+    for (const double sign : {1., -1.})
+      for (int i = 0; i < n_directions; ++i)
+        {
+          // Off the directions in which both rates of the boundary vanish.
+          const double angle = 2. * M_PI * (i + 0.37) / n_directions;
+          JointState state;
+          state.states = {sign > 0. ? ContactState::slip_forward : ContactState::slip_backward};
+          state.forces = {-1., 2. * sign};
+          state.dislocations     = {0., 0.};
+          state.slips            = {0.};
+          state.broken           = {false};
+          state.unreleased_shear = {0.};
+          const Drive drive{multiply(layered.reactions(), Vector{std::cos(angle), std::sin(angle)}),
+                            {}};
+          const unsigned int n = problem.count_continuations(
+            state, {{0, false, ShearPosition::at_strength, sign}}, drive);
+          counts.smallest = std::min(counts.smallest, n);
+          counts.largest  = std::max(counts.largest, n);
+        }
+    return counts;
+  }
+} // namespace
+
+// V10: f_c = a/|b| + (a d - b²)/(C_n |b|) with a = d = 1, b = -0.6: at f = 2 the continuation is
+// unique exactly for C_n < 0.64/0.2 = 3.2; beyond it there are load rates with two and with none.
+TEST(RateProblem, UniqueUpToTheCriticalFriction)
+{
+  const Counts below = count_continuations(3.19), above = count_continuations(3.21);
+  EXPECT_EQ(below.smallest, 1u);
+  EXPECT_EQ(below.largest, 1u);
+  EXPECT_EQ(above.smallest, 0u);
+  EXPECT_EQ(above.largest, 2u);
+}
+
+// Murty's example for n = 3 (lower triangular matrix, q = -1): the unique solution of the P-matrix
+// problem is z = (1, 0, ... ) computed by hand: z1 = 1, w2 = -1 + 2 = 1, w3 = -1 + 2 = 1.
+TEST(Lemke, LowerTriangularExample)
+{
+  DenseMatrix M(3, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      M(i, j) = i == j ? 1. : 2.;
+  const LcpSolution solution = solve_lcp(M, {-1., -1., -1.}, {1., 1., 1.});
+  ASSERT_TRUE(solution.solved);
+  EXPECT_NEAR(solution.z[0], 1., 1e-14);
+  EXPECT_NEAR(solution.z[1], 0., 1e-14);
+  EXPECT_NEAR(solution.z[2], 0., 1e-14);
+}
+
+// M = 0, q < 0 has no solution: the method ends on the ray z.
+TEST(Lemke, RayWithoutSolution)
+{
+  const LcpSolution solution = solve_lcp(DenseMatrix(1, 1), {-1.}, {1.});
+  EXPECT_FALSE(solution.solved);
+  EXPECT_EQ(solution.z[0], 1.);
+}
