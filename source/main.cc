@@ -6,6 +6,7 @@
 #include <fuga/io/threads.h>
 #include <fuga/io/version.h>
 #include <fuga/simulation.h>
+#include <fuga/sweep.h>
 
 #include <deal.II/base/config.h>
 
@@ -84,13 +85,14 @@ namespace
       parameters.output.directory = line.output_directory;
     if (line.quiet)
       parameters.output.log = LogDetail::quiet;
-    Simulation<2> simulation(parameters);
+    const Model<2> model(parameters);
     if (line.check_only)
       {
         fmt::print("{}: no errors found.\n", line.file);
         return 0;
       }
-    return static_cast<int>(simulation.run());
+    return static_cast<int>(parameters.variants.empty() ? Simulation<2>(model).run()
+                                                        : Sweep<2>(model).run());
   }
 } // namespace
 

@@ -9,78 +9,45 @@
 #include <fuga/simulation.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace fuga
 {
-  namespace
-  {
-    namespace fs = std::filesystem;
-
-    /** Whether a file in a result directory was written by an earlier run of this program. */
-    bool
-    is_own_file(const std::string &name)
-    {
-      for (const char *known :
-           {"events.csv", "joint_history.csv", "resultants.csv", "summary.json", "log.txt"})
-        if (name == known)
-          return true;
-      for (const char *prefix : {"bodies", "joints", "joints_exploded"})
-        if (name.rfind(prefix, 0) == 0 &&
-            (name == std::string(prefix) + ".pvd" ||
-             (name.size() > 4 && name.substr(name.size() - 4) == ".vtu")))
-          return true;
-      return name.size() > 5 && name.substr(name.size() - 5) == ".part";
-    }
-  } // namespace
-
-  // The results of an earlier run go first: a directory never shows a mixture of two runs.
   template <int dim>
   void
   Simulation<dim>::begin_output()
   {
-    std::error_code error;
-    fs::create_directories(parameters.output.directory, error);
-    if (error)
-      throw InputError(
-        fmt::format("The output directory '{}' cannot be made: {}. Give another one by the entry "
-                    "'Output directory' or --output-dir.",
-                    parameters.output.directory,
-                    error.message()));
-    for (const auto &entry : fs::directory_iterator(parameters.output.directory))
-      if (entry.is_regular_file() && is_own_file(entry.path().filename().string()))
-        fs::remove(entry.path());
+    prepare_output_directory(parameters.output.directory);
     history = std::make_unique<HistoryWriter>(parameters.output.directory, context);
     Outcome unfinished;
     unfinished.verdict = "unfinished";
     write_summary(unfinished);
-    timer.finish("tables");
+    model.timer.finish("tables");
   }
 
   template <int dim>
   void
   Simulation<dim>::log_header()
   {
-    const Discretization<dim> &space = bodies.discretization();
+    const Discretization<dim> &space = model.bodies.discretization();
     log.line(fmt::format("fuga {}  {}", version, parameters.title));
     log.line(fmt::format("{}: {} cells, {} degrees of freedom, {} contact elements, {} bars",
                          parameters.mesh_file,
                          space.n_cells(),
                          space.n_dofs(),
-                         elements.size(),
+                         joint.elements.size(),
                          layered.n_bars()));
-    for (const std::string &line : mesh.report)
+    for (const std::string &line : model.mesh.report)
       log.line(line);
-    for (const std::string &line : bodies.report())
+    for (const std::string &line : model.bodies.report())
       log.line(line);
     log_layers();
-    for (const std::string &line : loads.report)
+    for (const std::string &line : model.loads.report)
       log.line(line);
   }
 
   // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
-  // bodies.
+  // model.bodies.
   template <int dim>
   void
   Simulation<dim>::log_layers()
@@ -90,32 +57,32 @@ namespace fuga
       softest_body = std::min(softest_body, material.young_modulus);
     for (unsigned int j = 0; j < parameters.joints.size(); ++j)
       {
-        const JointParameters &joint = parameters.joints[j];
-        double length                = 0.;
-        for (const ContactElement &element : elements)
+        const JointParameters &data = parameters.joints[j];
+        double length               = 0.;
+        for (const ContactElement &element : joint.elements)
           length += element.joint == j ? element.area / parameters.model.thickness : 0.;
         std::string text =
           fmt::format("joint '{}': normal {}, shear {}, friction {:g}, cohesion {:g}",
-                      joint.definition.name,
-                      laws[2 * j]->description(),
-                      laws[2 * j + 1]->description(),
-                      joint.friction.coefficient,
-                      joint.friction.cohesion);
-        if (joint.normal_compliance > 0.)
+                      data.definition.name,
+                      joint.laws[2 * j]->description(),
+                      joint.laws[2 * j + 1]->description(),
+                      data.friction.coefficient,
+                      data.friction.cohesion);
+        if (data.normal_compliance > 0.)
           text +=
-            fmt::format("; rho E / B = {:.3g}", joint.normal_compliance * softest_body / length);
-        if (joint.normal_layer_modulus() > 0.)
+            fmt::format("; rho E / B = {:.3g}", data.normal_compliance * softest_body / length);
+        if (data.normal_layer_modulus() > 0.)
           text += fmt::format(", layer modulus {:.4g} {}",
-                              joint.normal_layer_modulus(),
+                              data.normal_layer_modulus(),
                               parameters.output.units.stress());
         log.line(text);
-        if (joint.normal_layer_modulus() > softest_body)
+        if (data.normal_layer_modulus() > softest_body)
           log.warning(fmt::format(
             "joint '{}': the layer modulus thickness/compliance = {:.4g} {} is above the modulus "
             "{:.4g} of the softest body. The layer hardly deforms; check the unit of the "
             "compliance.",
-            joint.definition.name,
-            joint.normal_layer_modulus(),
+            data.definition.name,
+            data.normal_layer_modulus(),
             parameters.output.units.stress(),
             softest_body));
       }
@@ -125,7 +92,7 @@ namespace fuga
   void
   Simulation<dim>::finish(const Outcome &outcome)
   {
-    timer.finish("path");
+    model.timer.finish("path");
     history->publish(true);
     log_closing_table(outcome);
     log.close();
@@ -137,7 +104,7 @@ namespace fuga
   void
   Simulation<dim>::log_closing_table(const Outcome &outcome)
   {
-    const auto [stage, fraction] = stage_of(outcome.path.t, names_of_stages.size());
+    const auto [stage, fraction] = stage_of(outcome.path.t, model.stage_names.size());
     log.line(std::string(72, '-'));
     switch (outcome.code)
       {
@@ -149,7 +116,7 @@ namespace fuga
             fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
                         outcome.verdict,
                         fraction,
-                        names_of_stages[stage],
+                        model.stage_names[stage],
                         outcome.path.t,
                         outcome.path.verdict == Verdict::limit_load
                           ? "mechanism: " + mechanism_name(outcome.path.mechanism)
@@ -179,8 +146,8 @@ namespace fuga
                          parameters.solver.certificate_bound,
                          outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
     double total = 0.;
-    timer.finish("tables");
-    for (const auto &phase : timer.seconds())
+    model.timer.finish("tables");
+    for (const auto &phase : model.timer.seconds())
       total += phase.second;
     log.line(
       fmt::format("Time        {:.3f} s, memory {:.0f} MB", total, peak_memory_in_megabytes()));
@@ -196,23 +163,23 @@ namespace fuga
     summary.exit_code            = static_cast<int>(outcome.code);
     summary.message              = outcome.message;
     summary.t                    = outcome.path.t;
-    const auto [stage, fraction] = stage_of(summary.t, names_of_stages.size());
-    summary.stage                = names_of_stages[stage];
+    const auto [stage, fraction] = stage_of(summary.t, model.stage_names.size());
+    summary.stage                = model.stage_names[stage];
     summary.stage_fraction       = fraction;
     summary.path                 = outcome.path;
-    summary.load_factors         = loads.factors_by_name(parameters.model, summary.t);
-    summary.sizes                = {{"cells", bodies.discretization().n_cells()},
-                                    {"degrees_of_freedom", bodies.discretization().n_dofs()},
-                                    {"contact_elements", elements.size()},
+    summary.load_factors         = model.loads.factors_by_name(parameters.model, summary.t);
+    summary.sizes                = {{"cells", model.bodies.discretization().n_cells()},
+                                    {"degrees_of_freedom", model.bodies.discretization().n_dofs()},
+                                    {"contact_elements", joint.elements.size()},
                                     {"bars", layered.n_bars()}};
     summary.events_by_kind       = events_by_kind;
     summary.n_events             = n_events;
     summary.iterations           = path.iterations();
     summary.certificate          = worst;
     summary.certificate_bound    = parameters.solver.certificate_bound;
-    summary.phases               = timer.seconds();
+    summary.phases               = model.timer.seconds();
     summary.memory_MB            = peak_memory_in_megabytes();
-    summary.split_report         = mesh.report;
+    summary.split_report         = model.mesh.report;
     summary.warnings             = log.all_warnings();
     write_complete_file(parameters.output.directory + "/summary.json",
                         summary_json(summary, parameters));

@@ -4,13 +4,12 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
-#include <fuga/base/phase_timer.h>
-#include <fuga/bodies/load_program.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/field_writer.h>
-#include <fuga/io/parameters.h>
 #include <fuga/io/run_log.h>
+#include <fuga/joint_model.h>
+#include <fuga/model.h>
 
 namespace fuga
 {
@@ -25,17 +24,15 @@ namespace fuga
   };
 
   /**
-   * One run, from parameters to results. The members are the parts of the program in the order in
-   * which data goes through them: mesh, condensed bodies, contact elements, loads, layered system,
-   * path, judge, writers. Construction reads and checks everything and condenses the bodies;
-   * nothing is written before run().
+   * One run of a model: joints, layered system, path, judge and writers, in the order in which data
+   * goes through them. Nothing is written before run().
    */
   template <int dim>
   class Simulation : private PathObserver
   {
   public:
     /** @throws InputError, NumericalFailure */
-    explicit Simulation(const Parameters &parameters);
+    explicit Simulation(const Model<dim> &model);
 
     ~Simulation() override;
 
@@ -60,25 +57,6 @@ namespace fuga
       std::string message;
     };
 
-    std::vector<JointDefinition>
-    joint_definitions() const;
-    std::vector<bool>
-    frictionless_joints() const;
-    PathOptions
-    path_options() const;
-    std::vector<ContactElement>
-    make_elements();
-    LoadProgram
-    make_loads();
-    std::vector<std::string>
-    joint_names() const;
-    std::vector<std::string>
-    stage_names() const;
-    std::vector<std::array<double, 3>>
-    normals() const;
-
-    void
-    book_body_phases();
     void
     begin_output();
     void
@@ -96,18 +74,12 @@ namespace fuga
     void
     write_summary(const Outcome &outcome);
 
-    const Parameters parameters;
-    PhaseTimer timer;
-    const JointedMesh mesh;
-    CondensedSystem<dim> bodies;
-    std::vector<std::unique_ptr<ComplianceLaw>> laws;
-    const std::vector<ContactElement> elements;
-    const LoadProgram loads;
+    const Model<dim> &model;
+    const Parameters &parameters;
+    const JointModel joint;
     const LayeredSystem layered;
     EventPath path;
     Judge judge;
-    const std::vector<std::string> names_of_joints, names_of_stages;
-    const std::vector<std::array<double, 3>> element_normals;
     const HistoryContext context;
     RunLog log;
     FieldWriter<dim> fields;

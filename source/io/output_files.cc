@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -22,6 +23,47 @@ namespace fuga
     if (!file || std::rename(temporary.c_str(), path.c_str()) != 0)
       throw NumericalFailure(
         fmt::format("The result file {} cannot be written: {}.", path, std::strerror(errno)));
+  }
+
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Whether a file in a result directory was written by an earlier run of this program. */
+    bool
+    is_own_file(const std::string &name)
+    {
+      for (const char *known : {"events.csv",
+                                "joint_history.csv",
+                                "resultants.csv",
+                                "summary.json",
+                                "sweep.csv",
+                                "log.txt"})
+        if (name == known)
+          return true;
+      for (const char *prefix : {"bodies", "joints", "joints_exploded"})
+        if (name.rfind(prefix, 0) == 0 &&
+            (name == std::string(prefix) + ".pvd" ||
+             (name.size() > 4 && name.substr(name.size() - 4) == ".vtu")))
+          return true;
+      return name.size() > 5 && name.substr(name.size() - 5) == ".part";
+    }
+  } // namespace
+
+  void
+  prepare_output_directory(const std::string &directory)
+  {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error)
+      throw InputError(
+        fmt::format("The output directory '{}' cannot be made: {}. Give another one by "
+                    "the entry 'Output directory' or --output-dir.",
+                    directory,
+                    error.message()));
+    for (const auto &entry : fs::directory_iterator(directory))
+      if (entry.is_regular_file() && is_own_file(entry.path().filename().string()))
+        fs::remove(entry.path());
   }
 
   CsvFile::CsvFile(std::string file_path, const std::vector<std::string> &header)

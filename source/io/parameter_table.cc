@@ -320,6 +320,30 @@ namespace fuga
     }
 
     SectionDeclaration
+    sweep_section()
+    {
+      const std::string values = " Numbers a, b, c or a range first : step : last.";
+      return {
+        "Sweep",
+        "Runs all combinations of these values on one condensation of the bodies and writes one "
+        "table, "
+        "sweep.csv. An entry that is not given is not varied.",
+        {optional("Joints", text(), "List of the joints that are varied; without it all."),
+         optional("Friction coefficient", text(), "Values of f." + values),
+         optional("Cohesion", text(), "Values of c." + values),
+         optional(
+           "Normal compliance", text(), "Values of the normal compliance; 0 is rigid." + values),
+         optional(
+           "Shear compliance", text(), "Values of the shear compliance; 0 is rigid." + values),
+         optional("Normal law", text(), "List out of rigid, linear, cubic root."),
+         optional("Load sequences",
+                  text(),
+                  "Sequences of stages separated by ';', each a list of stage names: weight, push; "
+                  "weight, push, back.")},
+        {}};
+    }
+
+    SectionDeclaration
     output_section()
     {
       return {
@@ -355,6 +379,7 @@ namespace fuga
                                                              stages_section(),
                                                              constants_section(),
                                                              solver_section(),
+                                                             sweep_section(),
                                                              output_section()};
     return sections;
   }

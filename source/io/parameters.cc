@@ -150,6 +150,7 @@ namespace fuga
     parameters.title          = values.section("").text("Title");
     parameters.model          = read_model(values);
     parameters.joints         = read_joints(values, parameters.model.constants);
+    parameters.variants       = read_variants(values, parameters.joints, parameters.model);
     parameters.solver         = read_solver(values.section("Solver"));
     parameters.output         = read_output(values, file);
     parameters.mesh_file      = read_mesh_file(values.section("Mesh"), file);

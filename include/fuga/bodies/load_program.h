@@ -9,35 +9,41 @@
 
 namespace fuga
 {
-/**
- * The stages of the model as the contact layer needs them: load patterns fixed in space, and their
- * factors, piecewise linear in the load time. A stage whose histories are linear in its fraction,
- * and whose loads do not depend on time otherwise, is one segment and exact; any other is cut into
- * ModelDefinition::load_knots segments, between which the load is interpolated (and says so in
- * report).
- */
-struct LoadProgram
-{
-  std::vector<LoadPattern> patterns;
-  LoadHistory history;
-  /** Load times to report at, the levels of all stages. */
-  std::vector<double> levels;
-  /** Lines for the log. */
-  std::vector<std::string> report;
-  /** Factor of every load at the corners of the history, whatever became of it as patterns. */
-  LoadHistory load_factors;
+  /**
+   * The stages of the model as the contact layer needs them: load patterns fixed in space, and
+   * their factors, piecewise linear in the load time. A stage whose histories are linear in its
+   * fraction, and whose loads do not depend on time otherwise, is one segment and exact; any other
+   * is cut into ModelDefinition::load_knots segments, between which the load is interpolated (and
+   * says so in report).
+   */
+  struct LoadProgram
+  {
+    std::vector<LoadPattern> patterns;
+    LoadHistory history;
+    /** Load times to report at, the levels of all stages. */
+    std::vector<double> levels;
+    /** Lines for the log. */
+    std::vector<std::string> report;
+    /** Factor of every load at the corners of the history, whatever became of it as patterns. */
+    LoadHistory load_factors;
 
-  /** Factors of the loads at a load time, by name. */
-  std::map<std::string, double>
-  factors_by_name(const ModelDefinition &model, const double t) const;
-};
+    /** Factors of the loads at a load time, by name. */
+    std::map<std::string, double>
+    factors_by_name(const ModelDefinition &model, const double t) const;
+  };
 
-/**
- * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
- * beginning of a stage.
- */
-template <int dim>
-LoadProgram make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
+  /**
+   * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
+   * beginning of a stage.
+   */
+  template <int dim>
+  LoadProgram
+  make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
+
+  /** Factors of the loads (not patterns) in the stages of @p model; for loads fixed in space both are one. */
+  template <int dim>
+  LoadHistory
+  make_load_history(const ModelDefinition &model);
 } // namespace fuga
 
 #endif

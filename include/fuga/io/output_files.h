@@ -19,6 +19,14 @@ namespace fuga
   write_complete_file(const std::string &path, const std::string &content);
 
   /**
+   * Makes the directory of the results and removes what an earlier run of this program left there:
+   * a directory never shows a mixture of two runs.
+   * @throws InputError if it cannot be made.
+   */
+  void
+  prepare_output_directory(const std::string &directory);
+
+  /**
    * A CSV file (RFC 4180, numbers with 17 digits) that grows during the run but is complete
    * whenever it can be seen: it is published whole, and not so often that publishing costs more
    * than a small share of the run.

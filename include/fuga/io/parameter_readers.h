@@ -38,6 +38,12 @@ namespace fuga
   std::vector<StageDefinition>
   read_stages(const ParameterValues &values, const ModelDefinition &model);
 
+  /** All combinations of section Sweep; none without that section. @throws InputError */
+  std::vector<Variant>
+  read_variants(const ParameterValues &values,
+                const std::vector<JointParameters> &joints,
+                const ModelDefinition &model);
+
   /** What several sections together can get wrong. @throws InputError naming both culprits. */
   void
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);

@@ -98,6 +98,17 @@ namespace fuga
     Units units;
   };
 
+  /** One combination of the values of section Sweep. */
+  struct Variant
+  {
+    /** (entry, value) of what was varied, for the table. */
+    std::vector<std::pair<std::string, std::string>> settings;
+    /** All joints, as they are in this variant. */
+    std::vector<JointParameters> joints;
+    /** Order of the stages: indices into ModelDefinition::stages. */
+    std::vector<unsigned int> stages;
+  };
+
   /** Everything a parameter file says. */
   struct Parameters
   {
@@ -110,6 +121,8 @@ namespace fuga
     /** The constants contain "pi" besides those of the user. */
     ModelDefinition model;
     std::vector<JointParameters> joints;
+    /** All combinations of section Sweep; empty without it. */
+    std::vector<Variant> variants;
     SolverSettings solver;
     OutputSettings output;
 

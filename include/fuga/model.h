@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_model_h
+#define fuga_model_h
+
+#include <fuga/base/phase_timer.h>
+#include <fuga/bodies/load_program.h>
+#include <fuga/contact/event_path.h>
+#include <fuga/io/parameters.h>
+
+namespace fuga
+{
+  /**
+   * What all variants of a problem share: the mesh, the bodies, condensed once, and the loads. The
+   * members are in the order in which data goes through them. Construction reads and checks
+   * everything; nothing is written.
+   */
+  template <int dim>
+  class Model
+  {
+  public:
+    /** @throws InputError, NumericalFailure */
+    explicit Model(const Parameters &parameters);
+
+    const Parameters parameters;
+    mutable PhaseTimer timer;
+    const JointedMesh mesh;
+    CondensedSystem<dim> bodies;
+    const LoadProgram loads;
+    const std::vector<std::string> joint_names, stage_names;
+    const std::vector<std::array<double, 3>> normals;
+
+    PathOptions
+    path_options() const;
+
+  private:
+    std::vector<JointDefinition>
+    joint_definitions() const;
+    std::vector<bool>
+    frictionless_joints() const;
+    LoadProgram
+    make_loads();
+    std::vector<std::string>
+    find_joint_names() const;
+    std::vector<std::string>
+    find_stage_names() const;
+    std::vector<std::array<double, 3>>
+    find_normals() const;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/process_info.h>
+#include <fuga/mesh/gmsh_mesh.h>
+#include <fuga/model.h>
+
+namespace fuga
+{
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters)
+    : parameters(run_parameters)
+    , mesh((timer.book("start", seconds_since_process_start()),
+            split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions())))
+    , bodies((timer.finish("mesh"), mesh), parameters.model, frictionless_joints())
+    , loads(make_loads())
+    , joint_names(find_joint_names())
+    , stage_names(find_stage_names())
+    , normals(find_normals())
+  {
+    for (const auto &[name, seconds] : bodies.phase_seconds())
+      timer.set_apart(name, seconds);
+    timer.finish("elements and loads");
+  }
+
+  template <int dim>
+  std::vector<JointDefinition>
+  Model<dim>::joint_definitions() const
+  {
+    std::vector<JointDefinition> definitions;
+    for (const JointParameters &joint : parameters.joints)
+      definitions.push_back(joint.definition);
+    return definitions;
+  }
+
+  // A joint without shear strength in every variant needs no tangential bars.
+  template <int dim>
+  std::vector<bool>
+  Model<dim>::frictionless_joints() const
+  {
+    std::vector<bool> frictionless;
+    for (const JointParameters &joint : parameters.joints)
+      frictionless.push_back(joint.friction.is_frictionless());
+    for (const Variant &variant : parameters.variants)
+      for (std::size_t j = 0; j < frictionless.size(); ++j)
+        frictionless[j] = frictionless[j] && variant.joints[j].friction.is_frictionless();
+    return frictionless;
+  }
+
+  template <int dim>
+  LoadProgram
+  Model<dim>::make_loads()
+  {
+    LoadProgram program = make_load_program(parameters.model, bodies);
+    bodies.set_load_patterns(std::move(program.patterns));
+    return program;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Model<dim>::find_joint_names() const
+  {
+    std::vector<std::string> names;
+    for (const JointParameters &joint : parameters.joints)
+      names.push_back(joint.definition.name);
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Model<dim>::find_stage_names() const
+  {
+    std::vector<std::string> names;
+    for (const StageDefinition &stage : parameters.model.stages)
+      names.push_back(stage.name);
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::array<double, 3>>
+  Model<dim>::find_normals() const
+  {
+    std::vector<std::array<double, 3>> result;
+    for (std::size_t k = 0; k < bodies.elements().size(); ++k)
+      result.push_back(bodies.normal(k));
+    return result;
+  }
+
+  template <int dim>
+  PathOptions
+  Model<dim>::path_options() const
+  {
+    PathOptions options;
+    options.iteration      = parameters.solver.iteration == IterationKind::newton
+                               ? PathOptions::Iteration::newton
+                               : PathOptions::Iteration::constant_stiffness;
+    options.tolerance      = parameters.solver.iteration_tolerance;
+    options.max_iterations = parameters.solver.maximum_iterations;
+    return options;
+  }
+
+  template class Model<2>;
+} // namespace fuga
