@@ -73,20 +73,18 @@ namespace fuga
         const double size  = max_abs(context.system.jumps(change->dislocations, change->forces));
         const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
         if (constant && passes_closure_limit(state))
-          report_divergence(state, tau, size / last_change);
+          return false;
         if (size <= options.tolerance * total)
           return true;
         contraction = size / last_change;
         n_growing   = contraction >= 1. ? n_growing + 1 : 0;
         if (constant && n_growing >= patience)
-          report_divergence(state, tau, contraction);
+          return false;
         // At the level of rounding the differences cannot fall further.
         if (!constant && contraction > 0.3 && size <= 1e3 * options.tolerance * total)
           return true;
         last_change = size;
       }
-    if (constant)
-      report_divergence(state, tau, contraction);
     return false;
   }
 
@@ -125,27 +123,5 @@ namespace fuga
           }
       }
     return share;
-  }
-
-  void
-  CurvedSegment::report_divergence(const JointState &state,
-                                   const double tau,
-                                   const double contraction) const
-  {
-    double largest_closure = 0.;
-    for (const ContactElement &element : context.elements)
-      if (has_nonlinear_closure(element))
-        largest_closure =
-          std::max(largest_closure,
-                   -gap(element, points.front().state) / element.normal_law->deformation_limit());
-    throw NumericalFailure(fmt::format(
-      "The constant-stiffness iteration (3), (7), (8) diverges at load time {:.6g}: successive "
-      "differences grow by "
-      "the factor {:.3g}. The layer hardens too much for it: largest closure before {:.4g} of the "
-      "closure limit; "
-      "under force control law (9) allows 0.0604. Use Iteration = newton.",
-      points.front().state.t + (state.t - points.front().state.t) * (tau > 0. ? 1. : 0.),
-      contraction,
-      largest_closure));
   }
 } // namespace fuga

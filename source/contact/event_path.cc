@@ -72,7 +72,7 @@ namespace fuga
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
           make_segment(course, {state, continuation.rates});
-        const double length = segment->find_end();
+        const double length = find_end(*segment, course, levels, observer);
         state               = report_piecewise(*segment, course, levels, observer);
         if (course.kind == Course::Kind::release && length == course.length)
           std::fill(state.unreleased_shear.begin(), state.unreleased_shear.end(), 0.);
@@ -211,6 +211,24 @@ namespace fuga
     if (scheme.is_nonlinear())
       return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
     return std::make_unique<StraightSegment>(context, course, start);
+  }
+
+  // A failure on the way must not take along what was reached before it.
+  double
+  EventPath::find_end(PathSegment &segment,
+                      const Course &course,
+                      const std::vector<double> &levels,
+                      PathObserver &observer)
+  {
+    try
+      {
+        return segment.find_end();
+      }
+    catch (const NumericalFailure &)
+      {
+        report_piecewise(segment, course, levels, observer);
+        throw;
+      }
   }
 
   // Walks from station to station, with a stop at every requested load time. Returns the state at

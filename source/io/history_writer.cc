@@ -16,6 +16,13 @@ namespace fuga
     return {static_cast<std::size_t>(number), t - number};
   }
 
+  std::pair<std::size_t, double>
+  stage_of_event(const double t, const std::size_t n_stages)
+  {
+    const double number = std::clamp(std::floor(t), 0., static_cast<double>(n_stages - 1));
+    return {static_cast<std::size_t>(number), t - number};
+  }
+
   namespace
   {
     std::vector<std::string>
@@ -91,7 +98,7 @@ namespace fuga
     for (const ContactEvent &event : new_events)
       {
         const ContactElement &element = context.elements[event.element];
-        const auto [stage, fraction]  = stage_of(event.t, context.stage_names.size());
+        const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
         events.add(++n_events);
         events.add(event.t);
         events.add(context.stage_names[stage]);

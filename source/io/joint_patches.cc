@@ -78,6 +78,7 @@ namespace fuga
     for (std::size_t i = 0; i + 1 < face.positions.size(); ++i)
       {
         Patch patch;
+        patch.reference_cell       = dealii::ReferenceCells::get_hypercube<dim - 1>();
         patch.patch_index          = static_cast<unsigned int>(patches.size());
         patch.n_subdivisions       = 1;
         patch.points_are_available = false;

@@ -118,10 +118,13 @@ namespace fuga
         resultant.largest_gap      = std::max(resultant.largest_gap, result.gap);
         resultant.largest_slip     = std::max(resultant.largest_slip, std::abs(result.slip));
       }
-    const double arm         = sum_N == 0. ? 0. : moment_N / sum_N;
-    resultant.position       = {{frame.x + arm * frame.n_y, frame.y - arm * frame.n_x}};
-    resultant.sliding_safety = resultant.T == 0. ? std::numeric_limits<double>::infinity()
-                                                 : strength / std::abs(resultant.T);
+    const double arm   = sum_N == 0. ? 0. : moment_N / sum_N;
+    resultant.position = {{frame.x + arm * frame.n_y, frame.y - arm * frame.n_x}};
+    // A shear that is only rounding is none.
+    const double rounding    = 1e-12;
+    resultant.sliding_safety = std::abs(resultant.T) <= rounding * strength
+                                 ? std::numeric_limits<double>::infinity()
+                                 : strength / std::abs(resultant.T);
     return resultant;
   }
 } // namespace fuga

@@ -44,7 +44,7 @@ namespace fuga
     for (const ContactEvent &event : new_events)
       {
         const ContactElement &element = context.elements[event.element];
-        const auto [stage, fraction]  = stage_of(event.t, context.stage_names.size());
+        const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
         line(fmt::format("  t = {:<12.9g} {:>9.5f} of {:<12} {} {:>4}  at ({:.6g}, {:.6g})  {:>5} "
                          "-> {:<5}  certificate {:.1e}",
                          event.t,

@@ -257,7 +257,7 @@ def compose(results, options, image, view, limits, colour_map, factor, path):
         friction = numpy.tan(numpy.radians(float(joint["Friction angle"])))
     plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
     figure = plt.figure(figsize=(11.0, 6.4))
-    left = figure.add_gridspec(2, 1, left=0.05, right=0.50, top=0.885, bottom=0.085, hspace=0.22,
+    left = figure.add_gridspec(2, 1, left=0.065, right=0.505, top=0.885, bottom=0.085, hspace=0.22,
                                height_ratios=(1.0, 0.03))
     right = figure.add_gridspec(3, 1, left=0.585, right=0.985, top=0.885, bottom=0.085, hspace=0.13)
     draw_bodies(figure.add_subplot(left[0]), figure.add_subplot(left[1]), image, view, limits, colour_map,
@@ -270,8 +270,8 @@ def compose(results, options, image, view, limits, colour_map, factor, path):
     figure.align_ylabels(axes)
     axes[0].legend(handles=[Patch(facecolor=STATE_COLOURS[s], label=s) for s in STATES], ncol=3,
                    frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
-    figure.suptitle(f"{results.title}: {describe_time(results, profile.t)}", fontsize=12, fontweight="bold",
-                    x=0.05, y=0.975, ha="left")
+    figure.suptitle(f"{results.title} \u2013 {describe_time(results, profile.t)}", fontsize=12, fontweight="bold",
+                    x=0.02, y=0.975, ha="left")
     figure.savefig(path, dpi=140)
 
 

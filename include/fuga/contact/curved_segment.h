@@ -86,11 +86,11 @@ namespace fuga
     bool
     passes_closure_limit(const JointState &state) const;
     [[noreturn]] void
-    report_divergence(const JointState &state, const double tau, const double contraction) const;
+    give_up() const;
     Vector
     interpolate(const std::size_t a, const double tau) const;
     double
-    step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    energy_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     std::size_t
     insert(const double tau, PathPoint &&point);
 

@@ -110,6 +110,11 @@ namespace fuga
     break_unloaded_bonds(JointState &state) const;
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
+    double
+    find_end(PathSegment &segment,
+             const Course &course,
+             const std::vector<double> &levels,
+             PathObserver &observer);
     JointState
     report_piecewise(PathSegment &segment,
                      const Course &course,

@@ -27,6 +27,10 @@ namespace fuga
   std::pair<std::size_t, double>
   stage_of(const double t, const std::size_t n_stages);
 
+  /** The same of an event: at a whole number it is the loads of the next stage that cause it. */
+  std::pair<std::size_t, double>
+  stage_of_event(const double t, const std::size_t n_stages);
+
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
    * element and level), resultants.csv (one row per joint and level). Columns: README, "Results".
