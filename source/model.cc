@@ -94,6 +94,8 @@ namespace fuga
     options.iteration      = parameters.solver.iteration == IterationKind::newton
                                ? PathOptions::Iteration::newton
                                : PathOptions::Iteration::constant_stiffness;
+    options.follow         = parameters.solver.follow_events ? PathOptions::Follow::events
+                                                             : PathOptions::Follow::stage_ends;
     options.tolerance      = parameters.solver.iteration_tolerance;
     options.max_iterations = parameters.solver.maximum_iterations;
     return options;

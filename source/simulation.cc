@@ -74,6 +74,14 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::jumped(const JointState &to)
+  {
+    judge.lose_track();
+    last_state = to;
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::changed(const std::vector<ContactEvent> &events, const JointState &state)
   {
     const Certificate certificate = judge.judge(state);

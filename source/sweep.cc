@@ -34,6 +34,13 @@ namespace fuga
       }
 
       void
+      jumped(const JointState &to) override
+      {
+        judge.lose_track();
+        last_state = to;
+      }
+
+      void
       changed(const std::vector<ContactEvent> &events, const JointState &state) override
       {
         worst.absorb(judge.judge(state));

@@ -44,6 +44,8 @@ namespace fuga
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override;
     void
+    jumped(const JointState &to) override;
+    void
     changed(const std::vector<ContactEvent> &events, const JointState &state) override;
     void
     reached(const std::size_t index, const JointState &state) override;

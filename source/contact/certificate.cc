@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -178,6 +179,14 @@ namespace fuga
       }
   }
 
+  void
+  Judge::lose_track()
+  {
+    on_track             = false;
+    ledger.external_work = ledger.dissipation = std::numeric_limits<double>::quiet_NaN();
+    element_dissipation.assign(elements.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
   Certificate
   Judge::judge(const JointState &state)
   {
@@ -218,15 +227,19 @@ namespace fuga
           ledger.layer += stored_energy(
             *elements[k].shear_law, elements[k].area, state.forces[elements[k].tangential_bar]);
       }
-    largest_energy = std::max({largest_energy,
-                               std::abs(ledger.external_work),
-                               ledger.bodies,
-                               ledger.layer,
-                               ledger.dissipation});
-    result.energy =
-      share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
-            largest_energy);
-    result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, largest_energy));
+    if (on_track)
+      {
+        largest_energy = std::max({largest_energy,
+                                   std::abs(ledger.external_work),
+                                   ledger.bodies,
+                                   ledger.layer,
+                                   ledger.dissipation});
+        result.energy =
+          share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
+                largest_energy);
+        result.slip_direction =
+          std::max(result.slip_direction, share(wrong_slip_work, largest_energy));
+      }
     return result;
   }
 

@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/event_path.h>
+#include <fuga/contact/implicit_step.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/mechanism.h>
 
@@ -52,6 +53,8 @@ namespace fuga
 
     while (state.t < history.end() || max_abs(state.unreleased_shear) > 0.)
       {
+        if (jump_to_corner(state, levels, observer, result))
+          continue;
         const Course course = next_course(state);
 
         // How does the contact go on from here? The rates of all elements on a boundary decide
@@ -136,6 +139,37 @@ namespace fuga
       }
     course.drive.reactions = multiply(system.reactions(), course.factor_rates);
     return course;
+  }
+
+  // Only on request, and only where nothing between matters to the end: a straight path without
+  // bonds that could break. Whatever the step cannot solve is left to the events.
+  bool
+  EventPath::jump_to_corner(JointState &state,
+                            const std::vector<double> &levels,
+                            PathObserver &observer,
+                            PathResult &result)
+  {
+    if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
+        max_abs(state.unreleased_shear) > 0.)
+      return false;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (elements[k].friction.cohesion > 0. && !state.broken[k])
+        return false;
+    const double corner = history.next_corner(state.t);
+    if (next_level < levels.size() && levels[next_level] < corner)
+      return false;
+    ImplicitStep step(elements, system, scheme);
+    const std::optional<JointState> end = step.solve(state, corner, history.factors(corner));
+    result.n_schemes += static_cast<unsigned int>(step.n_schemes);
+    if (!end)
+      return false;
+    state = *end;
+    observer.jumped(state);
+    result.t = state.t;
+    ++result.n_jumps;
+    for (; next_level < levels.size() && levels[next_level] <= corner; ++next_level)
+      observer.reached(next_level, state);
+    return true;
   }
 
   Continuation

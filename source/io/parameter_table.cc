@@ -299,7 +299,15 @@ namespace fuga
       return {
         "Solver",
         "Rigid and linear laws need no iteration: the first three entries are for other laws.",
-        {defaulted("Iteration",
+        {defaulted(
+           "Follow",
+           "events",
+           choice("events|stage ends"),
+           "Stage ends: one implicit step per stage without the events between, where layers are "
+           "linear and nothing can break. The same end state if what slips or opens in a stage "
+           "keeps "
+           "doing so; energies and events are not known then."),
+         defaulted("Iteration",
                    "newton",
                    choice("newton|constant stiffness"),
                    "Constant stiffness is the iteration of the paper; it can diverge."),

@@ -106,6 +106,7 @@ namespace fuga
     read_solver(const ParameterSection &section)
     {
       SolverSettings solver;
+      solver.follow_events       = section.text("Follow") == "events";
       solver.iteration           = section.text("Iteration") == "newton" ? IterationKind::newton
                                                                          : IterationKind::constant_stiffness;
       solver.iteration_tolerance = section.number("Iteration tolerance");

@@ -64,6 +64,7 @@ namespace fuga
       json["total"]             = summary.n_events;
       json["by_kind"]           = object(summary.events_by_kind);
       json["steps"]             = path.n_steps;
+      json["implicit_steps"]    = path.n_jumps;
       json["zero_length_steps"] = path.n_zero_steps;
       json["schemes_tried"]     = path.n_schemes;
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},

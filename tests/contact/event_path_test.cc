@@ -114,3 +114,35 @@ TEST(EventPath, EccentricLoadOnRigidBlock)
   for (std::size_t i = 0; i < 7; ++i)
     EXPECT_NEAR((record.events[i].t - 1.) * 0.6, e[i], 1e-9) << i;
 }
+
+// A monotone stage in one implicit step ends in the state the events lead to (here exactly known to
+// be the same: every bar that slips keeps slipping).
+TEST(EventPath, ImplicitStepEndsWhereEventsEnd)
+{
+  const std::size_t n = 8;
+  const double f      = 0.2;
+  const ToyJoint joint =
+    rigid_block_joint(n, 1., make_linear_law(1.), make_linear_law(1.), {f, 0.});
+  const ToySystem system = rigid_block(n, 1.);
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 2.},
+                            {{0., 0., 0.}, {0., -1., -1. / 12.}, {0.95 * f, -1., -1. / 12.}});
+  PathOptions ends;
+  ends.follow = PathOptions::Follow::stage_ends;
+  EventPath by_events(joint.elements, layered, history, {});
+  EventPath by_steps(joint.elements, layered, history, ends);
+  Record events(system, joint.elements, history), steps(system, joint.elements, history);
+  by_events.run({1., 2.}, events);
+  const PathResult result = by_steps.run({1., 2.}, steps);
+  EXPECT_EQ(result.n_jumps, 2u);
+  EXPECT_EQ(steps.events.size(), 0u);
+  EXPECT_GE(events.events.size(), 6u);
+  EXPECT_LE(steps.worst.worst(), event_tolerance);
+  for (std::size_t level = 0; level < 2; ++level)
+    {
+      EXPECT_EQ(events.levels[level].states, steps.levels[level].states);
+      for (std::size_t bar = 0; bar < 2 * (n + 1); ++bar)
+        EXPECT_NEAR(
+          events.levels[level].forces[bar], steps.levels[level].forces[bar], event_tolerance);
+    }
+}

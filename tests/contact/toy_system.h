@@ -73,6 +73,12 @@ namespace fuga::tests
     }
 
     void
+    jumped(const JointState &) override
+    {
+      judge.lose_track();
+    }
+
+    void
     changed(const std::vector<ContactEvent> &new_events, const JointState &state) override
     {
       events.insert(events.end(), new_events.begin(), new_events.end());

@@ -77,6 +77,10 @@ namespace fuga
     void
     follow(const PathPoint &from, const PathPoint &to, const double length);
 
+    /** The path was left: energies are unknown from now on and no longer judged. */
+    void
+    lose_track();
+
     /** Judges a state that lies at the end of what was followed. */
     Certificate
     judge(const JointState &state);
@@ -117,6 +121,7 @@ namespace fuga
     /** Gives coordinates from jumps if there are more bars than coordinates. */
     DenseMatrix inverse_jump_operator;
     EnergyLedger ledger;
+    bool on_track = true;
     Vector element_dissipation;
     double largest_force     = 0.;
     double largest_jump      = 0.;

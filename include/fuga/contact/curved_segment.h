@@ -20,6 +20,15 @@ namespace fuga
       constant_stiffness
     };
 
+    enum class Follow
+    {
+      /** From event to event. */
+      events,
+      /** From corner to corner of the loads by implicit steps where that is possible. */
+      stage_ends
+    };
+
+    Follow follow       = Follow::events;
     Iteration iteration = Iteration::newton;
     /** Difference of two successive iterations that ends the iteration, relative to the largest
      * jump. */

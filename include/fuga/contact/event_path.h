@@ -44,7 +44,9 @@ namespace fuga
     std::size_t n_events     = 0;
     std::size_t n_zero_steps = 0;
     std::size_t n_steps      = 0;
-    unsigned int n_schemes   = 0;
+    /** Implicit steps that took the place of events. */
+    std::size_t n_jumps    = 0;
+    unsigned int n_schemes = 0;
     /** Continuations found by each RateMethod. */
     std::array<std::size_t, 4> n_decided_by = {{0, 0, 0, 0}};
   };
@@ -58,6 +60,10 @@ namespace fuga
     /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
     virtual void
     advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;
+
+    /** The path went to @p to by an implicit step: what happened between is not known. */
+    virtual void
+    jumped(const JointState &to) = 0;
 
     /** The scheme changed; @p state has the new states. */
     virtual void
@@ -102,6 +108,11 @@ namespace fuga
     virgin_state() const;
     Course
     next_course(const JointState &state) const;
+    bool
+    jump_to_corner(JointState &state,
+                   const std::vector<double> &levels,
+                   PathObserver &observer,
+                   PathResult &result);
     Continuation
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
     void

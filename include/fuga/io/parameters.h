@@ -66,6 +66,8 @@ namespace fuga
 
   struct SolverSettings
   {
+    /** False: stage ends by implicit steps where possible. */
+    bool follow_events              = true;
     IterationKind iteration         = IterationKind::newton;
     double iteration_tolerance      = 1e-12;
     unsigned int maximum_iterations = 200;
