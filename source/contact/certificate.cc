@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/blas.h>
 #include <fuga/base/cubic.h>
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
@@ -57,6 +58,15 @@ namespace fuga
     , history(load_history)
     , element_dissipation(contact_elements.size(), 0.)
   {
+    for (double t = 0.; t < history.end();)
+      {
+        t                       = history.next_corner(t);
+        largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
+      }
+    const DenseMatrix &S = system.stiffness();
+    stiffness_row_norms.assign(S.n_rows(), 0.);
+    for (std::size_t j = 0; j < S.n_columns(); ++j)
+      stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
     const DenseMatrix &B = system.jump_operator();
     if (B.empty())
       return;
@@ -187,6 +197,26 @@ namespace fuga
     element_dissipation.assign(elements.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
+  // Forces and moments on every floating body, relative to what the largest force would cause.
+  double
+  Judge::body_equilibrium_error(const JointState &state) const
+  {
+    const DenseMatrix &G = system.rigid_motions();
+    if (G.empty())
+      return 0.;
+    const Vector carried = multiply_transposed(G, state.forces);
+    const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
+    double worst         = 0.;
+    for (std::size_t i = 0; i < applied.size(); ++i)
+      {
+        double arm = 0.;
+        for (std::size_t k = 0; k < G.n_rows(); ++k)
+          arm = std::max(arm, std::abs(G(k, i)));
+        worst = std::max(worst, share(std::abs(carried[i] - applied[i]), arm * largest_force));
+      }
+    return worst;
+  }
+
   Certificate
   Judge::judge(const JointState &state)
   {
@@ -201,22 +231,22 @@ namespace fuga
     const Vector p = system.jump_operator().empty()
                        ? state.forces
                        : multiply_transposed(system.jump_operator(), state.forces);
+    // A body that soft joints hold moves by far more than it deforms: then S x, in double
+    // precision, is uncertain by more than the forces allow, and only what exceeds this uncertainty
+    // is an error. (That such a body is in equilibrium at all is the next entry, which knows no S.)
+    const double rounding = 4. * std::numeric_limits<double>::epsilon() * std::sqrt(dot(x, x));
+    Vector elastic(f.size());
     for (std::size_t i = 0; i < f.size(); ++i)
-      result.equilibrium =
-        std::max(result.equilibrium, share(std::abs(Sx[i] + p[i] - f[i]), largest_force));
-    if (!system.rigid_motions().empty())
       {
-        const Vector carried = multiply_transposed(system.rigid_motions(), state.forces);
-        const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
-        double scale         = max_abs(applied);
-        for (const double force : state.forces)
-          scale = std::max(scale, std::abs(force));
-        for (std::size_t i = 0; i < applied.size(); ++i)
-          result.body_equilibrium =
-            std::max(result.body_equilibrium, share(std::abs(carried[i] - applied[i]), scale));
+        elastic[i]         = f[i] - p[i];
+        const double error = std::abs(Sx[i] - elastic[i]) - rounding * stiffness_row_norms[i];
+        result.equilibrium =
+          std::max(result.equilibrium, share(std::max(error, 0.), largest_force));
       }
+    result.body_equilibrium = body_equilibrium_error(state);
 
-    ledger.bodies = 0.5 * dot(x, Sx);
+    // ½ x·S x by the elastic forces just checked, for the same reason.
+    ledger.bodies = 0.5 * dot(x, elastic);
     ledger.layer  = 0.;
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
@@ -234,11 +264,15 @@ namespace fuga
                                    ledger.bodies,
                                    ledger.layer,
                                    ledger.dissipation});
+        // Early in a run energies are small, and so would be the scale: the load still to come is
+        // known.
+        largest_load       = std::max(largest_load, max_abs(f));
+        const double ratio = largest_load > 0. ? largest_load_of_history / largest_load : 1.;
+        const double scale = largest_energy * ratio * ratio;
         result.energy =
           share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
-                largest_energy);
-        result.slip_direction =
-          std::max(result.slip_direction, share(wrong_slip_work, largest_energy));
+                scale);
+        result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, scale));
       }
     return result;
   }

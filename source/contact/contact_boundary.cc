@@ -36,18 +36,21 @@ namespace fuga
   {
   }
 
-  // A force is the difference of the reaction of the stuck joint and of the effect of the
-  // dislocations; the size of both tells its rounding error.
+  // A force is the sum of the reactions of the stuck joint to all loads and of the effects of the
+  // dislocations; the size of these terms, not of their sum, tells its rounding error.
   void
-  ContactBoundary::set_scales(const JointState &state, const double widening)
+  ContactBoundary::set_scales(const JointState &state, const Vector &factors, const double widening)
   {
+    const DenseMatrix &R             = system.reactions();
     const double largest_dislocation = max_abs(state.dislocations);
     const double relative            = value_tolerance * widening;
     double largest_jump              = largest_dislocation;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
-        force_tolerances[i] =
-          relative * (std::abs(state.forces[i]) + system.stiffness()(i, i) * largest_dislocation);
+        double terms = system.stiffness()(i, i) * largest_dislocation;
+        for (std::size_t j = 0; j < factors.size(); ++j)
+          terms += std::abs(R(i, j) * factors[j]);
+        force_tolerances[i] = relative * terms;
         largest_jump = std::max(largest_jump, system.compliance(i) * std::abs(state.forces[i]));
       }
     for (const ContactElement &element : elements)

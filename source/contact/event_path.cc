@@ -60,7 +60,9 @@ namespace fuga
         // How does the contact go on from here? The rates of all elements on a boundary decide
         // together.
         boundary.set_scales(
-          state, std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
+          state,
+          course.factors,
+          std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {

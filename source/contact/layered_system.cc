@@ -4,6 +4,7 @@
 #include <fuga/base/blas.h>
 #include <fuga/base/errors.h>
 #include <fuga/contact/layered_system.h>
+#include <fuga/contact/soft_bars.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,34 +15,6 @@ namespace fuga
   {
     using Indices = std::vector<std::size_t>;
 
-    /** Rows `rows` and columns `columns` of A. */
-    DenseMatrix
-    submatrix(const DenseMatrix &A, const Indices &rows, const Indices &columns)
-    {
-      DenseMatrix result(rows.size(), columns.size());
-      for (std::size_t j = 0; j < columns.size(); ++j)
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          result(i, j) = A(rows[i], columns[j]);
-      return result;
-    }
-
-    Indices
-    all_columns(const DenseMatrix &A)
-    {
-      Indices indices(A.n_columns());
-      for (std::size_t j = 0; j < indices.size(); ++j)
-        indices[j] = j;
-      return indices;
-    }
-
-    void
-    scale_rows(DenseMatrix &A, const Vector &factors)
-    {
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        for (std::size_t i = 0; i < A.n_rows(); ++i)
-          A(i, j) *= factors[i];
-    }
-
     /** Removes the rounding error between the two triangles. */
     void
     symmetrise(DenseMatrix &A)
@@ -49,61 +22,6 @@ namespace fuga
       for (std::size_t j = 0; j < A.n_columns(); ++j)
         for (std::size_t i = 0; i < j; ++i)
           A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
-    }
-
-    [[noreturn]] void
-    throw_unheld()
-    {
-      throw NumericalFailure(
-        "The small system of the joints is not positive definite even with every "
-        "bar closed and sticking: the bodies are not held. Check the supports.");
-    }
-
-    /**
-     * Replaces forces by soft springs: the bars `soft` with stiffness C get the relation
-     * p = C (δ - d) instead of δ = d (partial elimination of the coordinates of these bars).
-     */
-    void
-    insert_soft_bars(
-      DenseMatrix &W, DenseMatrix &R, const Indices &soft, const Indices &others, const Vector &C)
-    {
-      DenseMatrix S_cc = submatrix(W, soft, soft);
-      DenseMatrix S_rc = submatrix(W, others, soft);
-      for (std::size_t i = 0; i < soft.size(); ++i)
-        S_cc(i, i) += C[i];
-
-      // One solution with all right-hand sides: Q C, Q S_cr, Q F_c with Q = (S_cc + C)^-1.
-      const std::size_t n_c = soft.size(), n_r = others.size(), n_p = R.n_columns();
-      DenseMatrix Y(n_c, n_c + n_r + n_p);
-      for (std::size_t i = 0; i < n_c; ++i)
-        {
-          Y(i, i) = C[i];
-          for (std::size_t j = 0; j < n_r; ++j)
-            Y(i, n_c + j) = W(soft[i], others[j]);
-          for (std::size_t j = 0; j < n_p; ++j)
-            Y(i, n_c + n_r + j) = R(soft[i], j);
-        }
-      if (!solve_positive_definite(S_cc, Y))
-        throw_unheld();
-
-      const DenseMatrix coupling = multiply(S_rc, Y);
-      for (std::size_t j = 0; j < n_r; ++j)
-        for (std::size_t i = 0; i < n_r; ++i)
-          W(others[i], others[j]) -= coupling(i, n_c + j);
-      for (std::size_t j = 0; j < n_p; ++j)
-        for (std::size_t i = 0; i < n_r; ++i)
-          R(others[i], j) -= coupling(i, n_c + n_r + j);
-
-      scale_rows(Y, C);
-      for (std::size_t i = 0; i < n_c; ++i)
-        {
-          for (std::size_t j = 0; j < n_c; ++j)
-            W(soft[i], soft[j]) = (i == j ? C[i] : 0.) - Y(i, j);
-          for (std::size_t j = 0; j < n_r; ++j)
-            W(soft[i], others[j]) = W(others[j], soft[i]) = Y(i, n_c + j);
-          for (std::size_t j = 0; j < n_p; ++j)
-            R(soft[i], j) = Y(i, n_c + n_r + j);
-        }
     }
 
     /** Adds the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
@@ -191,7 +109,12 @@ namespace fuga
             }
         }
     if (!soft.empty())
-      insert_soft_bars(W, R, soft, stiff_or_rigid, soft_stiffness);
+      insert_soft_bars(W,
+                       R,
+                       soft,
+                       stiff_or_rigid,
+                       soft_stiffness,
+                       {system.rigid_motions(), system.rigid_motion_loads()});
     if (!stiff.empty())
       insert_stiff_bars(W, R, stiff, stiff_compliance);
   }

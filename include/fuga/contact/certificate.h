@@ -107,6 +107,8 @@ namespace fuga
     jumps(const Vector &dislocations, const Vector &forces) const;
     Vector
     loads(const double t) const;
+    double
+    body_equilibrium_error(const JointState &state) const;
     void
     check_element(const std::size_t k,
                   const JointState &state,
@@ -120,12 +122,15 @@ namespace fuga
     const LoadHistory &history;
     /** Gives coordinates from jumps if there are more bars than coordinates. */
     DenseMatrix inverse_jump_operator;
+    /** 2-norms of the rows of S. */
+    Vector stiffness_row_norms;
     EnergyLedger ledger;
     bool on_track = true;
     Vector element_dissipation;
-    double largest_force     = 0.;
-    double largest_jump      = 0.;
-    double largest_energy    = 0.;
+    double largest_force  = 0.;
+    double largest_jump   = 0.;
+    double largest_energy = 0.;
+    double largest_load = 0., largest_load_of_history = 0.;
     double wrong_slip_work   = 0.;
     double largest_slip_work = 0.;
   };

@@ -43,7 +43,7 @@ namespace fuga
 
     /** Takes the scales of forces and jumps from a state; to be called before the others. */
     void
-    set_scales(const JointState &state, const double widening);
+    set_scales(const JointState &state, const Vector &factors, const double widening);
 
     /** All elements on a boundary, slipping ones included. */
     std::vector<BoundaryElement>
