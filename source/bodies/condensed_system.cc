@@ -34,10 +34,8 @@ namespace fuga
     timer.finish("rigid motions");
   }
 
-
   template <int dim>
   CondensedSystem<dim>::~CondensedSystem() = default;
-
 
   template <int dim>
   void
@@ -60,7 +58,6 @@ namespace fuga
     coordinates = std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed);
   }
 
-
   template <int dim>
   void
   CondensedSystem<dim>::factorise()
@@ -81,7 +78,6 @@ namespace fuga
     timer.finish("factorisation");
   }
 
-
   template <int dim>
   void
   CondensedSystem<dim>::find_rigid_motions()
@@ -97,7 +93,6 @@ namespace fuga
       std::make_unique<RigidProjection>(jump_operator().empty() ? motions : DenseMatrix());
     projection->project_stiffness(S);
   }
-
 
   template <int dim>
   void
@@ -119,7 +114,6 @@ namespace fuga
       }
   }
 
-
   template <int dim>
   const DenseMatrix &
   CondensedSystem<dim>::jump_operator() const
@@ -127,14 +121,12 @@ namespace fuga
     return coordinates->jump_operator();
   }
 
-
   template <int dim>
   const std::vector<ContactElement> &
   CondensedSystem<dim>::elements() const
   {
     return bars->elements();
   }
-
 
   template <int dim>
   std::array<double, 3>
@@ -146,7 +138,6 @@ namespace fuga
     return result;
   }
 
-
   template <int dim>
   LoadPattern
   CondensedSystem<dim>::assemble_load(const std::size_t number, const double t) const
@@ -157,7 +148,6 @@ namespace fuga
     timer.finish("loads");
     return pattern;
   }
-
 
   template <int dim>
   void
@@ -182,7 +172,6 @@ namespace fuga
                         "xyz"[pair.component]));
       }
   }
-
 
   template <int dim>
   void
@@ -220,7 +209,6 @@ namespace fuga
     timer.finish("condensation of loads");
   }
 
-
   template <int dim>
   Vector
   CondensedSystem<dim>::combination(const Vector &a, const Vector LoadPattern::*part) const
@@ -236,7 +224,6 @@ namespace fuga
     return sum;
   }
 
-
   template <int dim>
   Vector
   CondensedSystem<dim>::out_of_balance(const Vector &loads, const Vector &u) const
@@ -247,7 +234,6 @@ namespace fuga
     return coordinates->gather(residual);
   }
 
-
   template <int dim>
   void
   CondensedSystem<dim>::add_bonded_response(const Vector &loads, Vector &u) const
@@ -256,7 +242,6 @@ namespace fuga
     solver->solve(y, Vector(coordinates->n_interface(), 0.));
     u = coordinates->distribute(y.data(), u);
   }
-
 
   template <int dim>
   dealii::Vector<double>
@@ -279,7 +264,6 @@ namespace fuga
     return result;
   }
 
-
   template <int dim>
   Vector
   CondensedSystem<dim>::by_nodes(const dealii::Vector<double> &u) const
@@ -290,7 +274,6 @@ namespace fuga
         result[node * dim + c] = u[space->dof(node, c)];
     return result;
   }
-
 
   template <int dim>
   EquilibriumError
@@ -310,7 +293,6 @@ namespace fuga
     return error;
   }
 
-
   template <int dim>
   dealii::Vector<double>
   CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
@@ -323,14 +305,12 @@ namespace fuga
     return result;
   }
 
-
   template <int dim>
   Vector
   CondensedSystem<dim>::jumps(const dealii::Vector<double> &u) const
   {
     return bars->jumps(by_nodes(u));
   }
-
 
   template <int dim>
   double
@@ -339,14 +319,12 @@ namespace fuga
     return bodies->energy(by_nodes(u));
   }
 
-
   template <int dim>
   int
   CondensedSystem<dim>::factorisation_memory() const
   {
     return solver->memory();
   }
-
 
   template class CondensedSystem<2>;
 } // namespace fuga

@@ -63,6 +63,7 @@ namespace fuga
           state,
           course.factors,
           std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
+        const Vector unreleased         = state.unreleased_shear;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
@@ -71,7 +72,7 @@ namespace fuga
             lose_equilibrium(state, continuation, result);
             return result;
           }
-        if (course.kind == Course::Kind::loading && max_abs(state.unreleased_shear) > 0.)
+        if (state.unreleased_shear != unreleased)
           continue; // a bond broke: its shear is given up before the load goes on
 
         // At which load does the next event occur? Advance to it.
@@ -79,8 +80,6 @@ namespace fuga
           make_segment(course, {state, continuation.rates});
         const double length = find_end(*segment, course, levels, observer);
         state               = report_piecewise(*segment, course, levels, observer);
-        if (course.kind == Course::Kind::release && length == course.length)
-          std::fill(state.unreleased_shear.begin(), state.unreleased_shear.end(), 0.);
 
         resticking = segment->resticking();
         result.t   = state.t;

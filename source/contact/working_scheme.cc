@@ -154,12 +154,6 @@ namespace fuga
   }
 
   bool
-  WorkingScheme::has_row(const Row &row) const
-  {
-    return position[row.bar] != no_row && rows[position[row.bar]] == row;
-  }
-
-  bool
   WorkingScheme::update_rows(const std::vector<Row> &wanted)
   {
     std::vector<bool> is_kept(system.n_bars(), false);
@@ -324,13 +318,7 @@ namespace fuga
     return solve(rhs, Vector(system.n_bars(), 0.));
   }
 
-  int
-  WorkingScheme::determinant_sign() const
-  {
-    return LuFactors(active_matrix()).determinant_sign();
-  }
-
-  // Inverse iteration on the transposed-free matrix, shifted by rounding: three steps suffice for a
+  // Inverse iteration on the matrix, shifted by rounding: three steps suffice for a
   // null vector that is only to be shown.
   JointRates
   WorkingScheme::mechanism() const

@@ -1,91 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/parameter_declarations.h>
-#include <fuga/io/parameter_number_pattern.h>
+#include <fuga/io/parameter_entries.h>
 
 namespace fuga
 {
+  using namespace parameter_entries;
+
   namespace
   {
-    using dealii::Patterns::PatternBase;
-    using Pattern = std::shared_ptr<const PatternBase>;
-
-    Pattern
-    text()
-    {
-      return std::make_shared<dealii::Patterns::Anything>();
-    }
-
-    Pattern
-    choice(const std::string &words)
-    {
-      return std::make_shared<dealii::Patterns::Selection>(words);
-    }
-
-    Pattern
-    integer(const double lower, const double upper)
-    {
-      return std::make_shared<NumberPattern>(
-        NumberPattern::Kind::integer, lower, true, upper, true, false);
-    }
-
-    Pattern
-    number_above(const double lower)
-    {
-      return std::make_shared<NumberPattern>(
-        NumberPattern::Kind::real, lower, false, NumberPattern::infinity, false, true);
-    }
-
-    Pattern
-    number_from(const double lower)
-    {
-      return std::make_shared<NumberPattern>(
-        NumberPattern::Kind::real, lower, true, NumberPattern::infinity, false, true);
-    }
-
-    Pattern
-    number_between(const double lower, const bool lower_is_allowed, const double upper)
-    {
-      return std::make_shared<NumberPattern>(
-        NumberPattern::Kind::real, lower, lower_is_allowed, upper, false, true);
-    }
-
-    EntryDeclaration
-    required(const std::string &name,
-             const Pattern &pattern,
-             const std::string &documentation,
-             const std::vector<std::string> &examples)
-    {
-      return {name, Presence::required, "", pattern, documentation, examples, false};
-    }
-
-    EntryDeclaration
-    optional(const std::string &name,
-             const Pattern &pattern,
-             const std::string &documentation,
-             const std::vector<std::string> &examples = {})
-    {
-      return {name, Presence::optional, "", pattern, documentation, examples, false};
-    }
-
-    EntryDeclaration
-    defaulted(const std::string &name,
-              const std::string &default_value,
-              const Pattern &pattern,
-              const std::string &documentation,
-              const std::vector<std::string> &examples = {})
-    {
-      return {name,
-              Presence::defaulted,
-              default_value,
-              pattern,
-              documentation,
-              examples,
-              default_value.empty()};
-    }
-
-
     SectionDeclaration
     top_level()
     {
@@ -291,86 +214,6 @@ namespace fuga
               {},
               {},
               true};
-    }
-
-    SectionDeclaration
-    solver_section()
-    {
-      return {
-        "Solver",
-        "Rigid and linear laws need no iteration: the first three entries are for other laws.",
-        {defaulted(
-           "Follow",
-           "events",
-           choice("events|stage ends"),
-           "Stage ends: one implicit step per stage without the events between, where layers are "
-           "linear and nothing can break. The same end state if what slips or opens in a stage "
-           "keeps "
-           "doing so; energies and events are not known then."),
-         defaulted("Iteration",
-                   "newton",
-                   choice("newton|constant stiffness"),
-                   "Constant stiffness is the iteration of the paper; it can diverge."),
-         defaulted("Iteration tolerance",
-                   "1e-12",
-                   number_above(0),
-                   "Relative change at which an iteration ends."),
-         defaulted("Maximum iterations", "200", integer(1, 1e6), "Of one step."),
-         defaulted("Load knots",
-                   "20",
-                   integer(1, 1e6),
-                   "Linear pieces per stage for factors that are not linear in t."),
-         defaulted("Certificate bound",
-                   "1e-9",
-                   number_above(0),
-                   "A larger certificate ends the run with exit code 4.")},
-        {}};
-    }
-
-    SectionDeclaration
-    sweep_section()
-    {
-      const std::string values = " Numbers a, b, c or a range first : step : last.";
-      return {
-        "Sweep",
-        "Runs all combinations of these values on one condensation of the bodies and writes one "
-        "table, "
-        "sweep.csv. An entry that is not given is not varied.",
-        {optional("Joints", text(), "List of the joints that are varied; without it all."),
-         optional("Friction coefficient", text(), "Values of f." + values),
-         optional("Cohesion", text(), "Values of c." + values),
-         optional(
-           "Normal compliance", text(), "Values of the normal compliance; 0 is rigid." + values),
-         optional(
-           "Shear compliance", text(), "Values of the shear compliance; 0 is rigid." + values),
-         optional("Normal law", text(), "List out of rigid, linear, cubic root."),
-         optional("Load sequences",
-                  text(),
-                  "Sequences of stages separated by ';', each a list of stage names: weight, push; "
-                  "weight, push, back.")},
-        {}};
-    }
-
-    SectionDeclaration
-    output_section()
-    {
-      return {
-        "Output",
-        "",
-        {defaulted("Fields", "levels", choice("levels|end|never"), "When VTU files are written."),
-         defaulted("Log",
-                   "events",
-                   choice("events|levels|quiet"),
-                   "What gets a line on the screen; quiet: nothing."),
-         defaulted("Force unit",
-                   "MN",
-                   text(),
-                   "Name of the unit of force, for the headers of the results only."),
-         defaulted("Length unit",
-                   "m",
-                   text(),
-                   "Name of the unit of length, for the headers of the results only.")},
-        {}};
     }
   } // namespace
 

@@ -97,12 +97,6 @@ namespace fuga
     IterationCount
     iterations() const;
 
-    const WorkingScheme &
-    working_scheme() const
-    {
-      return scheme;
-    }
-
   private:
     JointState
     virgin_state() const;

@@ -83,17 +83,6 @@ namespace fuga
     std::optional<JointRates>
     correction(const Vector &residual);
 
-    /** Size of the active set. */
-    std::size_t
-    n_active() const
-    {
-      return rows.size();
-    }
-
-    /** Sign of the determinant of the active matrix; negative beyond critical friction. */
-    int
-    determinant_sign() const;
-
     /** A direction of motion without resistance of a singular scheme (null vector, largest entry
      * 1). */
     JointRates
@@ -126,7 +115,11 @@ namespace fuga
     std::vector<Row>
     wanted_rows() const;
     bool
-    has_row(const Row &row) const;
+    has_row(const Row &row) const
+    {
+      return position[row.bar] != no_row && rows[position[row.bar]] == row;
+    }
+
     Row
     layer_row(const std::size_t bar) const;
     void

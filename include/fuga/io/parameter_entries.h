@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_parameter_entries_h
+#define fuga_io_parameter_entries_h
+
+#include <fuga/io/parameter_declarations.h>
+
+namespace fuga
+{
+  /** The words in which the tables of entries are written. */
+  namespace parameter_entries
+  {
+    using Pattern = std::shared_ptr<const dealii::Patterns::PatternBase>;
+
+    Pattern
+    text();
+
+    Pattern
+    choice(const std::string &words);
+
+    Pattern
+    integer(const double lower, const double upper);
+
+    Pattern
+    number_above(const double lower);
+
+    Pattern
+    number_from(const double lower);
+
+    Pattern
+    number_between(const double lower, const bool lower_is_allowed, const double upper);
+
+    EntryDeclaration
+    required(const std::string &name,
+             const Pattern &pattern,
+             const std::string &documentation,
+             const std::vector<std::string> &examples);
+
+    EntryDeclaration
+    optional(const std::string &name,
+             const Pattern &pattern,
+             const std::string &documentation,
+             const std::vector<std::string> &examples = {});
+
+    EntryDeclaration
+    defaulted(const std::string &name,
+              const std::string &default_value,
+              const Pattern &pattern,
+              const std::string &documentation,
+              const std::vector<std::string> &examples = {});
+
+    /** Sections that say how to run, not what. */
+    SectionDeclaration
+    solver_section();
+    SectionDeclaration
+    sweep_section();
+    SectionDeclaration
+    output_section();
+  } // namespace parameter_entries
+} // namespace fuga
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_entries.h>
+
+namespace fuga
+{
+  using namespace parameter_entries;
+
+  SectionDeclaration
+  parameter_entries::solver_section()
+  {
+    return {
+      "Solver",
+      "Rigid and linear laws need no iteration: the first three entries are for other laws.",
+      {defaulted(
+         "Follow",
+         "events",
+         choice("events|stage ends"),
+         "Stage ends: one implicit step per stage without the events between, where layers are "
+         "linear and nothing can break. The same end state if what slips or opens in a stage "
+         "keeps "
+         "doing so; energies and events are not known then."),
+       defaulted("Iteration",
+                 "newton",
+                 choice("newton|constant stiffness"),
+                 "Constant stiffness is the iteration of the paper; it can diverge."),
+       defaulted("Iteration tolerance",
+                 "1e-12",
+                 number_above(0),
+                 "Relative change at which an iteration ends."),
+       defaulted("Maximum iterations", "200", integer(1, 1e6), "Of one step."),
+       defaulted("Load knots",
+                 "20",
+                 integer(1, 1e6),
+                 "Linear pieces per stage for factors that are not linear in t."),
+       defaulted("Certificate bound",
+                 "1e-9",
+                 number_above(0),
+                 "A larger certificate ends the run with exit code 4.")},
+      {}};
+  }
+
+  SectionDeclaration
+  parameter_entries::sweep_section()
+  {
+    const std::string values = " Numbers a, b, c or a range first : step : last.";
+    return {
+      "Sweep",
+      "Runs all combinations of these values on one condensation of the bodies and writes one "
+      "table, "
+      "sweep.csv. An entry that is not given is not varied.",
+      {optional("Joints", text(), "List of the joints that are varied; without it all."),
+       optional("Friction coefficient", text(), "Values of f." + values),
+       optional("Cohesion", text(), "Values of c." + values),
+       optional(
+         "Normal compliance", text(), "Values of the normal compliance; 0 is rigid." + values),
+       optional("Shear compliance", text(), "Values of the shear compliance; 0 is rigid." + values),
+       optional("Normal law", text(), "List out of rigid, linear, cubic root."),
+       optional("Load sequences",
+                text(),
+                "Sequences of stages separated by ';', each a list of stage names: weight, push; "
+                "weight, push, back.")},
+      {}};
+  }
+
+  SectionDeclaration
+  parameter_entries::output_section()
+  {
+    return {
+      "Output",
+      "",
+      {defaulted("Fields", "levels", choice("levels|end|never"), "When VTU files are written."),
+       defaulted("Log",
+                 "events",
+                 choice("events|levels|quiet"),
+                 "What gets a line on the screen; quiet: nothing."),
+       defaulted("Force unit",
+                 "MN",
+                 text(),
+                 "Name of the unit of force, for the headers of the results only."),
+       defaulted("Length unit",
+                 "m",
+                 text(),
+                 "Name of the unit of length, for the headers of the results only.")},
+      {}};
+  }
+} // namespace fuga
