@@ -45,9 +45,9 @@ namespace
       if (row.compliance == nullptr)
         return run_scene(row.file);
       const std::string value = row.compliance;
-      return run_scene(row.file,
-                       {"Joints/base/Normal compliance=" + value,
-                        "Joints/base/Shear compliance=" + value});
+      return run_scene(
+        row.file,
+        {"Joints/base/Normal compliance=" + value, "Joints/base/Shear compliance=" + value});
     }
   };
 
@@ -89,7 +89,7 @@ TEST_P(PaperTable, Row)
 }
 
 // The bound that the program itself states (verification.md: every run is certified). Law (9) with
-// the compliance as printed is a nearly rigid nonlinear layer.
+// the compliance as printed is a nearly rigid nonlinear layer. FAILS NOW for it: energy 5.2e-9.
 TEST_P(PaperTable, IsCertified)
 {
   const SceneRun run = PaperTable::run(GetParam());
@@ -130,9 +130,8 @@ TEST(PaperResultants, BalanceTheLoads)
 // the hardening layer 1.4 to 1.7 times stiffer at 0.5 to 2 MPa (closed form of law (9)).
 TEST(PaperClaims, AreShown)
 {
-  const SceneRun rigid  = run_scene("paper_1_rigid.prm"),
-                 linear = run_scene("paper_2_linear.prm"),
-                 cubic  = run_scene("paper_3_cubic_root.prm");
+  const SceneRun rigid = run_scene("paper_1_rigid.prm"), linear = run_scene("paper_2_linear.prm"),
+                 cubic = run_scene("paper_3_cubic_root.prm");
   EXPECT_GE(rigid.count("open", 2.), linear.count("open", 2.));
   EXPECT_GE(rigid.count("open", 2.), cubic.count("open", 2.));
   const double jump = largest(rigid.values("jump_t1", 2.));

@@ -229,7 +229,8 @@ namespace fuga::tests
     parameters.output.directory = directory;
     SceneRun run;
     {
-      Simulation<2> simulation(parameters);
+      const Model<2> model(parameters);
+      Simulation<2> simulation(model);
       run.exit_code = static_cast<int>(simulation.run());
     }
     run.events     = parse_csv(file_text(directory + "/events.csv"));
@@ -272,15 +273,15 @@ namespace fuga::tests
   }
 
   double
-  deviation(const Vector &a, const Vector &b, const double sign)
+  deviation(const Vector &a, const Vector &b, const double factor)
   {
     if (a.size() != b.size())
       return std::numeric_limits<double>::infinity();
     double largest = 0., difference = 0.;
     for (std::size_t i = 0; i < a.size(); ++i)
       {
-        largest    = std::max(largest, std::abs(b[i]));
-        difference = std::max(difference, std::abs(a[i] - sign * b[i]));
+        largest    = std::max(largest, std::abs(factor * b[i]));
+        difference = std::max(difference, std::abs(a[i] - factor * b[i]));
       }
     if (std::isnan(difference))
       return difference;

@@ -98,9 +98,9 @@ namespace fuga::tests
   ProgramRun
   run_program(const std::vector<std::string> &arguments);
 
-  /** Largest |a - sign b| over the largest |b|; 0 if all is zero. */
+  /** Largest |a - factor b| over the largest |factor b|; 0 if they are equal. */
   double
-  deviation(const Vector &a, const Vector &b, const double sign = 1.);
+  deviation(const Vector &a, const Vector &b, const double factor = 1.);
 } // namespace fuga::tests
 
 #endif

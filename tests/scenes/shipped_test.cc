@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "scenes/scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  std::vector<std::string>
+  shipped_files()
+  {
+    std::vector<std::string> files;
+    for (const auto &entry : fs::directory_iterator(std::string(FUGA_SOURCE_DIR) + "/parameters"))
+      if (entry.path().extension() == ".prm")
+        files.push_back(entry.path().filename().string());
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  std::vector<std::string>
+  names_without_units(const Table &table)
+  {
+    std::vector<std::string> names;
+    for (const std::string &name : table.header)
+      names.push_back(name.substr(0, name.find('[')));
+    return names;
+  }
+
+  class Shipped : public testing::TestWithParam<std::string>
+  {
+  };
+} // namespace
+
+// The contract of design.md, section 4: every example runs to its end; the certificate of every
+// event, level and of the whole is below 1e-9; the columns are those of the contract, in its order.
+TEST_P(Shipped, RunsAndIsCertified)
+{
+  const SceneRun run = run_scene(GetParam());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.summary.at("verdict"), "done");
+  EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
+  for (std::size_t r = 0; r < run.events.rows.size(); ++r)
+    EXPECT_LE(run.events.number(r, "certificate"), 1e-9) << r;
+  for (std::size_t r = 0; r < run.resultants.rows.size(); ++r)
+    EXPECT_LE(run.resultants.number(r, "certificate"), 1e-9) << r;
+
+  const std::vector<std::string> events  = {"event",
+                                            "t",
+                                            "stage",
+                                            "stage_fraction",
+                                            "joint",
+                                            "element",
+                                            "x",
+                                            "y",
+                                            "z",
+                                            "from",
+                                            "to",
+                                            "certificate"};
+  const std::vector<std::string> history = {
+    "t",  "joint",    "element", "x",      "y",   "z",     "area",  "state",  "N",       "T1",
+    "T2", "pressure", "shear1",  "shear2", "gap", "slip1", "slip2", "jump_n", "jump_t1", "jump_t2"};
+  EXPECT_EQ(names_without_units(run.events), events);
+  EXPECT_EQ(names_without_units(run.history), history);
+  const auto resultants = names_without_units(run.resultants);
+  for (const char *name : {"t",
+                           "joint",
+                           "N",
+                           "T",
+                           "M",
+                           "share_open",
+                           "share_stick",
+                           "share_slip",
+                           "largest_pressure",
+                           "sliding_safety",
+                           "certificate"})
+    EXPECT_EQ(std::count(resultants.begin(), resultants.end(), name), 1) << name;
+}
+
+// Row counts by definition: one per element and level, one per joint and level, one per event;
+// numbered events in the order of their loads; shares add to one; stage and fraction belong to t.
+TEST_P(Shipped, TablesAreComplete)
+{
+  const SceneRun run = run_scene(GetParam());
+  std::set<double> levels;
+  std::set<std::string> joints;
+  for (std::size_t r = 0; r < run.resultants.rows.size(); ++r)
+    {
+      levels.insert(run.resultants.number(r, "t"));
+      joints.insert(run.resultants.text(r, "joint"));
+      EXPECT_NEAR(run.resultants.number(r, "share_open") + run.resultants.number(r, "share_stick") +
+                    run.resultants.number(r, "share_slip"),
+                  1.,
+                  1e-9);
+    }
+  std::size_t expected_levels = 0;
+  for (const auto &stage : run.summary.at("parameters").at("Stages"))
+    expected_levels += std::stoul(stage.at("Levels").get<std::string>());
+  const auto n_elements = run.summary.at("sizes").at("contact_elements").get<std::size_t>();
+  EXPECT_EQ(levels.size(), expected_levels);
+  EXPECT_EQ(run.resultants.rows.size(), levels.size() * joints.size());
+  EXPECT_EQ(run.history.rows.size(), levels.size() * n_elements);
+  EXPECT_EQ(run.events.rows.size(), run.summary.at("events").at("total").get<std::size_t>());
+  std::size_t by_kind = 0;
+  for (const auto &count : run.summary.at("events").at("by_kind"))
+    by_kind += count.get<std::size_t>();
+  EXPECT_EQ(by_kind, run.events.rows.size());
+
+  double before = 0.;
+  for (std::size_t r = 0; r < run.events.rows.size(); ++r)
+    {
+      const double t = run.events.number(r, "t");
+      EXPECT_EQ(run.events.text(r, "event"), std::to_string(r + 1));
+      EXPECT_GE(t, before);
+      EXPECT_NE(run.events.text(r, "from"), run.events.text(r, "to"));
+      const double fraction = run.events.number(r, "stage_fraction");
+      const double offset   = t - fraction;
+      EXPECT_NEAR(offset, std::round(offset), 1e-12);
+      EXPECT_GE(fraction, 0.);
+      EXPECT_LE(fraction, 1.);
+      before = t;
+    }
+}
+
+// What the columns of joint_history.csv mean (design.md, section 1): pressure = -N/A ≥ 0, shear =
+// T/A, gap only where open, no force there. The numbers have 17 digits: 1e-15 relative.
+TEST_P(Shipped, ColumnsAgree)
+{
+  const Table history = run_scene(GetParam()).history;
+  for (std::size_t r = 0; r < history.rows.size(); ++r)
+    {
+      const double A = history.number(r, "area"), N = history.number(r, "N");
+      EXPECT_GT(A, 0.);
+      EXPECT_LE(N, 0.);
+      EXPECT_NEAR(history.number(r, "pressure") * A, -N, 4e-16 * std::abs(N));
+      EXPECT_NEAR(history.number(r, "shear1") * A,
+                  history.number(r, "T1"),
+                  4e-16 * std::abs(history.number(r, "T1")));
+      EXPECT_GE(history.number(r, "gap"), 0.);
+      const std::string &state = history.text(r, "state");
+      if (state == "open")
+        {
+          EXPECT_EQ(N, 0.);
+          EXPECT_EQ(history.number(r, "T1"), 0.);
+        }
+      else
+        {
+          EXPECT_TRUE(state == "stick" || state == "slip") << state;
+          EXPECT_EQ(history.number(r, "gap"), 0.);
+        }
+    }
+}
+
+// design.md, section 4: what summary.json must contain.
+TEST_P(Shipped, SummaryIsComplete)
+{
+  const nlohmann::json summary = run_scene(GetParam()).summary;
+  for (const char *entry : {"verdict",
+                            "exit_code",
+                            "sizes",
+                            "events",
+                            "certificate",
+                            "seconds",
+                            "memory_MB",
+                            "versions",
+                            "parameters",
+                            "warnings",
+                            "t",
+                            "load_factors"})
+    EXPECT_TRUE(summary.contains(entry)) << entry;
+  EXPECT_EQ(summary.at("exit_code"), 0);
+  EXPECT_GT(summary.at("memory_MB").get<double>(), 1.);
+  EXPECT_EQ(summary.at("certificate").at("entries").size(), 9u);
+  EXPECT_TRUE(summary.at("versions").contains("fuga"));
+  for (const char *section :
+       {"Mesh", "Bodies", "Joints", "Boundaries", "Loads", "Stages", "Solver", "Output"})
+    EXPECT_TRUE(summary.at("parameters").contains(section)) << section;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Shipped, testing::ValuesIn(shipped_files()));
