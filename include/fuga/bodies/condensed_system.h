@@ -4,9 +4,9 @@
 #ifndef fuga_bodies_condensed_system_h
 #define fuga_bodies_condensed_system_h
 
+#include <fuga/base/phase_timer.h>
 #include <fuga/bodies/equilibrium_error.h>
 #include <fuga/bodies/load_assembly.h>
-#include <fuga/base/phase_timer.h>
 #include <fuga/bodies/rigid_projection.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>

@@ -11,112 +11,113 @@
 
 namespace fuga
 {
-/** Linear elastic material of one body. */
-struct Material
-{
-  std::string body;
-  /** E > 0 [MPa]. */
-  double young_modulus = 0.;
-  /** -1 < ν < 0.5. */
-  double poisson_ratio = 0.;
-  /** Weight per volume, ≥ 0 [MN/m³]; acts only through a load of kind weight. */
-  double weight_density = 0.;
-};
-
-/** What is assumed of the direction across the plane; without meaning in 3D. */
-enum class PlaneAssumption
-{
-  /** No strain across the plane: dams, walls, strip foundations. Per unit (or given) thickness. */
-  plane_strain,
-  /** No stress across the plane: thin walls, plates in their plane. */
-  plane_stress
-};
-
-/** What holds for a named part of the outer boundary (or a named point). */
-struct BoundaryCondition
-{
-  /** Physical group of faces or of points. */
-  std::string boundary;
-  /** Components of the displacement that are held at zero (or moved by a displacement load). */
-  std::array<bool, 3> fixed = {{false, false, false}};
-  /** Stated by the user to carry neither support nor load. */
-  bool named_free = false;
-  /** file:line of the entry, for messages. */
-  std::string origin;
-};
-
-enum class LoadKind
-{
-  /** Own weight of the named bodies; expression = direction (0,-1 by default). */
-  weight,
-  /** Pressure on the named boundaries, positive towards the body [MPa]. */
-  pressure,
-  /** Traction vector on the named boundaries [MPa]. */
-  traction,
-  /** Force at a named point or at the vertex at given coordinates [MN]. */
-  point_force,
-  /** Settlement: displacement of fixed components of the named boundaries [m]. */
-  displacement
-};
-
-/** One load pattern: a field in space, multiplied in every stage by a history. */
-struct LoadDefinition
-{
-  std::string name;
-  LoadKind kind = LoadKind::weight;
-  /** Bodies (weight), boundaries (pressure, traction, displacement) or points (point_force). */
-  std::vector<std::string> targets;
-  /** muParser expressions of x, y (, z), t: one for a pressure, else one per component; an empty
-   *  expression of a displacement load leaves that component alone. t is the load time. */
-  std::vector<std::string> expressions;
-  /** For a point force without target: the coordinates. */
-  bool has_coordinates              = false;
-  std::array<double, 3> coordinates = {{0., 0., 0.}};
-  std::string origin;
-};
-
-/** One load stage: t runs from its number (from 0) to the next one. */
-struct StageDefinition
-{
-  struct History
+  /** Linear elastic material of one body. */
+  struct Material
   {
-    /** Index into ModelDefinition::loads. */
-    unsigned int load = 0;
-    /** muParser expression of the stage fraction t ∈ [0, 1]. */
-    std::string expression;
+    std::string body;
+    /** E > 0 [MPa]. */
+    double young_modulus = 0.;
+    /** -1 < ν < 0.5. */
+    double poisson_ratio = 0.;
+    /** Weight per volume, ≥ 0 [MN/m³]; acts only through a load of kind weight. */
+    double weight_density = 0.;
   };
 
-  std::string name;
-  std::vector<History> histories;
-  /** Number of load levels written; level i is at the fraction i/levels. */
-  unsigned int levels = 1;
-  std::string origin;
-};
+  /** What is assumed of the direction across the plane; without meaning in 3D. */
+  enum class PlaneAssumption
+  {
+    /** No strain across the plane: dams, walls, strip foundations. Per unit (or given) thickness.
+     */
+    plane_strain,
+    /** No stress across the plane: thin walls, plates in their plane. */
+    plane_stress
+  };
 
-/**
- * The bodies, their supports and loads, as the parameter file states them and before any mesh is
- * known. A load keeps the factor of its last history in the stages that do not name it, and is zero
- * before the first that does.
- */
-struct ModelDefinition
-{
-  unsigned int dimension         = 2;
-  unsigned int polynomial_degree = 1;
-  unsigned int refinements       = 0;
-  PlaneAssumption assumption     = PlaneAssumption::plane_strain;
-  /** Extent across the plane in 2D [m]. */
-  double thickness = 1.;
+  /** What holds for a named part of the outer boundary (or a named point). */
+  struct BoundaryCondition
+  {
+    /** Physical group of faces or of points. */
+    std::string boundary;
+    /** Components of the displacement that are held at zero (or moved by a displacement load). */
+    std::array<bool, 3> fixed = {{false, false, false}};
+    /** Stated by the user to carry neither support nor load. */
+    bool named_free = false;
+    /** file:line of the entry, for messages. */
+    std::string origin;
+  };
 
-  std::vector<Material> materials;
-  std::vector<BoundaryCondition> boundary_conditions;
-  std::vector<LoadDefinition> loads;
-  std::vector<StageDefinition> stages;
-  /** Into how many linear pieces a stage is cut if a history, or a load that depends on t, is not
-   *  linear in t. */
-  unsigned int load_knots = 20;
-  /** Named numbers for all expressions. */
-  std::map<std::string, double> constants;
-};
+  enum class LoadKind
+  {
+    /** Own weight of the named bodies; expression = direction (0,-1 by default). */
+    weight,
+    /** Pressure on the named boundaries, positive towards the body [MPa]. */
+    pressure,
+    /** Traction vector on the named boundaries [MPa]. */
+    traction,
+    /** Force at a named point or at the vertex at given coordinates [MN]. */
+    point_force,
+    /** Settlement: displacement of fixed components of the named boundaries [m]. */
+    displacement
+  };
+
+  /** One load pattern: a field in space, multiplied in every stage by a history. */
+  struct LoadDefinition
+  {
+    std::string name;
+    LoadKind kind = LoadKind::weight;
+    /** Bodies (weight), boundaries (pressure, traction, displacement) or points (point_force). */
+    std::vector<std::string> targets;
+    /** muParser expressions of x, y (, z), t: one for a pressure, else one per component; an empty
+     *  expression of a displacement load leaves that component alone. t is the load time. */
+    std::vector<std::string> expressions;
+    /** For a point force without target: the coordinates. */
+    bool has_coordinates              = false;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+    std::string origin;
+  };
+
+  /** One load stage: t runs from its number (from 0) to the next one. */
+  struct StageDefinition
+  {
+    struct History
+    {
+      /** Index into ModelDefinition::loads. */
+      unsigned int load = 0;
+      /** muParser expression of the stage fraction t ∈ [0, 1]. */
+      std::string expression;
+    };
+
+    std::string name;
+    std::vector<History> histories;
+    /** Number of load levels written; level i is at the fraction i/levels. */
+    unsigned int levels = 1;
+    std::string origin;
+  };
+
+  /**
+   * The bodies, their supports and loads, as the parameter file states them and before any mesh is
+   * known. A load keeps the factor of its last history in the stages that do not name it, and is
+   * zero before the first that does.
+   */
+  struct ModelDefinition
+  {
+    unsigned int dimension         = 2;
+    unsigned int polynomial_degree = 1;
+    unsigned int refinements       = 0;
+    PlaneAssumption assumption     = PlaneAssumption::plane_strain;
+    /** Extent across the plane in 2D [m]. */
+    double thickness = 1.;
+
+    std::vector<Material> materials;
+    std::vector<BoundaryCondition> boundary_conditions;
+    std::vector<LoadDefinition> loads;
+    std::vector<StageDefinition> stages;
+    /** Into how many linear pieces a stage is cut if a history, or a load that depends on t, is not
+     *  linear in t. */
+    unsigned int load_knots = 20;
+    /** Named numbers for all expressions. */
+    std::map<std::string, double> constants;
+  };
 } // namespace fuga
 
 #endif
