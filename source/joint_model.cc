@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/joint_model.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace fuga
@@ -47,16 +49,95 @@ namespace fuga
           fmt::join(element.position, ", ")));
       return gap;
     }
+    /** Share of the bodies' own compliance that makes the forces of repeated rigid bars unique. */
+    constexpr double crossing_compliance = 1e-6;
+
+    bool
+    is_rigid(const ContactElement &element, const bool normal)
+    {
+      const ComplianceLaw &law = normal ? *element.normal_law : *element.shear_law;
+      return law.kind() == ComplianceKind::rigid;
+    }
+
+    /** For every coordinate: do more rigid bars than coordinates hang together there? */
+    std::vector<bool>
+    find_repeated(const DenseMatrix &B, const std::vector<ContactElement> &elements)
+    {
+      DisjointSets sets(static_cast<unsigned int>(B.n_columns()));
+      std::vector<unsigned int> coordinate_of_bar(B.n_rows(), 0), n_bars(B.n_columns(), 0),
+        n_coordinates(B.n_columns(), 0);
+      std::vector<bool> rigid(B.n_rows(), false);
+      for (const ContactElement &element : elements)
+        {
+          rigid[element.normal_bar] = is_rigid(element, true);
+          if (element.has_tangential_bar())
+            rigid[element.tangential_bar] = is_rigid(element, false);
+        }
+      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
+        {
+          bool first = true;
+          for (unsigned int c = 0; rigid[bar] && c < B.n_columns(); ++c)
+            if (B(bar, c) != 0.)
+              {
+                if (first)
+                  coordinate_of_bar[bar] = c;
+                else
+                  sets.unite(coordinate_of_bar[bar], c);
+                first = false;
+              }
+        }
+      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
+        n_bars[sets.find(coordinate_of_bar[bar])] += rigid[bar] ? 1 : 0;
+      for (unsigned int c = 0; c < B.n_columns(); ++c)
+        ++n_coordinates[sets.find(c)];
+      std::vector<bool> repeated(B.n_rows(), false);
+      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
+        {
+          const unsigned int set = sets.find(coordinate_of_bar[bar]);
+          repeated[bar]          = rigid[bar] && n_bars[set] > n_coordinates[set];
+        }
+      return repeated;
+    }
+
+    void
+    separate_repeated_bars(const ContactSystem &system, JointModel &model)
+    {
+      if (system.jump_operator().empty())
+        return;
+      double stiffness = 0.;
+      for (std::size_t i = 0; i < system.stiffness().n_rows(); ++i)
+        stiffness = std::max(stiffness, system.stiffness()(i, i));
+      const std::vector<bool> repeated = find_repeated(system.jump_operator(), model.elements);
+      for (ContactElement &element : model.elements)
+        {
+          const bool normal = repeated[element.normal_bar];
+          const bool shear  = element.has_tangential_bar() && repeated[element.tangential_bar];
+          if (!normal && !shear)
+            continue;
+          const double compliance = crossing_compliance * element.area / stiffness;
+          model.laws.push_back(make_linear_law(compliance));
+          if (normal)
+            element.normal_law = model.laws.back().get();
+          if (shear)
+            element.shear_law = model.laws.back().get();
+          model.report.push_back(
+            fmt::format("rigid joints cross at ({:.6g}, {:.6g}): the element there gets the "
+                        "compliance {:.3g}, so that its forces are unique",
+                        element.position[0],
+                        element.position[1],
+                        compliance));
+        }
+    }
   } // namespace
 
   template <int dim>
   JointModel
-  make_joint_model(const std::vector<ContactElement> &geometry,
+  make_joint_model(const CondensedSystem<dim> &bodies,
                    const std::vector<JointParameters> &joints,
                    const std::map<std::string, double> &constants)
   {
     JointModel model;
-    model.elements = geometry;
+    model.elements = bodies.elements();
     for (unsigned int j = 0; j < joints.size(); ++j)
       {
         const JointParameters &joint = joints[j];
@@ -75,11 +156,12 @@ namespace fuga
               element.initial_gap = initial_gap(gap, element, joint);
             }
       }
+    separate_repeated_bars(bodies, model);
     return model;
   }
 
   template JointModel
-  make_joint_model<2>(const std::vector<ContactElement> &,
+  make_joint_model<2>(const CondensedSystem<2> &,
                       const std::vector<JointParameters> &,
                       const std::map<std::string, double> &);
 } // namespace fuga

@@ -15,8 +15,7 @@ namespace fuga
   Simulation<dim>::Simulation(const Model<dim> &shared_model)
     : model(shared_model)
     , parameters(model.parameters)
-    , joint(make_joint_model<dim>(
-        model.bodies.elements(), parameters.joints, parameters.model.constants))
+    , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
     , path(joint.elements, layered, model.loads.history, model.path_options())
     , judge(model.bodies, joint.elements, model.loads.history)

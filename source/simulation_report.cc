@@ -42,6 +42,8 @@ namespace fuga
     for (const std::string &line : model.bodies.report())
       log.line(line);
     log_layers();
+    for (const std::string &line : joint.report)
+      log.line(line);
     for (const std::string &line : model.loads.report)
       log.line(line);
   }

@@ -121,9 +121,9 @@ namespace fuga
   typename Sweep<dim>::Row
   Sweep<dim>::run_variant(const Variant &variant)
   {
-    const auto begin       = std::chrono::steady_clock::now();
-    const JointModel joint = make_joint_model<dim>(
-      model.bodies.elements(), variant.joints, model.parameters.model.constants);
+    const auto begin = std::chrono::steady_clock::now();
+    const JointModel joint =
+      make_joint_model<dim>(model.bodies, variant.joints, model.parameters.model.constants);
     const LoadHistory history   = history_of(variant);
     const LayeredSystem &system = layered_system_of(joint);
     Judge judge(model.bodies, joint.elements, history);

@@ -4,6 +4,7 @@
 #ifndef fuga_joint_model_h
 #define fuga_joint_model_h
 
+#include <fuga/bodies/condensed_system.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/io/parameters.h>
 
@@ -14,18 +15,25 @@ namespace fuga
   /** Contact elements with the laws of their joints, which they point to. */
   struct JointModel
   {
-    /** Normal and shear law of every joint: entries 2j and 2j + 1. */
+    /** Normal and shear law of every joint: entries 2j and 2j + 1; then those of single elements.
+     */
     std::vector<std::unique_ptr<ComplianceLaw>> laws;
     std::vector<ContactElement> elements;
+    /** Lines for the log. */
+    std::vector<std::string> report;
   };
 
   /**
    * Gives elements, whose geometry the bodies know, the laws, frictions and initial gaps of @p joints.
+   *
+   * Where rigid joints cross, their bars repeat each other: the forces of the elements at the
+   * crossing are not unique. Only these elements get a compliance, a millionth of that of the
+   * bodies there, which makes them unique; the report says so.
    * @throws InputError for a negative initial gap.
    */
   template <int dim>
   JointModel
-  make_joint_model(const std::vector<ContactElement> &geometry,
+  make_joint_model(const CondensedSystem<dim> &bodies,
                    const std::vector<JointParameters> &joints,
                    const std::map<std::string, double> &constants);
 } // namespace fuga

@@ -12,7 +12,8 @@ namespace fuga
 {
   namespace
   {
-    /** Residuals of the active rows below this share of the largest force are left. */
+    /** Share of the largest force below which residuals are left, and of a course below which its
+     * rest is none. */
     constexpr double rounding = 1e-14;
 
     Vector
@@ -62,8 +63,9 @@ namespace fuga
   double
   StraightSegment::find_end()
   {
-    end =
-      std::min(course.length, context.boundary.distance(start.state, start.rates, course.drive));
+    // An event at the end of the course, but for rounding, is met there.
+    const double distance = context.boundary.distance(start.state, start.rates, course.drive);
+    end                   = distance < course.length * (1. - rounding) ? distance : course.length;
     return end;
   }
 
