@@ -39,6 +39,8 @@ namespace fuga
           setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
           setenv("OMPI_MCA_btl", "self", 0);
           setenv("OMPI_MCA_pml", "ob1", 0);
+          // Runs that begin and end at the same time would delete each other's session directory.
+          setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
         }
       MPI_Init(nullptr, nullptr);
       std::atexit(finalise_mpi);
