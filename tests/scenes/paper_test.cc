@@ -89,7 +89,7 @@ TEST_P(PaperTable, Row)
 }
 
 // The bound that the program itself states (verification.md: every run is certified). Law (9) with
-// the compliance as printed is a nearly rigid nonlinear layer. FAILS NOW for it: energy 5.2e-9.
+// the compliance as printed is a nearly rigid nonlinear layer.
 TEST_P(PaperTable, IsCertified)
 {
   const SceneRun run = PaperTable::run(GetParam());
