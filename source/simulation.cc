@@ -83,6 +83,7 @@ namespace fuga
   void
   Simulation<dim>::changed(const std::vector<ContactEvent> &events, const JointState &state)
   {
+    last_state                    = state;
     const Certificate certificate = judge.judge(state);
     worst.absorb(certificate);
     for (const ContactEvent &event : events)

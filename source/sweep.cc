@@ -43,6 +43,7 @@ namespace fuga
       void
       changed(const std::vector<ContactEvent> &events, const JointState &state) override
       {
+        last_state = state;
         worst.absorb(judge.judge(state));
         for (const ContactEvent &event : events)
           {

@@ -19,6 +19,27 @@ namespace fuga
     /** Steps shorter than this share of the load time do not count as progress. */
     constexpr double shortest_step = 1e-13;
 
+    /** A jump of the mechanism below this share of the largest is none. */
+    constexpr double smallest_jump = 1e-6;
+
+    // A bond that still carries shear keeps its state: it would have to break first.
+    ContactState
+    state_in_mechanism(const BoundaryElement &candidate,
+                       const ContactState now,
+                       const ContactElement &element,
+                       const Vector &jumps)
+    {
+      if (now == ContactState::open)
+        return now;
+      if (candidate.grazing && candidate.shear != ShearPosition::at_strength &&
+          jumps[element.normal_bar] > smallest_jump)
+        return ContactState::open;
+      if (candidate.shear == ShearPosition::at_strength && now == ContactState::stick &&
+          candidate.sign * jumps[element.tangential_bar] > smallest_jump)
+        return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+      return now;
+    }
+
     Vector
     negative(const Vector &x)
     {
@@ -69,7 +90,7 @@ namespace fuga
           {
             if (break_unloaded_bonds(state))
               continue;
-            lose_equilibrium(state, continuation, result);
+            lose_equilibrium(state, continuation, observer, result);
             return result;
           }
         if (state.unreleased_shear != unreleased)
@@ -296,18 +317,35 @@ namespace fuga
   }
 
   void
-  EventPath::lose_equilibrium(const JointState &state,
+  EventPath::lose_equilibrium(JointState &state,
                               const Continuation &continuation,
+                              PathObserver &observer,
                               PathResult &result) const
   {
     result.t       = state.t;
     result.verdict = Verdict::no_continuation;
-    if (continuation.has_mechanism && is_free_motion(continuation.mechanism, system))
+    if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
+      return;
+    result.verdict         = Verdict::limit_load;
+    result.mechanism_jumps = mechanism_jumps(continuation.mechanism, system);
+    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+
+    // The elements that reach their boundary at the limit take the state in which the mechanism
+    // moves.
+    std::vector<ContactEvent> events;
+    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
       {
-        result.verdict         = Verdict::limit_load;
-        result.mechanism_jumps = mechanism_jumps(continuation.mechanism, system);
-        result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+        const std::size_t k = candidate.element;
+        const ContactState to =
+          state_in_mechanism(candidate, state.states[k], elements[k], result.mechanism_jumps);
+        if (to == state.states[k])
+          continue;
+        events.push_back({state.t, k, state.states[k], to});
+        state.states[k] = to;
       }
+    result.n_events += events.size();
+    if (!events.empty())
+      observer.changed(events, state);
   }
 
   IterationCount

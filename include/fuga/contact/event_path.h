@@ -126,8 +126,9 @@ namespace fuga
                      const std::vector<double> &levels,
                      PathObserver &observer);
     void
-    lose_equilibrium(const JointState &state,
+    lose_equilibrium(JointState &state,
                      const Continuation &continuation,
+                     PathObserver &observer,
                      PathResult &result) const;
 
     const std::vector<ContactElement> &elements;
