@@ -19,27 +19,6 @@ namespace fuga
     /** Steps shorter than this share of the load time do not count as progress. */
     constexpr double shortest_step = 1e-13;
 
-    /** A jump of the mechanism below this share of the largest is none. */
-    constexpr double smallest_jump = 1e-6;
-
-    // A bond that still carries shear keeps its state: it would have to break first.
-    ContactState
-    state_in_mechanism(const BoundaryElement &candidate,
-                       const ContactState now,
-                       const ContactElement &element,
-                       const Vector &jumps)
-    {
-      if (now == ContactState::open)
-        return now;
-      if (candidate.grazing && candidate.shear != ShearPosition::at_strength &&
-          jumps[element.normal_bar] > smallest_jump)
-        return ContactState::open;
-      if (candidate.shear == ShearPosition::at_strength && now == ContactState::stick &&
-          candidate.sign * jumps[element.tangential_bar] > smallest_jump)
-        return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
-      return now;
-    }
-
     Vector
     negative(const Vector &x)
     {

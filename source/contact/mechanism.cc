@@ -50,4 +50,21 @@ namespace fuga
       return MechanismKind::sliding;
     return sliding <= no_jump * opening ? MechanismKind::overturning : MechanismKind::mixed;
   }
+
+  ContactState
+  state_in_mechanism(const BoundaryElement &candidate,
+                     const ContactState now,
+                     const ContactElement &element,
+                     const Vector &jumps)
+  {
+    if (now == ContactState::open)
+      return now;
+    if (candidate.grazing && candidate.shear != ShearPosition::at_strength &&
+        jumps[element.normal_bar] > no_jump)
+      return ContactState::open;
+    if (candidate.shear == ShearPosition::at_strength && now == ContactState::stick &&
+        candidate.sign * jumps[element.tangential_bar] > no_jump)
+      return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+    return now;
+  }
 } // namespace fuga

@@ -4,8 +4,7 @@
 #ifndef fuga_contact_mechanism_h
 #define fuga_contact_mechanism_h
 
-#include <fuga/contact/joint_state.h>
-#include <fuga/contact/layered_system.h>
+#include <fuga/contact/contact_boundary.h>
 
 namespace fuga
 {
@@ -31,6 +30,16 @@ namespace fuga
 
   MechanismKind
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
+
+  /**
+   * The state in which a mechanism with these jumps moves an element that is on a boundary and was
+   * @p now. A bond that still carries shear keeps its state: it would have to break first.
+   */
+  ContactState
+  state_in_mechanism(const BoundaryElement &candidate,
+                     const ContactState now,
+                     const ContactElement &element,
+                     const Vector &jumps);
 } // namespace fuga
 
 #endif
