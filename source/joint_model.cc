@@ -29,6 +29,15 @@ namespace fuga
     }
 
     template <int dim>
+    FieldExpression<dim>
+    gap_expression(const JointParameters &joint, const std::map<std::string, double> &constants)
+    {
+      return {{joint.initial_gap},
+              constants,
+              fmt::format("{}: initial gap of joint '{}'", joint.origin, joint.definition.name)};
+    }
+
+    template <int dim>
     double
     initial_gap(const FieldExpression<dim> &expression,
                 const ContactElement &element,
@@ -143,10 +152,7 @@ namespace fuga
         const JointParameters &joint = joints[j];
         model.laws.push_back(make_law(joint.normal_law, joint.normal_compliance, joint.thickness));
         model.laws.push_back(make_law(joint.shear_law, joint.shear_compliance, joint.thickness));
-        const FieldExpression<dim> gap(
-          {joint.initial_gap},
-          constants,
-          fmt::format("{}: initial gap of joint '{}'", joint.origin, joint.definition.name));
+        const FieldExpression<dim> gap = gap_expression<dim>(joint, constants);
         for (ContactElement &element : model.elements)
           if (element.joint == j)
             {
@@ -160,8 +166,27 @@ namespace fuga
     return model;
   }
 
+  template <int dim>
+  void
+  check_initial_gaps(const std::vector<ContactElement> &elements,
+                     const std::vector<JointParameters> &joints,
+                     const std::map<std::string, double> &constants)
+  {
+    for (unsigned int j = 0; j < joints.size(); ++j)
+      {
+        const FieldExpression<dim> gap = gap_expression<dim>(joints[j], constants);
+        for (const ContactElement &element : elements)
+          if (element.joint == j)
+            initial_gap(gap, element, joints[j]);
+      }
+  }
+
   template JointModel
   make_joint_model<2>(const CondensedSystem<2> &,
                       const std::vector<JointParameters> &,
                       const std::map<std::string, double> &);
+  template void
+  check_initial_gaps<2>(const std::vector<ContactElement> &,
+                        const std::vector<JointParameters> &,
+                        const std::map<std::string, double> &);
 } // namespace fuga

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/process_info.h>
+#include <fuga/joint_model.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/model.h>
 
@@ -12,7 +13,10 @@ namespace fuga
     : parameters(run_parameters)
     , mesh((timer.book("start", seconds_since_process_start()),
             split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions())))
-    , bodies((timer.finish("mesh"), mesh), parameters.model, frictionless_joints())
+    , bodies((timer.finish("mesh"), mesh),
+             parameters.model,
+             frictionless_joints(),
+             Condensation::with_loads)
     , loads(make_loads())
     , joint_names(find_joint_names())
     , stage_names(find_stage_names())
@@ -47,10 +51,12 @@ namespace fuga
     return frictionless;
   }
 
+  // All that can be wrong in joints and loads is found before the bodies are condensed.
   template <int dim>
   LoadProgram
   Model<dim>::make_loads()
   {
+    check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);
     LoadProgram program = make_load_program(parameters.model, bodies);
     bodies.set_load_patterns(std::move(program.patterns));
     return program;

@@ -17,11 +17,13 @@ namespace fuga
   void
   Simulation<dim>::begin_output()
   {
-    prepare_output_directory(parameters.output.directory);
-    history = std::make_unique<HistoryWriter>(parameters.output.directory, context);
+    make_output_directory(parameters.output.directory);
+    // From here on the summary says that what lies there is not finished, whatever happens.
     Outcome unfinished;
     unfinished.verdict = "unfinished";
     write_summary(unfinished);
+    remove_earlier_results(parameters.output.directory, "summary.json");
+    history = std::make_unique<HistoryWriter>(parameters.output.directory, context);
     model.timer.finish("tables");
   }
 

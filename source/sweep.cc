@@ -212,7 +212,8 @@ namespace fuga
   Sweep<dim>::run()
   {
     const Parameters &parameters = model.parameters;
-    prepare_output_directory(parameters.output.directory);
+    make_output_directory(parameters.output.directory);
+    remove_earlier_results(parameters.output.directory, "");
     CsvFile table(parameters.output.directory + "/sweep.csv", columns());
     ExitCode code    = ExitCode::done;
     const bool quiet = parameters.output.log == LogDetail::quiet;

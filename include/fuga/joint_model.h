@@ -29,13 +29,19 @@ namespace fuga
    * Where rigid joints cross, their bars repeat each other: the forces of the elements at the
    * crossing are not unique. Only these elements get a compliance, a millionth of that of the
    * bodies there, which makes them unique; the report says so.
-   * @throws InputError for a negative initial gap.
    */
   template <int dim>
   JointModel
   make_joint_model(const CondensedSystem<dim> &bodies,
                    const std::vector<JointParameters> &joints,
                    const std::map<std::string, double> &constants);
+
+  /** @throws InputError if a joint has a negative initial gap at one of its elements. */
+  template <int dim>
+  void
+  check_initial_gaps(const std::vector<ContactElement> &elements,
+                     const std::vector<JointParameters> &joints,
+                     const std::map<std::string, double> &constants);
 } // namespace fuga
 
 #endif

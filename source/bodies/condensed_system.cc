@@ -19,7 +19,8 @@ namespace fuga
   template <int dim>
   CondensedSystem<dim>::CondensedSystem(const JointedMesh &jointed,
                                         const ModelDefinition &model_definition,
-                                        const std::vector<bool> &frictionless)
+                                        const std::vector<bool> &frictionless,
+                                        const Condensation condensation)
     : mesh(jointed), model(model_definition)
   {
     check_names(mesh, model);
@@ -28,9 +29,17 @@ namespace fuga
     timer.finish("mesh and degrees of freedom");
     find_coordinates(frictionless);
     timer.finish("joints and supports");
+    list_joint_faces();
+    if (condensation == Condensation::at_once)
+      condense();
+  }
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::condense()
+  {
     factorise();
     find_rigid_motions();
-    list_joint_faces();
     timer.finish("rigid motions");
   }
 
@@ -178,6 +187,8 @@ namespace fuga
   CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
   {
     timer.restart();
+    if (!solver)
+      condense();
     patterns     = std::move(new_patterns);
     motion_loads = DenseMatrix(pieces->n_free_motions(), patterns.size());
     for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)

@@ -51,7 +51,7 @@ namespace fuga
   } // namespace
 
   void
-  prepare_output_directory(const std::string &directory)
+  make_output_directory(const std::string &directory)
   {
     std::error_code error;
     fs::create_directories(directory, error);
@@ -61,9 +61,20 @@ namespace fuga
                     "the entry 'Output directory' or --output-dir.",
                     directory,
                     error.message()));
-    for (const auto &entry : fs::directory_iterator(directory))
-      if (entry.is_regular_file() && is_own_file(entry.path().filename().string()))
-        fs::remove(entry.path());
+  }
+
+  void
+  remove_earlier_results(const std::string &directory, const std::string &kept)
+  {
+    // Collections first: none may name a file that is gone.
+    for (const bool collections : {true, false})
+      for (const auto &entry : fs::directory_iterator(directory))
+        {
+          const std::string name = entry.path().filename().string();
+          if (entry.is_regular_file() && name != kept && is_own_file(name) &&
+              (!collections || entry.path().extension() == ".pvd"))
+            fs::remove(entry.path());
+        }
   }
 
   CsvFile::CsvFile(std::string file_path, const std::vector<std::string> &header)

@@ -41,6 +41,15 @@ namespace fuga
     std::vector<std::array<double, 3>> positions;
   };
 
+  /** When the bodies are factorised: the expensive part. */
+  enum class Condensation
+  {
+    at_once,
+    /** By set_load_patterns(): a mistake in loads or joints is found before anything is computed.
+     */
+    with_loads
+  };
+
   /**
    * The finite element model as the contact layer sees it: everything but the jumps of the joints
    * eliminated by one partial factorisation. Mesh and model must live as long as this object.
@@ -56,7 +65,8 @@ namespace fuga
      */
     CondensedSystem(const JointedMesh &mesh,
                     const ModelDefinition &model,
-                    const std::vector<bool> &frictionless);
+                    const std::vector<bool> &frictionless,
+                    const Condensation condensation = Condensation::at_once);
 
     ~CondensedSystem() override;
 
@@ -166,6 +176,9 @@ namespace fuga
   private:
     void
     find_coordinates(const std::vector<bool> &frictionless);
+
+    void
+    condense();
 
     void
     factorise();

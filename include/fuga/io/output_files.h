@@ -18,13 +18,16 @@ namespace fuga
   void
   write_complete_file(const std::string &path, const std::string &content);
 
+  /** @throws InputError if the directory is not there and cannot be made. */
+  void
+  make_output_directory(const std::string &directory);
+
   /**
-   * Makes the directory of the results and removes what an earlier run of this program left there:
-   * a directory never shows a mixture of two runs.
-   * @throws InputError if it cannot be made.
+   * Removes what an earlier run of this program left, but for the file @p kept: a directory never
+   * shows a mixture of two runs.
    */
   void
-  prepare_output_directory(const std::string &directory);
+  remove_earlier_results(const std::string &directory, const std::string &kept);
 
   /**
    * A CSV file (RFC 4180, numbers with 17 digits) that grows during the run but is complete
