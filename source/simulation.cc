@@ -46,10 +46,10 @@ namespace fuga
         outcome.verdict = verdict_name(outcome.path.verdict);
         outcome.code =
           outcome.path.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
-        if (!(worst.worst() <= parameters.solver.certificate_bound))
-          outcome.code = ExitCode::certificate_violated;
         if (outcome.path.verdict != Verdict::done)
           write_last_state();
+        if (!(worst.worst() <= parameters.solver.certificate_bound))
+          outcome.code = ExitCode::certificate_violated;
       }
     catch (const NumericalFailure &failure)
       {
