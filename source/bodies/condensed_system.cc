@@ -330,12 +330,5 @@ namespace fuga
     return bodies->energy(by_nodes(u));
   }
 
-  template <int dim>
-  int
-  CondensedSystem<dim>::factorisation_memory() const
-  {
-    return solver->memory();
-  }
-
   template class CondensedSystem<2>;
 } // namespace fuga

@@ -80,37 +80,6 @@ namespace fuga
                                      rates.forces[t];
   }
 
-  namespace
-  {
-    double
-    bar_energy(const ComplianceLaw &law,
-               const double area,
-               const double force,
-               const double deformation)
-    {
-      return law.kind() == ComplianceKind::nonlinear
-               ? area * law.energy(std::abs(deformation))
-               : 0.5 * bar_compliance(law, area) * force * force;
-    }
-  } // namespace
-
-  double
-  layer_energy(const ContactElement &element, const JointState &at, const std::size_t k)
-  {
-    if (at.states[k] == ContactState::open && at.unreleased_shear[k] == 0.)
-      return 0.;
-    double energy = 0.;
-    if (at.states[k] != ContactState::open)
-      energy += bar_energy(
-        *element.normal_law, element.area, at.forces[element.normal_bar], gap(element, at));
-    if (element.has_tangential_bar())
-      energy += bar_energy(*element.shear_law,
-                           element.area,
-                           at.forces[element.tangential_bar],
-                           elastic_shear(element, at, k));
-    return energy;
-  }
-
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {

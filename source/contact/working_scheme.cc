@@ -329,7 +329,7 @@ namespace fuga
       M(i, i) += epsilon * system.stiffness()(rows[i].bar, rows[i].bar);
     const LuFactors factors(std::move(M));
     Vector x(rows.size(), 1.);
-    for (int step = 0; step < 3 && factors.determinant_sign() != 0; ++step)
+    for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)
       {
         factors.solve(x);
         const double largest = max_abs(x);

@@ -138,7 +138,7 @@ namespace fuga
 
 
   void
-  GmshReader::read_elements_2()
+  GmshReader::begin_elements()
   {
     if (!have_nodes || have_elements)
       scanner.fail(fmt::format("section $Elements {}; allowed is one, after $Nodes; {}",
@@ -146,6 +146,13 @@ namespace fuga
                                write_again));
     have_elements = true;
     scanner.require_line("Elements");
+  }
+
+
+  void
+  GmshReader::read_elements_2()
+  {
+    begin_elements();
     const std::int64_t n = scanner.integer("the number of elements", 1, largest_tag);
     scanner.require_end_of_line("the number of elements");
     for (std::int64_t i = 0; i < n; ++i)
@@ -175,12 +182,7 @@ namespace fuga
   void
   GmshReader::read_elements_4()
   {
-    if (!have_nodes || have_elements)
-      scanner.fail(fmt::format("section $Elements {}; allowed is one, after $Nodes; {}",
-                               have_elements ? "is there twice" : "comes before $Nodes",
-                               write_again));
-    have_elements = true;
-    scanner.require_line("Elements");
+    begin_elements();
     const unsigned int first_line = scanner.line_number();
     const std::int64_t n_blocks   = scanner.integer("the number of element blocks", 1, largest_tag);
     const std::int64_t n          = scanner.integer("the number of elements", 1, largest_tag);

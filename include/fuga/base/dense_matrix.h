@@ -131,10 +131,6 @@ namespace fuga
       return rcond;
     }
 
-    /** Sign of the determinant (+1, -1; 0 when a pivot vanished). */
-    int
-    determinant_sign() const;
-
     /** Overwrites b by A⁻¹ b. */
     void
     solve(Vector &b) const;

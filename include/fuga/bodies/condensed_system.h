@@ -169,10 +169,6 @@ namespace fuga
       return timer.seconds();
     }
 
-    /** Megabytes the factorisation needed. */
-    int
-    factorisation_memory() const;
-
   private:
     void
     find_coordinates(const std::vector<bool> &frictionless);

@@ -49,10 +49,6 @@ namespace fuga
             const std::size_t k,
             const JointRates &rates);
 
-  /** Elastic energy stored in the layer of one element [MNm]. */
-  double
-  layer_energy(const ContactElement &element, const JointState &at, const std::size_t k);
-
   /** What cohesion adds to the shear strength [MN]: cA, or what is left of it after the element
    * broke. */
   double

@@ -93,6 +93,9 @@ namespace fuga
     void
     number_nodes(const std::vector<std::int64_t> &tags, const std::vector<unsigned int> &lines);
     void
+    begin_elements();
+
+    void
     read_elements_2();
     void
     read_elements_4();
