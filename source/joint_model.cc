@@ -28,6 +28,22 @@ namespace fuga
       return nullptr;
     }
 
+    /** The coupling of a joint whose laws are the last two of the model; none without one. */
+    const ShearCoupling *
+    add_coupling(const JointParameters &joint, JointModel &model)
+    {
+      const ShearGrowth &growth = joint.shear_growth;
+      if (growth.kind == ShearGrowth::Kind::none)
+        return nullptr;
+      const auto kind = growth.kind == ShearGrowth::Kind::closure ? ShearCoupling::Kind::closure
+                                                                  : ShearCoupling::Kind::pressure;
+      const ComplianceLaw &normal = *model.laws[model.laws.size() - 2];
+      const ComplianceLaw &shear  = *model.laws.back();
+      model.couplings.push_back(std::make_unique<ShearCoupling>(
+        kind, normal, shear.initial_compliance(), growth.scale, growth.exponent));
+      return model.couplings.back().get();
+    }
+
     template <int dim>
     FieldExpression<dim>
     gap_expression(const JointParameters &joint, const std::map<std::string, double> &constants)
@@ -152,10 +168,12 @@ namespace fuga
         const JointParameters &joint = joints[j];
         model.laws.push_back(make_law(joint.normal_law, joint.normal_compliance, joint.thickness));
         model.laws.push_back(make_law(joint.shear_law, joint.shear_compliance, joint.thickness));
-        const FieldExpression<dim> gap = gap_expression<dim>(joint, constants);
+        const ShearCoupling *const coupling = add_coupling(joint, model);
+        const FieldExpression<dim> gap      = gap_expression<dim>(joint, constants);
         for (ContactElement &element : model.elements)
           if (element.joint == j)
             {
+              element.coupling    = coupling;
               element.normal_law  = model.laws[2 * j].get();
               element.shear_law   = model.laws[2 * j + 1].get();
               element.friction    = joint.friction;

@@ -50,6 +50,34 @@ namespace fuga
       log.line(line);
   }
 
+  namespace
+  {
+    std::string
+    strength_description(const FrictionLaw &law)
+    {
+      std::string text = fmt::format("friction {:g}, cohesion {:g}", law.coefficient, law.cohesion);
+      if (law.friction_loss > 0.)
+        text += fmt::format(", residual friction {:g}", residual_friction(law));
+      if (law.tensile_strength > 0.)
+        text += fmt::format(", tensile strength {:g}", law.tensile_strength);
+      if (law.bond_loss == FrictionLaw::BondLoss::slip)
+        text += ", brittle";
+      if (law.dilatancy > 0.)
+        text += fmt::format(", dilatancy {:g}", law.dilatancy);
+      return text;
+    }
+  } // namespace
+
+  template <int dim>
+  std::string
+  Simulation<dim>::shear_description(const unsigned int j) const
+  {
+    for (const ContactElement &element : joint.elements)
+      if (element.joint == j && element.coupling != nullptr)
+        return element.coupling->description();
+    return joint.laws[2 * j + 1]->description();
+  }
+
   // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
   // model.bodies.
   template <int dim>
@@ -65,13 +93,11 @@ namespace fuga
         double length               = 0.;
         for (const ContactElement &element : joint.elements)
           length += element.joint == j ? element.area / parameters.model.thickness : 0.;
-        std::string text =
-          fmt::format("joint '{}': normal {}, shear {}, friction {:g}, cohesion {:g}",
-                      data.definition.name,
-                      joint.laws[2 * j]->description(),
-                      joint.laws[2 * j + 1]->description(),
-                      data.friction.coefficient,
-                      data.friction.cohesion);
+        std::string text = fmt::format("joint '{}': normal {}, shear {}, {}",
+                                       data.definition.name,
+                                       joint.laws[2 * j]->description(),
+                                       shear_description(j),
+                                       strength_description(data.friction));
         if (data.normal_compliance > 0.)
           text +=
             fmt::format("; rho E / B = {:.3g}", data.normal_compliance * softest_body / length);

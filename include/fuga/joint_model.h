@@ -18,6 +18,8 @@ namespace fuga
     /** Normal and shear law of every joint: entries 2j and 2j + 1; then those of single elements.
      */
     std::vector<std::unique_ptr<ComplianceLaw>> laws;
+    /** Of joints whose shear stiffness grows; they use the laws above. */
+    std::vector<std::unique_ptr<ShearCoupling>> couplings;
     std::vector<ContactElement> elements;
     /** Lines for the log. */
     std::vector<std::string> report;

@@ -65,6 +65,8 @@ namespace fuga
     log_header();
     void
     log_layers();
+    std::string
+    shear_description(const unsigned int j) const;
     void
     write_state(const JointState &state, const bool with_fields);
     void

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/blas.h>
-#include <fuga/base/cubic.h>
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
 
@@ -81,23 +80,6 @@ namespace fuga
 
   namespace
   {
-    /** Deformation of a bar's layer under a force, from the law itself. */
-    double
-    deformation(const ComplianceLaw &law, const double area, const double force)
-    {
-      if (law.kind() == ComplianceKind::rigid)
-        return 0.;
-      return std::copysign(law.deformation(std::abs(force) / area), force);
-    }
-
-    double
-    stored_energy(const ComplianceLaw &law, const double area, const double force)
-    {
-      if (law.kind() == ComplianceKind::rigid)
-        return 0.;
-      return area * law.energy(law.deformation(std::abs(force) / area));
-    }
-
     double
     share(const double value, const double scale)
     {
@@ -149,44 +131,6 @@ namespace fuga
         ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
       }
     check_slip(from, to, length);
-  }
-
-  // ∫T ds by Gauss's rule with three points: exact for cubics T and s.
-  void
-  Judge::check_slip(const PathPoint &from, const PathPoint &to, const double length)
-  {
-    const double r           = std::sqrt(0.15);
-    const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
-    const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const ContactElement &element = elements[k];
-        if (!element.has_tangential_bar() || from.state.states[k] == ContactState::stick)
-          continue;
-        const std::size_t t  = element.tangential_bar;
-        const auto slip_rate = [&](const PathPoint &point) {
-          double rate = point.rates.dislocations[t];
-          if (element.shear_law->kind() == ComplianceKind::nonlinear)
-            rate += point.rates.forces[t] / element.area *
-                    (element.shear_law->initial_compliance() -
-                     1. / element.shear_law->tangent(element.shear_law->deformation(
-                            std::abs(point.state.forces[t]) / element.area)));
-          return rate;
-        };
-        const CubicOnUnitInterval force(from.state.forces[t],
-                                        from.rates.forces[t] * length,
-                                        to.state.forces[t],
-                                        to.rates.forces[t] * length);
-        const CubicOnUnitInterval slip(
-          from.state.slips[k], slip_rate(from) * length, to.state.slips[k], slip_rate(to) * length);
-        double work = 0.;
-        for (int i = 0; i < 3; ++i)
-          work += weights[i] * force.value(abscissae[i]) * slip.slope(abscissae[i]);
-        ledger.dissipation += work;
-        element_dissipation[k] += work;
-        largest_slip_work = std::max(largest_slip_work, std::abs(work));
-        wrong_slip_work   = std::max(wrong_slip_work, -work);
-      }
   }
 
   void
@@ -251,12 +195,9 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         check_element(k, state, delta, result);
-        ledger.layer += stored_energy(
-          *elements[k].normal_law, elements[k].area, state.forces[elements[k].normal_bar]);
-        if (elements[k].has_tangential_bar())
-          ledger.layer += stored_energy(
-            *elements[k].shear_law, elements[k].area, state.forces[elements[k].tangential_bar]);
+        ledger.layer += stored_energy(k, state);
       }
+    result.layer_law = std::max(result.layer_law, share(wrong_rise, largest_jump));
     if (on_track)
       {
         largest_energy = std::max({largest_energy,
@@ -275,44 +216,5 @@ namespace fuga
         result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, scale));
       }
     return result;
-  }
-
-  void
-  Judge::check_element(const std::size_t k,
-                       const JointState &state,
-                       const Vector &delta,
-                       Certificate &result) const
-  {
-    const ContactElement &element = elements[k];
-    const auto raise              = [](double &entry, const double value, const double scale) {
-      entry = std::max(entry, share(std::max(value, 0.), scale));
-    };
-    const double N   = state.forces[element.normal_bar];
-    const double gap = element.initial_gap + delta[element.normal_bar];
-    const double T   = element.has_tangential_bar() ? state.forces[element.tangential_bar] : 0.;
-    raise(result.tension, N, largest_force);
-    if (state.states[k] == ContactState::open)
-      {
-        raise(result.penetration, -gap, largest_jump);
-        raise(result.complementarity, std::abs(N), largest_force);
-        raise(result.complementarity, std::abs(T - state.unreleased_shear[k]), largest_force);
-        return;
-      }
-    const double strength = element.friction.coefficient * std::max(-N, 0.) +
-                            (state.broken[k] ? std::abs(state.unreleased_shear[k])
-                                             : element.friction.cohesion * element.area);
-    raise(result.layer_law,
-          std::abs(gap - deformation(*element.normal_law, element.area, N)),
-          largest_jump);
-    raise(result.cone, std::abs(T) - strength, largest_force);
-    if (!element.has_tangential_bar())
-      return;
-    const double elastic = delta[element.tangential_bar] - state.slips[k];
-    raise(result.layer_law,
-          std::abs(elastic - deformation(*element.shear_law, element.area, T)),
-          largest_jump);
-    if (is_slipping(state.states[k]))
-      raise(
-        result.slip_direction, std::abs(T - slip_sign(state.states[k]) * strength), largest_force);
   }
 } // namespace fuga

@@ -67,10 +67,11 @@ namespace fuga
         const ContactElement &element = elements[k];
         const bool open               = state.states[k] == ContactState::open;
         BoundaryElement candidate;
-        candidate.element = k;
-        candidate.grazing =
-          open ? gap(element, state) <= zero_gap
-               : state.forces[element.normal_bar] >= -force_tolerances[element.normal_bar];
+        candidate.element   = k;
+        const std::size_t n = element.normal_bar;
+        candidate.grazing   = open
+                                ? gap(element, state, k) <= zero_gap
+                                : state.forces[n] >= state.strengths[k].tension - force_tolerances[n];
         if (element.has_tangential_bar() && (candidate.grazing || !open))
           place_shear(state, candidate);
         if (candidate.grazing || candidate.shear != ShearPosition::inside)
@@ -87,7 +88,7 @@ namespace fuga
     const double T                = state.forces[element.tangential_bar];
     const double strength         = shear_strength(element, state, k);
     const double tolerance        = force_tolerances[element.tangential_bar] +
-                             element.friction.coefficient * force_tolerances[element.normal_bar];
+                             state.strengths[k].friction * force_tolerances[element.normal_bar];
     const bool slipping = is_slipping(state.states[k]);
     if (strength <= tolerance)
       candidate.shear = ShearPosition::at_apex;
@@ -108,20 +109,28 @@ namespace fuga
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return root(gap(element, state), rates.dislocations[n], zero_gap);
+      return root(gap(element, state, k), rates.dislocations[n], zero_gap);
 
-    double nearest = root(-state.forces[n], -rates.forces[n], force_tolerances[n]);
+    const Strength &strength_left = state.strengths[k];
+    double nearest =
+      root(strength_left.tension - state.forces[n], -rates.forces[n], force_tolerances[n]);
+    if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
+      nearest =
+        std::min(nearest,
+                 root(element.friction.dilation_limit - state.dilations[k],
+                      -strength_left.dilatancy * std::abs(slip_rate(element, state, k, rates)),
+                      zero_gap));
     if (state.states[k] == ContactState::stick && element.has_tangential_bar())
       for (const double sign : {1., -1.})
         {
-          const double f         = element.friction.coefficient;
+          const double f         = strength_left.friction;
           const double strength  = shear_strength(element, state, k);
           const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
-          nearest                = std::min(
-            nearest,
-            root(strength - sign * state.forces[t],
-                 -f * rates.forces[n] + cohesive_strength_rate(drive, k) - sign * rates.forces[t],
-                 tolerance));
+          nearest                = std::min(nearest,
+                             root(strength - sign * state.forces[t],
+                                  -f * rates.forces[n] + cohesive_strength_rate(element, drive) -
+                                    sign * rates.forces[t],
+                                  tolerance));
         }
     return nearest;
   }

@@ -27,16 +27,6 @@ namespace fuga
     /** A slip rate below this share of the largest jump rate is rest. */
     constexpr double slip_rate_tolerance = 1e-10;
     constexpr double never               = std::numeric_limits<double>::infinity();
-
-    /** ∫ force d(deformation), exact for cubics (Gauss's rule with three points). */
-    double
-    work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &deformation)
-    {
-      const double r = std::sqrt(0.15);
-      return 5. / 18. * force.value(0.5 - r) * deformation.slope(0.5 - r) +
-             8. / 18. * force.value(0.5) * deformation.slope(0.5) +
-             5. / 18. * force.value(0.5 + r) * deformation.slope(0.5 + r);
-    }
   } // namespace
 
   CurvedSegment::CurvedSegment(const PathContext &path_context,
@@ -95,10 +85,10 @@ namespace fuga
       throw NumericalFailure(fmt::format(
         "No equilibrium of the nonlinear layer was found behind load time {:.9g}.", last.t));
     double largest_closure = 0.;
-    for (const ContactElement &element : context.elements)
-      if (has_nonlinear_closure(element))
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (const ContactElement &element = context.elements[k]; has_nonlinear_closure(element))
         largest_closure =
-          std::max(largest_closure, -gap(element, last) / element.normal_law->deformation_limit());
+          std::max(largest_closure, -gap(element, last, k) / closure_limit(element));
     throw NumericalFailure(
       fmt::format("The constant-stiffness iteration (3), (7), (8) diverges behind load time "
                   "{:.9g}, where the largest closure is "
@@ -191,26 +181,34 @@ namespace fuga
         if (state.states[k] == ContactState::open)
           {
             result.push_back(
-              {gap(element, state), dd[n], context.boundary.gap_tolerance(), true, k});
+              {gap(element, state, k), dd[n], context.boundary.gap_tolerance(), true, k});
             continue;
           }
-        result.push_back({-state.forces[n], -dp[n], n_noise, true, k});
+        const Strength &strength = state.strengths[k];
+        result.push_back({strength.tension - state.forces[n], -dp[n], n_noise, true, k});
         if (!element.has_tangential_bar())
           continue;
-        const double f = element.friction.coefficient;
+        const double f = strength.friction;
         if (state.states[k] == ContactState::stick)
           for (const double sign : {1., -1.})
-            result.push_back({shear_strength(element, state, k) - sign * state.forces[t],
-                              -f * dp[n] + cohesive_strength_rate(course.drive, k) - sign * dp[t],
-                              context.boundary.force_tolerance(t) + f * n_noise,
-                              true,
-                              k});
+            result.push_back(
+              {shear_strength(element, state, k) - sign * state.forces[t],
+               -f * dp[n] + cohesive_strength_rate(element, course.drive) - sign * dp[t],
+               context.boundary.force_tolerance(t) + f * n_noise,
+               true,
+               k});
         else
-          result.push_back({slip_sign(state.states[k]) * slip_rate(element, state, k, point.rates),
-                            0.,
-                            slip_rate_noise,
-                            false,
-                            k});
+          {
+            const double speed =
+              slip_sign(state.states[k]) * slip_rate(element, state, k, point.rates);
+            result.push_back({speed, 0., slip_rate_noise, false, k});
+            if (strength.dilatancy > 0.)
+              result.push_back({element.friction.dilation_limit - state.dilations[k],
+                                -strength.dilatancy * speed,
+                                context.boundary.gap_tolerance(),
+                                true,
+                                k});
+          }
       }
     return result;
   }
@@ -252,56 +250,6 @@ namespace fuga
                                       points[a + 1].rates.dislocations[i] * length)
                     .value(share);
     return result;
-  }
-
-  // What the judge will find missing in the balance of energy after this step: the work of the
-  // interpolated force of every nonlinear bar against the energy its layer has stored. It measures
-  // how well the cubics between solved points stand for the curve. Relative to the work that the
-  // bars will have done when the course ends.
-  double
-  CurvedSegment::energy_defect(const PathPoint &from,
-                               const PathPoint &to,
-                               const double length) const
-  {
-    const double rest = course.length - (taus.back() + length);
-    double defect = 0., work = 0.;
-    const auto add = [&](const std::size_t bar,
-                         const double area,
-                         const ComplianceLaw &law,
-                         const double w0,
-                         const double w1) {
-      const double compliance = context.system.compliance(bar);
-      const auto rate         = [&](const PathPoint &point) {
-        return point.rates.dislocations[bar] + compliance * point.rates.forces[bar];
-      };
-      const CubicOnUnitInterval force(from.state.forces[bar],
-                                      from.rates.forces[bar] * length,
-                                      to.state.forces[bar],
-                                      to.rates.forces[bar] * length);
-      const CubicOnUnitInterval deformation(w0, rate(from) * length, w1, rate(to) * length);
-      defect += std::abs(work_of(force, deformation) -
-                         area * (law.energy(std::abs(w1)) - law.energy(std::abs(w0))));
-      work += 0.5 * std::abs(to.state.forces[bar] + rest * to.rates.forces[bar]) *
-              std::abs(w1 + rest * rate(to));
-    };
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        const ContactState state      = to.state.states[k];
-        if (state != ContactState::open && has_nonlinear_closure(element))
-          add(element.normal_bar,
-              element.area,
-              *element.normal_law,
-              gap(element, from.state),
-              gap(element, to.state));
-        if (state == ContactState::stick && has_nonlinear_shear(element))
-          add(element.tangential_bar,
-              element.area,
-              *element.shear_law,
-              elastic_shear(element, from.state, k),
-              elastic_shear(element, to.state, k));
-      }
-    return work > 0. ? defect / work : 0.;
   }
 
   PathPoint

@@ -26,8 +26,8 @@ namespace fuga
     PathPoint point    = {points.front().state, {}};
     JointState &state  = point.state;
     state.dislocations = predicted_dislocations;
-    for (std::size_t k = 0; k < course.drive.release.size(); ++k)
-      state.unreleased_shear[k] += tau * course.drive.release[k];
+    for (std::size_t bar = 0; bar < course.drive.release.size(); ++bar)
+      state.unreleased[bar] += tau * course.drive.release[bar];
     complete_state(context, course, tau, state);
     if (!iterate(tau, state))
       return {};
@@ -93,7 +93,7 @@ namespace fuga
   {
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (state.states[k] != ContactState::open &&
-          -gap(context.elements[k], state) >= context.elements[k].normal_law->deformation_limit())
+          -gap(context.elements[k], state, k) >= closure_limit(context.elements[k]))
         return true;
     return false;
   }
@@ -107,17 +107,17 @@ namespace fuga
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
-        const auto limit = [&](const ComplianceLaw &law, const double now, const double growth) {
-          const double room = law.deformation_limit() - now;
+        const auto limit = [&](const double largest, const double now, const double growth) {
+          const double room = largest - now;
           if (growth > fraction_to_limit * room)
             share = std::min(share, fraction_to_limit * room / growth);
         };
         if (state.states[k] != ContactState::open && has_nonlinear_closure(element))
-          limit(*element.normal_law, -gap(element, state), -growth_of[element.normal_bar]);
+          limit(closure_limit(element), -gap(element, state, k), -growth_of[element.normal_bar]);
         if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
           {
             const double e = elastic_shear(element, state, k);
-            limit(*element.shear_law,
+            limit(element.shear_law->deformation_limit(),
                   std::abs(e),
                   std::copysign(1., e) * growth_of[element.tangential_bar]);
           }

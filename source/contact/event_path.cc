@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/contact/change_of_state.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
@@ -51,7 +52,7 @@ namespace fuga
     next_level                      = 0;
     resticking.clear();
 
-    while (state.t < history.end() || max_abs(state.unreleased_shear) > 0.)
+    while (state.t < history.end() || max_abs(state.unreleased) > 0.)
       {
         if (jump_to_corner(state, levels, observer, result))
           continue;
@@ -63,17 +64,17 @@ namespace fuga
           state,
           course.factors,
           std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
-        const Vector unreleased         = state.unreleased_shear;
+        const Vector unreleased         = state.unreleased;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
-            if (break_unloaded_bonds(state))
+            if (break_exhausted_bonds(state, observer, result))
               continue;
             lose_equilibrium(state, continuation, observer, result);
             return result;
           }
-        if (state.unreleased_shear != unreleased)
-          continue; // a bond broke: its shear is given up before the load goes on
+        if (state.unreleased != unreleased)
+          continue; // a bond broke: its forces are given up before the load goes on
 
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
@@ -106,15 +107,18 @@ namespace fuga
     state.forces.assign(system.n_bars(), 0.);
     state.dislocations.assign(system.n_bars(), 0.);
     state.slips.assign(elements.size(), 0.);
-    state.unreleased_shear.assign(elements.size(), 0.);
-    state.broken.assign(elements.size(), false);
+    state.dilations.assign(elements.size(), 0.);
+    state.unreleased.assign(system.n_bars(), 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
-      if (elements[k].initial_gap > 0.)
-        {
-          // Lips that never touched have no bond.
-          state.states[k] = ContactState::open;
-          state.broken[k] = true;
-        }
+      {
+        state.strengths.push_back(virgin_strength(elements[k].friction, elements[k].area));
+        if (elements[k].initial_gap > 0.)
+          {
+            // Lips that never touched have no bond.
+            state.states[k]             = ContactState::open;
+            state.strengths[k].cohesion = state.strengths[k].tension = 0.;
+          }
+      }
     return state;
   }
 
@@ -125,11 +129,11 @@ namespace fuga
     course.t       = state.t;
     course.t_end   = state.t;
     course.factors = history.factors(state.t);
-    if (max_abs(state.unreleased_shear) > 0.)
+    if (max_abs(state.unreleased) > 0.)
       {
         course.kind          = Course::Kind::release;
         course.factor_rates  = Vector(course.factors.size(), 0.);
-        course.drive.release = negative(state.unreleased_shear);
+        course.drive.release = negative(state.unreleased);
         course.length        = 1.;
       }
     else
@@ -143,7 +147,7 @@ namespace fuga
   }
 
   // Only on request, and only where nothing between matters to the end: a straight path without
-  // bonds that could break. Whatever the step cannot solve is left to the events.
+  // strength that could be lost. Whatever the step cannot solve is left to the events.
   bool
   EventPath::jump_to_corner(JointState &state,
                             const std::vector<double> &levels,
@@ -151,10 +155,10 @@ namespace fuga
                             PathResult &result)
   {
     if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
-        max_abs(state.unreleased_shear) > 0.)
+        max_abs(state.unreleased) > 0.)
       return false;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if (elements[k].friction.cohesion > 0. && !state.broken[k])
+    for (const ContactElement &element : elements)
+      if (!element.friction.is_plain())
         return false;
     const double corner = history.next_corner(state.t);
     if (next_level < levels.size() && levels[next_level] < corner)
@@ -180,7 +184,12 @@ namespace fuga
                     PathResult &result)
   {
     for (std::size_t k = 0; k < elements.size(); ++k)
-      scheme.set_state(k, state.states[k]);
+      {
+        if (state.dilations[k] >= elements[k].friction.dilation_limit - boundary.gap_tolerance())
+          state.strengths[k].dilatancy = 0.;
+        scheme.set_state(k, state.states[k]);
+        scheme.set_strength(k, state.strengths[k]);
+      }
     for (const std::size_t k : resticking)
       scheme.set_state(k, ContactState::stick);
     scheme.linearise(state);
@@ -199,11 +208,9 @@ namespace fuga
         if (state.states[k] == scheme.state(k))
           continue;
         events.push_back({state.t, k, state.states[k], scheme.state(k)});
-        if (scheme.state(k) == ContactState::open)
-          break_cohesion(state, k);
-        else if (state.states[k] == ContactState::open)
-          state.dislocations[elements[k].normal_bar] = -elements[k].initial_gap; // gap = 0 exactly
-        state.states[k] = scheme.state(k);
+        change_state(
+          elements[k], k, scheme.state(k), boundary.force_tolerance(elements[k].normal_bar), state);
+        events.back().to = state.states[k];
       }
     result.n_events += events.size();
     if (!events.empty())
@@ -211,31 +218,29 @@ namespace fuga
     return continuation;
   }
 
-  // Cohesion holds until the element first opens. The shear it carries then is given up at that
-  // load, quasi-statically; without cohesion nothing is left at N = 0.
-  void
-  EventPath::break_cohesion(JointState &state, const std::size_t k) const
-  {
-    const ContactElement &element = elements[k];
-    if (state.broken[k])
-      return;
-    state.broken[k] = true;
-    if (element.has_tangential_bar() && element.friction.cohesion > 0.)
-      state.unreleased_shear[k] = state.forces[element.tangential_bar];
-  }
-
-  // A bond at N = 0 that allows no continuation, neither kept nor lost by opening, breaks.
+  // A bond at the end of its strength that allows no continuation, neither kept nor lost by
+  // opening, breaks.
   bool
-  EventPath::break_unloaded_bonds(JointState &state) const
+  EventPath::break_exhausted_bonds(JointState &state,
+                                   PathObserver &observer,
+                                   PathResult &result) const
   {
     bool any = false;
+    std::vector<ContactEvent> events;
     for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
-      if (candidate.grazing && !state.broken[candidate.element] &&
-          elements[candidate.element].friction.cohesion > 0.)
-        {
-          break_cohesion(state, candidate.element);
-          any = true;
-        }
+      {
+        const std::size_t k = candidate.element;
+        if (!candidate.grazing || !state.strengths[k].has_bond())
+          continue;
+        any                     = true;
+        const ContactState from = state.states[k];
+        break_bond(elements[k], k, boundary.force_tolerance(elements[k].normal_bar), state);
+        if (state.states[k] != from)
+          events.push_back({state.t, k, from, state.states[k]});
+      }
+    result.n_events += events.size();
+    if (!events.empty())
+      observer.changed(events, state);
     return any;
   }
 

@@ -53,8 +53,6 @@ namespace fuga
         const ContactElement &element = elements[k];
         if (state.states[k] != ContactState::open)
           state.dislocations[element.normal_bar] = -element.initial_gap;
-        else
-          state.broken[k] = true;
         if (element.has_tangential_bar())
           state.dislocations[element.tangential_bar] = from.slips[k];
       }
@@ -96,7 +94,7 @@ namespace fuga
     const std::size_t n           = element.normal_bar;
     const ContactState now        = state.states[k];
     const double N                = state.forces[n];
-    const double g                = now == ContactState::open ? gap(element, state) : 0.;
+    const double g                = now == ContactState::open ? gap(element, state, k) : 0.;
     const double noise            = rounding * max_abs(state.forces);
     const double W_n              = system.stiffness()(n, n);
     if (now == ContactState::open ? W_n * g >= -noise : N > noise)
@@ -108,7 +106,7 @@ namespace fuga
     const double W_t      = system.stiffness()(t, t);
     const double pressing = now == ContactState::open ? -W_n * g : std::max(-N, 0.);
     const double strength =
-      element.friction.coefficient * pressing + cohesive_strength(element, state, k);
+      state.strengths[k].friction * pressing + cohesive_strength(element, state, k);
     const double slipped = state.slips[k] - from.slips[k];
     if (is_slipping(now) && slip_sign(now) * W_t * slipped >= -noise)
       return now;

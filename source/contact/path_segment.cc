@@ -42,14 +42,14 @@ namespace fuga
         const ContactElement &element = context.elements[k];
         if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
           continue;
-        double excess = 0.; // how much less a nonlinear layer deforms than D says
-        if (has_nonlinear_shear(element))
-          {
-            const double T = state.forces[element.tangential_bar];
-            excess         = bar_compliance(*element.shear_law, element.area) * T -
-                     std::copysign(element.shear_law->deformation(std::abs(T) / element.area), T);
-          }
-        state.slips[k] = state.dislocations[element.tangential_bar] + excess;
+        double slip = state.dislocations[element.tangential_bar];
+        if (has_nonlinear_shear(element)) // which deforms less, or more, than D says
+          slip += bar_compliance(*element.shear_law, element.area) *
+                    state.forces[element.tangential_bar] -
+                  shear_deformation(element, state, k);
+        state.dilations[k] +=
+          slip_sign(state.states[k]) * state.strengths[k].dilatancy * (slip - state.slips[k]);
+        state.slips[k] = slip;
       }
   }
 
@@ -79,8 +79,7 @@ namespace fuga
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
     if (!course.drive.release.empty())
-      result.state.unreleased_shear =
-        along(start.state.unreleased_shear, tau, course.drive.release);
+      result.state.unreleased = along(start.state.unreleased, tau, course.drive.release);
     complete_state(context, course, tau, result.state);
 
     const Vector residual = context.scheme.residual(result.state);

@@ -42,14 +42,45 @@ namespace fuga
 
     /** The inequality that belongs to an unknown: -Ṅ for an opening, -f Ṅ - σ Ṫ for a slip. */
     double
-    reserve(const Unknown &unknown, const ContactElement &element, const Vector &force_rates)
+    reserve(const Unknown &unknown,
+            const ContactElement &element,
+            const double friction,
+            const Vector &force_rates)
     {
       const double dN = force_rates[element.normal_bar];
       return unknown.state == ContactState::open
                ? -dN
-               : -element.friction.coefficient * dN - unknown.sign * force_rates[unknown.bar];
+               : -friction * dN - unknown.sign * force_rates[unknown.bar];
     }
   } // namespace
+
+  // The rates that a unit rate of opening, or of slip with the rise of the lips that goes with it,
+  // causes.
+  bool
+  RateProblem::respond(const JointState &state,
+                       const std::size_t k,
+                       const ContactState unknown,
+                       JointRates &response)
+  {
+    response.forces.assign(system.n_bars(), 0.);
+    response.dislocations.assign(system.n_bars(), 0.);
+    const auto add = [&](const std::size_t bar, const double amount) {
+      const std::optional<JointRates> unit = amount == 0. ? JointRates() : scheme.response(bar);
+      if (!unit)
+        return false;
+      for (std::size_t i = 0; i < unit->forces.size(); ++i)
+        {
+          response.forces[i] += amount * unit->forces[i];
+          response.dislocations[i] += amount * unit->dislocations[i];
+        }
+      return true;
+    };
+    const ContactElement &element = elements[k];
+    if (unknown == ContactState::open)
+      return add(element.normal_bar, 1.);
+    return add(element.tangential_bar, slip_sign(unknown)) &&
+           add(element.normal_bar, state.strengths[k].dilatancy);
+  }
 
   // With every boundary element closed and stuck the others are condensed; each unknown then acts
   // by its response, which gives q and the columns of M.
@@ -76,23 +107,22 @@ namespace fuga
     std::vector<JointRates> responses(n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        const std::optional<JointRates> response = scheme.response(unknowns[j].bar);
-        if (!response)
+        if (!respond(state, unknowns[j].element, unknowns[j].state, responses[j]))
           return false;
-        responses[j] = *response;
-        scale[j]     = 1. / std::sqrt(system.stiffness()(unknowns[j].bar, unknowns[j].bar));
+        scale[j] = 1. / std::sqrt(system.stiffness()(unknowns[j].bar, unknowns[j].bar));
       }
     // Scaled to unit diagonal of W, so that one pivot tolerance suits elements of every size.
     for (std::size_t i = 0; i < n; ++i)
       {
-        const Unknown &unknown = unknowns[i];
-        q[i]                   = reserve(unknown, elements[unknown.element], stuck->forces);
+        const Unknown &unknown        = unknowns[i];
+        const ContactElement &element = elements[unknown.element];
+        const double f                = state.strengths[unknown.element].friction;
+        q[i]                          = reserve(unknown, element, f, stuck->forces);
         if (unknown.state != ContactState::open)
-          q[i] += cohesive_strength_rate(drive, unknown.element);
+          q[i] += cohesive_strength_rate(element, drive);
         q[i] *= scale[i];
         for (std::size_t j = 0; j < n; ++j)
-          M(i, j) = scale[i] * scale[j] * unknowns[j].sign *
-                    reserve(unknowns[i], elements[unknowns[i].element], responses[j].forces);
+          M(i, j) = scale[i] * scale[j] * reserve(unknown, element, f, responses[j].forces);
       }
 
     // Both directions of slip of an element may grow together without moving anything: a ray that
@@ -101,7 +131,7 @@ namespace fuga
     Vector covering(n, 1.);
     for (std::size_t i = 0; i < n; ++i)
       if (unknowns[i].state != ContactState::open)
-        covering[i] += elements[unknowns[i].element].friction.coefficient * scale[i] *
+        covering[i] += state.strengths[unknowns[i].element].friction * scale[i] *
                        std::sqrt(system.stiffness()(elements[unknowns[i].element].normal_bar,
                                                     elements[unknowns[i].element].normal_bar));
     const LcpSolution lcp = solve_lcp(M, q, covering);
@@ -124,7 +154,7 @@ namespace fuga
       if (lcp.z[j] != 0.)
         for (std::size_t i = 0; i < system.n_bars(); ++i)
           {
-            const double amount = lcp.z[j] * scale[j] * unknowns[j].sign;
+            const double amount = lcp.z[j] * scale[j];
             result.mechanism.forces[i] += amount * responses[j].forces[i];
             result.mechanism.dislocations[i] += amount * responses[j].dislocations[i];
           }

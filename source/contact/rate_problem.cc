@@ -59,7 +59,9 @@ namespace fuga
   // measured by the stiffness of the bars: the guess of Newton's method for the augmented
   // Lagrangian.
   ContactState
-  RateProblem::state_on_closing(const BoundaryElement &candidate, const JointRates &rates) const
+  RateProblem::state_on_closing(const JointState &state,
+                                const BoundaryElement &candidate,
+                                const JointRates &rates) const
   {
     const ContactElement &element = elements[candidate.element];
     if (candidate.shear != ShearPosition::at_apex)
@@ -67,7 +69,7 @@ namespace fuga
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double pressing = -system.stiffness()(n, n) * rates.dislocations[n];
     const double shearing = system.stiffness()(t, t) * rates.dislocations[t];
-    if (std::abs(shearing) <= element.friction.coefficient * pressing)
+    if (std::abs(shearing) <= state.strengths[candidate.element].friction * pressing)
       return ContactState::stick;
     return shearing > 0. ? ContactState::slip_forward : ContactState::slip_backward;
   }
@@ -90,7 +92,7 @@ namespace fuga
         if (now == ContactState::open)
           {
             if (rates.dislocations[element.normal_bar] < -noise.jump())
-              switches.push_back({k, state_on_closing(candidate, rates)});
+              switches.push_back({k, state_on_closing(state, candidate, rates)});
             continue;
           }
         if (candidate.grazing && dN > N_noise)
@@ -106,12 +108,12 @@ namespace fuga
               switches.push_back({k, ContactState::stick});
             continue;
           }
-        const double f  = element.friction.coefficient;
+        const double f  = state.strengths[k].friction;
         const double dT = rates.forces[element.tangential_bar];
         const double sign =
           candidate.shear == ShearPosition::at_apex ? std::copysign(1., dT) : candidate.sign;
         const double shear_noise = noise.force(element.tangential_bar) + f * N_noise;
-        if (sign * dT + f * dN - cohesive_strength_rate(drive, k) > shear_noise)
+        if (sign * dT + f * dN - cohesive_strength_rate(element, drive) > shear_noise)
           switches.push_back(
             {k, sign > 0. ? ContactState::slip_forward : ContactState::slip_backward});
       }

@@ -2,11 +2,11 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/blas.h>
-#include <fuga/contact/layer_response.h>
 #include <fuga/contact/working_scheme.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -21,6 +21,12 @@ namespace fuga
      */
     constexpr double good_defect     = 1e-13;
     constexpr double accepted_defect = 1e-8;
+    /** The same for a solution refined with the inverse of a nearby matrix. */
+    constexpr double accepted_stale_defect = 1e-12;
+    /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
+     * as long as each divides the defect by two. */
+    constexpr int max_sweeps       = 3;
+    constexpr int max_stale_sweeps = 20;
   } // namespace
 
   WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
@@ -28,11 +34,16 @@ namespace fuga
     : elements(contact_elements)
     , system(layered_system)
     , states(contact_elements.size(), ContactState::stick)
-    , layer_stiffness(layered_system.n_bars(), 0.)
     , position(layered_system.n_bars(), no_row)
   {
     for (const ContactElement &element : elements)
-      nonlinear |= has_nonlinear_closure(element) || has_nonlinear_shear(element);
+      {
+        strengths.push_back(virgin_strength(element.friction, element.area));
+        nonlinear |= has_nonlinear_closure(element) || has_nonlinear_shear(element);
+      }
+    if (nonlinear)
+      for (const ContactElement &element : elements)
+        tangents.push_back(initial_layer_tangent(element));
   }
 
   void
@@ -43,70 +54,44 @@ namespace fuga
   }
 
   void
+  WorkingScheme::set_strength(const std::size_t element, const Strength &strength)
+  {
+    outdated |= !(strengths[element] == strength);
+    strengths[element] = strength;
+  }
+
+  void
   WorkingScheme::linearise(const JointState &at, const LayerStiffness stiffness)
   {
     if (!nonlinear)
       return;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const ContactElement &element = elements[k];
-        if (has_nonlinear_closure(element))
-          layer_stiffness[element.normal_bar] =
-            stiffness == LayerStiffness::initial
-              ? element.area / element.normal_law->initial_compliance()
-              : normal_stiffness(element, at);
-        if (has_nonlinear_shear(element))
-          layer_stiffness[element.tangential_bar] =
-            stiffness == LayerStiffness::initial
-              ? element.area / element.shear_law->initial_compliance()
-              : shear_stiffness(element, at, k);
-      }
+      tangents[k] = stiffness == LayerStiffness::initial ? initial_layer_tangent(elements[k])
+                                                         : layer_tangent(elements[k], at, k);
     outdated = true;
   }
 
-  WorkingScheme::Row
-  WorkingScheme::layer_row(const std::size_t bar) const
-  {
-    return {bar, 1. - layer_stiffness[bar] * system.compliance(bar), bar, 0., layer_stiffness[bar]};
-  }
-
-  void
-  WorkingScheme::add_rows_of(const std::size_t k, std::vector<Row> &wanted) const
-  {
-    const ContactElement &element = elements[k];
-    const std::size_t n = element.normal_bar, t = element.tangential_bar;
-    const bool open = states[k] == ContactState::open;
-
-    if (open)
-      wanted.push_back({n, 1., n, 0., 0.});
-    else if (has_nonlinear_closure(element))
-      wanted.push_back(layer_row(n));
-
-    if (!element.has_tangential_bar())
-      return;
-    if (open)
-      wanted.push_back({t, 1., t, 0., 0.});
-    else if (is_slipping(states[k]))
-      wanted.push_back({t, 1., n, slip_sign(states[k]) * element.friction.coefficient, 0.});
-    else if (has_nonlinear_shear(element))
-      wanted.push_back(layer_row(t));
-  }
-
-  std::vector<WorkingScheme::Row>
+  std::vector<SchemeRow>
   WorkingScheme::wanted_rows() const
   {
-    std::vector<Row> wanted;
+    std::vector<SchemeRow> wanted;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      add_rows_of(k, wanted);
+      append_rows(elements[k],
+                  k,
+                  states[k],
+                  strengths[k],
+                  nonlinear ? tangents[k] : LayerTangent(),
+                  system,
+                  wanted);
     return wanted;
   }
 
   double
-  WorkingScheme::entry(const Row &row, const std::size_t bar) const
+  WorkingScheme::entry(const SchemeRow &row, const std::size_t bar) const
   {
     const DenseMatrix &W = system.stiffness();
     return row.own * W(bar, row.bar) + row.weight * W(bar, row.other) +
-           (bar == row.bar ? row.stiffness : 0.);
+           (bar == row.bar ? row.stiffness : 0.) + (bar == row.other ? row.cross : 0.);
   }
 
   DenseMatrix
@@ -124,6 +109,7 @@ namespace fuga
   WorkingScheme::rebuild()
   {
     ++n_factorisations;
+    stale = false;
     return inverse.rebuild(active_matrix());
   }
 
@@ -132,13 +118,14 @@ namespace fuga
   {
     if (!outdated)
       return !singular;
-    const std::vector<Row> wanted = wanted_rows();
-    outdated                      = false;
+    const std::vector<SchemeRow> wanted = wanted_rows();
+    outdated                            = false;
+    if (!singular && inverse.size() == rows.size())
+      take_layer_stiffness(wanted);
 
-    // A few changed rows are cheaper to exchange than to factorise anew; a nonlinear layer changes
-    // all.
+    // A few changed rows are cheaper to exchange than to factorise anew.
     std::size_t n_kept = 0;
-    for (const Row &row : wanted)
+    for (const SchemeRow &row : wanted)
       n_kept += has_row(row) ? 1 : 0;
     const std::size_t n_changes = (rows.size() - n_kept) + (wanted.size() - n_kept);
     if (!singular && 4 * n_changes <= wanted.size() + 4 && inverse.size() == rows.size() &&
@@ -153,11 +140,27 @@ namespace fuga
     return !singular;
   }
 
+  // The inverse need not follow a nonlinear layer at every step: that of a nearby stiffness serves
+  // as the first approximation of a refined solution, the paper's idea on the small system.
+  void
+  WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
+  {
+    for (const SchemeRow &row : wanted)
+      if (row.demand == SchemeRow::Demand::layer && position[row.bar] != no_row && !has_row(row))
+        {
+          SchemeRow &present = rows[position[row.bar]];
+          if (present.demand != row.demand)
+            continue;
+          present = row;
+          stale   = true;
+        }
+  }
+
   bool
-  WorkingScheme::update_rows(const std::vector<Row> &wanted)
+  WorkingScheme::update_rows(const std::vector<SchemeRow> &wanted)
   {
     std::vector<bool> is_kept(system.n_bars(), false);
-    for (const Row &row : wanted)
+    for (const SchemeRow &row : wanted)
       is_kept[row.bar] = has_row(row);
     for (std::size_t i = rows.size(); i-- > 0;)
       if (!is_kept[rows[i].bar])
@@ -170,7 +173,7 @@ namespace fuga
           rows.pop_back();
           ++n_updates;
         }
-    for (const Row &row : wanted)
+    for (const SchemeRow &row : wanted)
       if (!is_kept[row.bar])
         {
           Vector column(rows.size()), line(rows.size());
@@ -209,9 +212,9 @@ namespace fuga
       }
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        const Row &row = rows[i];
-        defect[i]      = row.own * result.forces[row.bar] + row.weight * result.forces[row.other] -
-                    row.stiffness * active[i] - rhs[i];
+        const SchemeRow &row = rows[i];
+        defect[i] = row.own * result.forces[row.bar] + row.weight * result.forces[row.other] -
+                    row.stiffness * active[i] - row.cross * result.dislocations[row.other] - rhs[i];
       }
     return max_abs(defect);
   }
@@ -228,17 +231,20 @@ namespace fuga
       for (std::size_t i = 0; i < rows.size(); ++i)
         defect[i] = rows[i].own * force_offset[rows[i].bar] +
                     rows[i].weight * force_offset[rows[i].other] - rhs[i];
-      const int max_sweeps = 3;
-      double worst         = 0.;
-      for (int sweep = 0; sweep == 0 || (sweep < max_sweeps && worst > good_defect * driving_force);
+      double worst = std::numeric_limits<double>::infinity();
+      double last  = worst;
+      for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
+                                         (stale ? sweep < max_stale_sweeps && worst < 0.5 * last
+                                                : sweep < max_sweeps));
            ++sweep)
         {
+          last                = worst;
           const Vector change = inverse.solve(defect);
           for (std::size_t i = 0; i < active.size(); ++i)
             active[i] += change[i];
           worst = apply(active, force_offset, rhs, result, defect);
         }
-      return worst <= accepted_defect * driving_force;
+      return worst <= (stale ? accepted_stale_defect : accepted_defect) * driving_force;
     };
 
     JointRates result;
@@ -256,11 +262,8 @@ namespace fuga
     if (!bring_up_to_date())
       return {};
     Vector rhs(rows.size(), 0.);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if (!drive.release.empty() && drive.release[k] != 0. && states[k] != ContactState::stick)
-        rhs[position[elements[k].tangential_bar]] =
-          is_slipping(states[k]) ? slip_sign(states[k]) * cohesive_strength_rate(drive, k)
-                                 : drive.release[k];
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rhs[i] = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
     return solve(rhs, drive.reactions);
   }
 
@@ -273,7 +276,11 @@ namespace fuga
     Vector rhs(rows.size(), 0.), offset(system.n_bars(), 0.);
     if (position[bar] != no_row)
       {
-        rhs[position[bar]] = -rows[position[bar]].stiffness;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          if (rows[i].bar == bar)
+            rhs[i] = -rows[i].stiffness;
+          else if (rows[i].other == bar)
+            rhs[i] = -rows[i].cross;
         return solve(rhs, offset);
       }
     for (std::size_t i = 0; i < offset.size(); ++i)
@@ -288,25 +295,9 @@ namespace fuga
   WorkingScheme::residual(const JointState &at)
   {
     bring_up_to_date();
-    Vector result(rows.size(), 0.);
+    Vector result(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
-      result[i] = at.forces[rows[i].bar] + rows[i].weight * at.forces[rows[i].other];
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const ContactElement &element = elements[k];
-        const bool open               = states[k] == ContactState::open;
-        if (!open && has_nonlinear_closure(element))
-          result[position[element.normal_bar]] -= normal_force(element, at);
-        if (!element.has_tangential_bar() || position[element.tangential_bar] == no_row)
-          continue;
-        double &defect = result[position[element.tangential_bar]];
-        if (open)
-          defect -= at.unreleased_shear[k];
-        else if (is_slipping(states[k]))
-          defect -= slip_sign(states[k]) * cohesive_strength(element, at, k);
-        else
-          defect -= shear_force(element, at, k);
-      }
+      result[i] = row_residual(rows[i], elements[rows[i].element], at);
     return result;
   }
 

@@ -20,23 +20,24 @@ namespace fuga
       {
         const ContactElement &element = elements[k];
         ElementResult &result         = results[k];
-        const double g                = element.initial_gap + jumps[element.normal_bar];
-        result.state                  = state.states[k];
-        result.jump_n                 = jumps[element.normal_bar];
+        const double g = element.initial_gap + jumps[element.normal_bar] - state.dilations[k];
+        result.state   = state.states[k];
+        result.jump_n  = jumps[element.normal_bar];
         // Rounding must not give an open element a force, nor a closed one a gap.
         if (result.state == ContactState::open)
           result.gap = std::max(g, 0.);
         else
           {
-            result.N       = std::min(state.forces[element.normal_bar], 0.);
+            result.N       = std::min(state.forces[element.normal_bar], state.strengths[k].tension);
             result.closure = std::max(-g, 0.);
           }
         if (element.has_tangential_bar())
           {
             const double T = state.forces[element.tangential_bar];
-            result.T       = result.state == ContactState::open ? state.unreleased_shear[k] : T;
-            result.jump_t  = jumps[element.tangential_bar];
-            result.slip    = state.slips[k];
+            result.T =
+              result.state == ContactState::open ? state.unreleased[element.tangential_bar] : T;
+            result.jump_t = jumps[element.tangential_bar];
+            result.slip   = state.slips[k];
           }
         result.pressure = result.N == 0. ? 0. : -result.N / element.area;
         result.shear    = result.T / element.area;

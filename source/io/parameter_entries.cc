@@ -48,6 +48,13 @@ namespace fuga
         NumberPattern::Kind::real, lower, lower_is_allowed, upper, false, true);
     }
 
+    Pattern
+    number_in(const double lower, const double upper)
+    {
+      return std::make_shared<NumberPattern>(
+        NumberPattern::Kind::real, lower, true, upper, true, true);
+    }
+
     EntryDeclaration
     required(const std::string &name,
              const Pattern &pattern,

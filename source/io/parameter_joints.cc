@@ -3,6 +3,7 @@
 
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
+#include <fuga/io/parameter_strength.h>
 
 #include <fmt/format.h>
 
@@ -169,23 +170,6 @@ namespace fuga
     }
 
 
-    FrictionLaw
-    read_friction(const ParameterSection &section)
-    {
-      refuse_both(section, "Friction coefficient", "Friction angle");
-      FrictionLaw friction;
-      friction.cohesion = section.number("Cohesion");
-      if (section.given("Friction angle"))
-        friction.coefficient = std::tan(section.number("Friction angle") * std::acos(-1.) / 180.);
-      else if (section.given("Friction coefficient"))
-        friction.coefficient = section.number("Friction coefficient");
-      if (section.given("Friction coefficient") && friction.coefficient > 5.)
-        section.fail("Friction coefficient",
-                     "a coefficient > 5 looks like an angle in degrees: use 'Friction angle'.");
-      return friction;
-    }
-
-
     JointParameters
     read_joint(const ParameterSection &section,
                const std::vector<std::string> &bodies,
@@ -194,13 +178,15 @@ namespace fuga
       JointParameters joint;
       joint.origin            = section.origin();
       joint.definition        = read_place(section, bodies);
-      joint.friction          = read_friction(section);
+      joint.friction          = read_strength(section);
       joint.thickness         = read_thickness(section);
       joint.normal_law        = read_law(section, "Normal law");
       joint.shear_law         = read_law(section, "Shear law");
       joint.normal_compliance = read_compliance(section, "Normal", true, joint.normal_law);
       joint.shear_compliance =
         read_compliance(section, "Shear", !joint.friction.is_frictionless(), joint.shear_law);
+      joint.shear_growth = read_shear_growth(section);
+      check_shear_growth(section, joint);
       joint.initial_gap = section.text("Initial gap");
       check_expression(
         section, "Initial gap", joint.initial_gap, ExpressionArguments::place, constants);

@@ -4,6 +4,7 @@
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
+#include <fuga/io/parameter_strength.h>
 
 #include <fmt/format.h>
 
@@ -282,7 +283,13 @@ namespace fuga
                  section,
                  "Friction coefficient",
                  varied,
-                 [](JointParameters &joint, const double v) { joint.friction.coefficient = v; });
+                 [](JointParameters &joint, const double v) {
+                   // What is lost by slip is lost from the new value; residual friction stays.
+                   const double residual = residual_friction(joint.friction);
+                   joint.friction.friction_loss =
+                     joint.friction.friction_loss > 0. ? v - residual : 0.;
+                   joint.friction.coefficient = v;
+                 });
     const bool law_given = section.given("Normal law");
     for (Variant &variant : variants)
       for (JointParameters &joint : variant.joints)
@@ -291,6 +298,18 @@ namespace fuga
           if (!law_given && joint.normal_law == LayerLaw::rigid && joint.normal_compliance > 0.)
             joint.normal_law = LayerLaw::linear;
           reconcile(section, joint);
+          if (const std::optional<StrengthProblem> problem = find_strength_problem(joint.friction))
+            section.fail(fmt::format("joint '{}' at friction {:g}, cohesion {:g}: {}",
+                                     joint.definition.name,
+                                     joint.friction.coefficient,
+                                     joint.friction.cohesion,
+                                     problem->text));
+          if (joint.shear_growth.kind != ShearGrowth::Kind::none &&
+              (joint.normal_law == LayerLaw::rigid || joint.shear_law != LayerLaw::linear))
+            section.fail(
+              fmt::format("joint '{}' has a shear stiffness that grows: neither its normal "
+                          "nor its shear law may become rigid.",
+                          joint.definition.name));
         }
     return variants;
   }

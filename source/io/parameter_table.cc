@@ -119,28 +119,13 @@ namespace fuga
                  {"0.002"})};
     }
 
-    std::vector<EntryDeclaration>
-    joint_friction()
-    {
-      return {
-        optional("Friction coefficient",
-                 number_from(0),
-                 "Limit of shear/pressure. Either this or Friction angle; neither = 0.",
-                 {"0.2"}),
-        optional("Friction angle",
-                 number_between(0, true, 90),
-                 "In degrees, in place of the coefficient."),
-        defaulted("Cohesion", "0", number_from(0), "Shear strength without pressure [MPa]."),
-        defaulted(
-          "Initial gap", "0", text(), "Gap of the undeformed joint [m]: expression of x, y.")};
-    }
-
     SectionDeclaration
     joints_section()
     {
       SectionDeclaration section{
         "Joints", "One subsection per joint, with a name of your choice.", {}, {"base"}};
-      for (const auto &part : {joint_place(), joint_layer(), joint_friction()})
+      for (const auto &part :
+           {joint_place(), joint_layer(), joint_shear_growth_entries(), joint_strength_entries()})
         section.entries.insert(section.entries.end(), part.begin(), part.end());
       return section;
     }

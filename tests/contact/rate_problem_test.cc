@@ -47,10 +47,11 @@ namespace
           JointState state;
           state.states = {sign > 0. ? ContactState::slip_forward : ContactState::slip_backward};
           state.forces = {-1., 2. * sign};
-          state.dislocations     = {0., 0.};
-          state.slips            = {0.};
-          state.broken           = {false};
-          state.unreleased_shear = {0.};
+          state.dislocations = {0., 0.};
+          state.slips        = {0.};
+          state.dilations    = {0.};
+          state.strengths    = {virgin_strength(joint.elements[0].friction, 1.)};
+          state.unreleased   = {0., 0.};
           const Drive drive{multiply(layered.reactions(), Vector{std::cos(angle), std::sin(angle)}),
                             {}};
           const unsigned int n = problem.count_continuations(

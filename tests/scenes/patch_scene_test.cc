@@ -166,6 +166,55 @@ TEST_P(PatchScene, UniformPressureAndShear)
   EXPECT_LE(worst, 1e-10 * p * 4. / E);
 }
 
+namespace
+{
+  /** Normal and shear stress of the uniform state along the joint. */
+  struct JointStress
+  {
+    double normal, shear;
+  };
+
+  JointStress
+  joint_stress()
+  {
+    const double nx = -std::sin(angle), ny = std::cos(angle), tx = ny, ty = -nx;
+    const double sx = tau * ny, sy = tau * nx - p * ny;
+    return {nx * sx + ny * sy, tx * sx + ty * sy};
+  }
+} // namespace
+
+// The stresses reversed pull the joint apart: at the load at which the uniform normal stress is the
+// tensile strength every bond breaks, and nothing holds the upper block.
+TEST(PatchStrength, BondBreaksAtItsTensileStrength)
+{
+  const SceneRun run = run_scene(patch_file("patch_quad.msh", 1, false),
+                                 {"Stages/all/Loads=top: -t; right: -t; left: -t",
+                                  "Joints/base/Cohesion=10",
+                                  "Joints/base/Tensile strength=1.5"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_LE(run.certificate(), 1e-9);
+  EXPECT_NEAR(run.last_t(), 1.5 / -joint_stress().normal, 1e-9);
+}
+
+// Shear stiffness growing with pressure, (1 + σ/σr)/ρt: by hand e = ρt τ/(1 + σ/σr) and the closure
+// ρn σ less ½ k' e² with k' = 1/(ρt σr).
+TEST(PatchStrength, ShearStiffnessGrowsWithPressure)
+{
+  const double sigma_r = 4.;
+  const SceneRun run   = run_scene(
+    patch_file("patch_quad.msh", 1, false),
+    {"Joints/base/Shear stiffness grows with=pressure", "Joints/base/Shear growth pressure=4"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_LE(run.certificate(), 1e-9);
+  const auto [normal, shear] = joint_stress();
+  const double e             = rho_t * shear / (1. - normal / sigma_r);
+  const double closure       = -rho_n * normal - 0.5 * e * e / (rho_t * sigma_r);
+  for (const double jump : run.values("jump_n", 1.))
+    EXPECT_NEAR(jump, -closure, 1e-10 * p * 4. / E);
+  for (const double jump : run.values("jump_t1", 1.))
+    EXPECT_NEAR(jump, e, 1e-10 * p * 4. / E);
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes,
                          PatchScene,
                          testing::Values(Patch{"patch_quad.msh", 1, false},

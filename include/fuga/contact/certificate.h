@@ -26,7 +26,7 @@ namespace fuga
     double body_equilibrium = 0.;
     /** gap ≥ 0 where there is no layer to close, or the element is open. */
     double penetration = 0.;
-    /** N ≤ 0. */
+    /** N ≤ 0, or the tensile strength of a bond. */
     double tension = 0.;
     /** |T| ≤ f|N| + cA. */
     double cone = 0.;
@@ -34,7 +34,8 @@ namespace fuga
     double complementarity = 0.;
     /** T·ṡ ≥ 0, and slip only at the strength. */
     double slip_direction = 0.;
-    /** N and T follow from closure and elastic shear by the laws of the layer. */
+    /** N and T follow from closure and elastic shear by the laws of the layer, the rise of the lips
+     * from their slip. */
     double layer_law = 0.;
     /** External work = energy of bodies + energy of layer + dissipation. */
     double energy = 0.;
@@ -116,6 +117,24 @@ namespace fuga
                   Certificate &result) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
+    void
+    check_rise(const std::size_t k, const JointState &from, const JointState &to);
+    void
+    check_strength(const std::size_t k, const Strength &left, Certificate &result) const;
+
+    /** Elastic jumps of an element's layer [m], or their rates. */
+    struct Layer
+    {
+      double normal = 0., shear = 0.;
+    };
+
+    Layer
+    layer(const std::size_t k, const JointState &state) const;
+    Layer
+    layer_rates(const std::size_t k, const PathPoint &point) const;
+    /** [MNm] */
+    double
+    stored_energy(const std::size_t k, const JointState &state) const;
 
     const ContactSystem &system;
     const std::vector<ContactElement> &elements;
@@ -133,6 +152,7 @@ namespace fuga
     double largest_load = 0., largest_load_of_history = 0.;
     double wrong_slip_work   = 0.;
     double largest_slip_work = 0.;
+    double wrong_rise        = 0.;
   };
 } // namespace fuga
 

@@ -6,6 +6,7 @@
 
 #include <fuga/laws/compliance_law.h>
 #include <fuga/laws/friction_law.h>
+#include <fuga/laws/shear_coupling.h>
 
 #include <array>
 
@@ -36,6 +37,9 @@ namespace fuga
     /** Laws of the layer; owned by the joint. */
     const ComplianceLaw *normal_law = nullptr;
     const ComplianceLaw *shear_law  = nullptr;
+    /** If the shear stiffness grows with closure or pressure: what then replaces both laws, which
+     * give the first compliances. */
+    const ShearCoupling *coupling = nullptr;
     FrictionLaw friction;
 
     bool

@@ -80,6 +80,17 @@ namespace fuga
       std::size_t element = 0;
     };
 
+    /** A deformation of the layer and its rate. */
+    struct LayerMotion
+    {
+      double value = 0.;
+      double rate  = 0.;
+    };
+
+    LayerMotion
+    closing(const std::size_t k, const PathPoint &point) const;
+    LayerMotion
+    shearing(const std::size_t k, const PathPoint &point) const;
     std::vector<EventFunction>
     event_functions(const PathPoint &point) const;
     double

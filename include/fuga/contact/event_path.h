@@ -109,10 +109,8 @@ namespace fuga
                    PathResult &result);
     Continuation
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
-    void
-    break_cohesion(JointState &state, const std::size_t k) const;
     bool
-    break_unloaded_bonds(JointState &state) const;
+    break_exhausted_bonds(JointState &state, PathObserver &observer, PathResult &result) const;
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
     double

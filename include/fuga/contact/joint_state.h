@@ -6,6 +6,7 @@
 
 #include <fuga/base/dense_matrix.h>
 #include <fuga/laws/contact_state.h>
+#include <fuga/laws/friction_law.h>
 
 namespace fuga
 {
@@ -22,11 +23,15 @@ namespace fuga
     Vector dislocations;
     /** Irreversible slip s of each element [m]; follows the jump while the element is open. */
     Vector slips;
-    /** Elements whose cohesion is lost: it breaks for good when the element first opens. */
-    std::vector<bool> broken;
-    /** Shear that an element which has just broken still carries by cohesion [MN], with its sign.
+    /** Rise of the lips by dilatancy [m]: they touch when the gap equals it. */
+    Vector dilations;
+    /** What is left of each element's strength. */
+    std::vector<Strength> strengths;
+    /**
+     * Forces that bars have lost and still carry [MN], with their sign: a bond that has just broken
+     * is unloaded at constant load, not at once.
      */
-    Vector unreleased_shear;
+    Vector unreleased;
   };
 
   /** How a JointState changes per unit of the path parameter. */
@@ -38,8 +43,8 @@ namespace fuga
 
   /**
    * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, and
-   * the rate of the unreleased shear of broken elements, which only falls in size. Both per unit of
-   * the path parameter; `release` is empty while loads change.
+   * the rate of the unreleased forces of broken bonds, which only fall in size. Both per bar and
+   * unit of the path parameter; `release` is empty while loads change.
    */
   struct Drive
   {

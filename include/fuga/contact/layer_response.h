@@ -12,36 +12,63 @@ namespace fuga
   /**
    * The force-deformation relations of one element's layer, with the signs of the bars: gap
    * positive in opening, N positive in tension, so that N = -A σ(w), w = -gap. A *nonlinear* bar
-   * has in LayeredSystem only its stiffness at zero deformation; its dislocation is the rest.
+   * has in LayeredSystem only its stiffness at zero deformation; its dislocation is the rest. With
+   * a shear coupling both bars are nonlinear.
    */
   bool
   has_nonlinear_closure(const ContactElement &element);
   bool
   has_nonlinear_shear(const ContactElement &element);
 
-  /** Gap g = initial gap + normal jump [m] of any element; negative = closure of the layer. */
+  /** Deformation of the layer that no finite force reaches [m]. */
   double
-  gap(const ContactElement &element, const JointState &at);
+  closure_limit(const ContactElement &element);
+
+  /**
+   * Gap g = initial gap + normal jump - dilation [m] of element @p k: between the lips where they are
+   * apart, minus the closure of the layer where they touch.
+   */
+  double
+  gap(const ContactElement &element, const JointState &at, const std::size_t k);
 
   /** Elastic shear deformation of the layer, jump - slip [m]. */
   double
   elastic_shear(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** N_law(g) of a nonlinear layer [MN]; continued linearly into tension so that Newton can cross
-   * zero. */
+  /** Elastic shear deformation that belongs to the present shear force (and gap) [m]. */
   double
-  normal_force(const ContactElement &element, const JointState &at);
-  /** dN/dg [MN/m]. */
-  double
-  normal_stiffness(const ContactElement &element, const JointState &at);
+  shear_deformation(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** T_law(jump - slip) of a nonlinear layer [MN] and its derivative [MN/m]. */
-  double
-  shear_force(const ContactElement &element, const JointState &at, const std::size_t k);
-  double
-  shear_stiffness(const ContactElement &element, const JointState &at, const std::size_t k);
+  /** Bar forces of a layer [MN]; N, T are zero where the respective bar is rigid or linear. */
+  struct LayerForces
+  {
+    double normal = 0., shear = 0.;
+  };
 
-  /** Rate of slip ṡ of an element that slips, from the rates of its tangential bar [m per unit of
+  /** N_law, T_law at the present gap and elastic shear; continued linearly into tension so that
+   * Newton can cross zero. */
+  LayerForces
+  layer_forces(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Energy stored in the nonlinear bars of a closed element [MNm]. */
+  double
+  nonlinear_energy(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Derivatives of these forces [MN/m]: N by the gap, N by the shear = T by the gap, T by the
+   * shear. */
+  struct LayerTangent
+  {
+    double normal = 0., mixed = 0., shear = 0.;
+  };
+
+  LayerTangent
+  layer_tangent(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** The derivatives at zero deformation. */
+  LayerTangent
+  initial_layer_tangent(const ContactElement &element);
+
+  /** Rate of slip ṡ of an element that slips or is open, from the rates of its bars [m per unit of
    * the path]. */
   double
   slip_rate(const ContactElement &element,
@@ -49,8 +76,8 @@ namespace fuga
             const std::size_t k,
             const JointRates &rates);
 
-  /** What cohesion adds to the shear strength [MN]: cA, or what is left of it after the element
-   * broke. */
+  /** What does not depend on the pressure in the shear strength [MN]: cA, or what a broken bond has
+   * not yet released. */
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
@@ -60,7 +87,7 @@ namespace fuga
 
   /** Rate of the cohesive strength under a drive. */
   double
-  cohesive_strength_rate(const Drive &drive, const std::size_t k);
+  cohesive_strength_rate(const ContactElement &element, const Drive &drive);
 } // namespace fuga
 
 #endif

@@ -82,7 +82,9 @@ namespace fuga
                const JointRates &rates) const;
 
     ContactState
-    state_on_closing(const BoundaryElement &candidate, const JointRates &rates) const;
+    state_on_closing(const JointState &state,
+                     const BoundaryElement &candidate,
+                     const JointRates &rates) const;
 
     enum class Stride
     {
@@ -101,6 +103,11 @@ namespace fuga
               const Drive &drive,
               const bool stop_at_first,
               Continuation &result);
+    bool
+    respond(const JointState &state,
+            const std::size_t k,
+            const ContactState unknown,
+            JointRates &response);
     bool
     complementarity(const JointState &state,
                     const std::vector<BoundaryElement> &set,

@@ -4,8 +4,7 @@
 #ifndef fuga_contact_working_scheme_h
 #define fuga_contact_working_scheme_h
 
-#include <fuga/contact/joint_state.h>
-#include <fuga/contact/layered_system.h>
+#include <fuga/contact/scheme_row.h>
 #include <fuga/contact/updated_inverse.h>
 
 #include <optional>
@@ -28,10 +27,10 @@ namespace fuga
    *     open           N = 0            and   T = 0
    *     slip           T + σ f N = σ c A
    *     closed, nonlinear layer         N = N_law(g),   stuck:   T = T_law(jump - slip)
+   *     slip with dilatancy             g = 0 above the risen lips
    *
-   * with p = R a - W d; the law's row linearised, δ = d + D p inserted, is (1 - C D) N - C d.
-   * Closed and stuck bars of a rigid or linear layer are not active. The inverse of the active
-   * matrix is updated when states change.
+   * with p = R a - W d, linearised (SchemeRow). Closed and stuck bars of a rigid or linear layer
+   * are not active. The inverse of the active matrix is updated when states change.
    */
   class WorkingScheme
   {
@@ -52,6 +51,10 @@ namespace fuga
 
     void
     set_state(const std::size_t element, const ContactState state);
+
+    /** What is left of the strength of an element. */
+    void
+    set_strength(const std::size_t element, const Strength &strength);
 
     /** Some layer is nonlinear: paths are curves and matrices depend on the state. */
     bool
@@ -93,45 +96,26 @@ namespace fuga
     unsigned int n_updates        = 0;
 
   private:
-    /** own p[bar] + weight p[other] - stiffness d[bar] = right-hand side. */
-    struct Row
-    {
-      std::size_t bar   = 0;
-      double own        = 1.;
-      std::size_t other = 0;
-      double weight     = 0.;
-      double stiffness  = 0.;
-
-      bool
-      operator==(const Row &row) const
-      {
-        return bar == row.bar && own == row.own && other == row.other && weight == row.weight &&
-               stiffness == row.stiffness;
-      }
-    };
-
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-    std::vector<Row>
+    std::vector<SchemeRow>
     wanted_rows() const;
     bool
-    has_row(const Row &row) const
+    has_row(const SchemeRow &row) const
     {
       return position[row.bar] != no_row && rows[position[row.bar]] == row;
     }
 
-    Row
-    layer_row(const std::size_t bar) const;
-    void
-    add_rows_of(const std::size_t element, std::vector<Row> &wanted) const;
     double
-    entry(const Row &row, const std::size_t bar) const;
+    entry(const SchemeRow &row, const std::size_t bar) const;
     DenseMatrix
     active_matrix() const;
     bool
     bring_up_to_date();
+    void
+    take_layer_stiffness(const std::vector<SchemeRow> &wanted);
     bool
-    update_rows(const std::vector<Row> &wanted);
+    update_rows(const std::vector<SchemeRow> &wanted);
     bool
     rebuild();
     std::optional<JointRates>
@@ -148,10 +132,13 @@ namespace fuga
     bool nonlinear = false;
     bool outdated  = true;
     bool singular  = false;
+    /** The inverse belongs to an earlier stiffness of nonlinear layers. */
+    bool stale = false;
     std::vector<ContactState> states;
-    /** Stiffness of the nonlinear bars, by bar; 0 for the others. */
-    Vector layer_stiffness;
-    std::vector<Row> rows;
+    std::vector<Strength> strengths;
+    /** By element; empty if no layer is nonlinear. */
+    std::vector<LayerTangent> tangents;
+    std::vector<SchemeRow> rows;
     UpdatedInverse inverse;
     /** Row of each bar, or no_row. */
     std::vector<std::size_t> position;

@@ -31,6 +31,10 @@ namespace fuga
     Pattern
     number_between(const double lower, const bool lower_is_allowed, const double upper);
 
+    /** Both bounds are allowed. */
+    Pattern
+    number_in(const double lower, const double upper);
+
     EntryDeclaration
     required(const std::string &name,
              const Pattern &pattern,
@@ -49,6 +53,12 @@ namespace fuga
               const Pattern &pattern,
               const std::string &documentation,
               const std::vector<std::string> &examples = {});
+
+    /** Entries of a joint. */
+    std::vector<EntryDeclaration>
+    joint_strength_entries();
+    std::vector<EntryDeclaration>
+    joint_shear_growth_entries();
 
     /** Sections that say how to run, not what. */
     SectionDeclaration

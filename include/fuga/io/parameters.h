@@ -26,6 +26,22 @@ namespace fuga
     cubic_root
   };
 
+  /** How the shear stiffness of a joint grows, see ShearCoupling. */
+  struct ShearGrowth
+  {
+    enum class Kind
+    {
+      none,
+      closure,
+      pressure
+    };
+
+    Kind kind = Kind::none;
+    /** w_c [m] or σ_r [MPa]. */
+    double scale    = 0.;
+    double exponent = 1.;
+  };
+
   /** One joint: where it is in the mesh, its layer, its friction. */
   struct JointParameters
   {
@@ -40,6 +56,7 @@ namespace fuga
     /** ζ0 [m]; 0 = not given. Positive for every cubic root law. */
     double thickness = 0.;
 
+    ShearGrowth shear_growth;
     FrictionLaw friction;
     /** muParser expression of x, y for the initial gap [m]. */
     std::string initial_gap = "0";

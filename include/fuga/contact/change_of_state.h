@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_change_of_state_h
+#define fuga_contact_change_of_state_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/joint_state.h>
+
+namespace fuga
+{
+  /**
+   * What happens to an element besides its state when the state changes at a load: lips that meet
+   * have gap 0, a bond is lost for good where the lips part, friction and a brittle bond are lost
+   * at the first slip. Forces that were carried by what is lost become `unreleased`.
+   * @p no_force: force of the normal bar that counts as zero [MN].
+   */
+  void
+  change_state(const ContactElement &element,
+               const std::size_t k,
+               const ContactState to,
+               const double no_force,
+               JointState &state);
+
+  /**
+   * The bond of element @p k is lost, and what the element carries is unreleased. Under tension the
+   * element can only be open.
+   */
+  void
+  break_bond(const ContactElement &element,
+             const std::size_t k,
+             const double no_force,
+             JointState &state);
+} // namespace fuga
+
+#endif

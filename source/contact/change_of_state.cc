@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/change_of_state.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    /** What is lost is given up at this load, quasi-statically. */
+    void
+    weaken_by_slip(const ContactElement &element,
+                   const std::size_t k,
+                   const double no_force,
+                   JointState &state)
+    {
+      Strength &strength = state.strengths[k];
+      const bool bond_breaks =
+        strength.has_bond() && element.friction.bond_loss == FrictionLaw::BondLoss::slip;
+      const double N = state.forces[element.normal_bar];
+      if (bond_breaks && N > no_force)
+        {
+          break_bond(element, k, no_force, state);
+          return;
+        }
+      const double residual = residual_friction(element.friction);
+      double lost           = (strength.friction - residual) * std::max(-N, 0.);
+      strength.friction     = residual;
+      if (bond_breaks)
+        {
+          lost += strength.cohesion;
+          strength.cohesion = strength.tension = 0.;
+        }
+      if (lost > 0.)
+        state.unreleased[element.tangential_bar] = slip_sign(state.states[k]) * lost;
+    }
+  } // namespace
+
+  void
+  change_state(const ContactElement &element,
+               const std::size_t k,
+               const ContactState to,
+               const double no_force,
+               JointState &state)
+  {
+    const bool was_open = state.states[k] == ContactState::open;
+    state.states[k]     = to;
+    if (to == ContactState::open)
+      break_bond(element, k, no_force, state);
+    else if (was_open) // gap = 0 exactly
+      state.dislocations[element.normal_bar] = state.dilations[k] - element.initial_gap;
+    else if (is_slipping(to))
+      weaken_by_slip(element, k, no_force, state);
+  }
+
+  // Without a bond nothing but rounding is left at N = 0.
+  void
+  break_bond(const ContactElement &element,
+             const std::size_t k,
+             const double no_force,
+             JointState &state)
+  {
+    Strength &strength = state.strengths[k];
+    if (strength.has_bond())
+      {
+        const double N = state.forces[element.normal_bar];
+        if (N > no_force)
+          {
+            state.states[k]                      = ContactState::open;
+            state.unreleased[element.normal_bar] = N;
+          }
+        if (element.has_tangential_bar())
+          state.unreleased[element.tangential_bar] = state.forces[element.tangential_bar];
+      }
+    strength.cohesion = strength.tension = 0.;
+    strength.friction                    = residual_friction(element.friction);
+  }
+} // namespace fuga

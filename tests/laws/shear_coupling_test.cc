@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/laws/shear_coupling.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace fuga;
+
+namespace
+{
+  std::vector<ShearCoupling>
+  couplings(const ComplianceLaw &normal)
+  {
+    std::vector<ShearCoupling> all;
+    for (const auto kind : {ShearCoupling::Kind::closure, ShearCoupling::Kind::pressure})
+      for (const double m : {0.3, 1.})
+        all.emplace_back(kind, normal, 0.5, 3., m);
+    return all;
+  }
+} // namespace
+
+// The stresses are the derivatives of the stored energy, by central differences: error O(h²) of the
+// third derivatives, which are of order one here.
+TEST(ShearCoupling, StressesDeriveFromOnePotential)
+{
+  const double h    = 1e-5;
+  const auto linear = make_linear_law(0.25);
+  const auto curved = make_cubic_root_law(0.25, 4.);
+  for (const auto *normal : {linear.get(), curved.get()})
+    for (const ShearCoupling &layer : couplings(*normal))
+      for (const double w : {0.1, 0.5, 1.})
+        for (const double e : {-0.3, 0., 0.05, 0.3})
+          {
+            const auto r = layer.response(w, e);
+            EXPECT_NEAR((layer.energy(w + h, e) - layer.energy(w - h, e)) / (2 * h), r.sigma, 1e-8);
+            EXPECT_NEAR((layer.energy(w, e + h) - layer.energy(w, e - h)) / (2 * h), r.tau, 1e-8);
+            const auto a = layer.response(w + h, e), b = layer.response(w - h, e);
+            const auto c = layer.response(w, e + h), d = layer.response(w, e - h);
+            EXPECT_NEAR((a.sigma - b.sigma) / (2 * h), r.dsigma_dw, 1e-7);
+            EXPECT_NEAR((c.sigma - d.sigma) / (2 * h), r.dsigma_de, 1e-7);
+            EXPECT_NEAR((a.tau - b.tau) / (2 * h), r.dsigma_de, 1e-7);
+            EXPECT_NEAR((c.tau - d.tau) / (2 * h), r.dtau_de, 1e-7);
+            // Stable: the tangent is positive definite.
+            EXPECT_GT(r.dsigma_dw * r.dtau_de - r.dsigma_de * r.dsigma_de, 0.);
+          }
+}
+
+// deformation() inverts response(); shear_deformation() does at a known closure. Both by iterations
+// that end at rounding.
+TEST(ShearCoupling, InversesReturn)
+{
+  const auto linear = make_linear_law(0.25);
+  for (const ShearCoupling &layer : couplings(*linear))
+    for (const double w : {-0.05, 0., 0.2, 1.})
+      for (const double e : {-0.4, 0., 0.1})
+        {
+          const auto r    = layer.response(w, e);
+          const auto back = layer.deformation(r.sigma, r.tau);
+          EXPECT_NEAR(back.closure, w, 1e-13);
+          EXPECT_NEAR(back.shear, e, 1e-13);
+          EXPECT_NEAR(layer.shear_deformation(w, r.tau), e, 1e-13);
+        }
+}
+
+// The definitions at hand-made numbers: k_t = (1 - 1/3)^{-1}/0.5 = 3 at w = 1, w_c = 3, m = 1; its
+// derivative 3/2. k_t = (1 + σ/3)/0.5 with σ_n = 4w: at w = 1, e = 0.3: σ = 4(1 + ½(2/3)0.09).
+TEST(ShearCoupling, Values)
+{
+  const auto linear = make_linear_law(0.25);
+  const auto closure =
+    ShearCoupling(ShearCoupling::Kind::closure, *linear, 0.5, 3., 1.).response(1., 0.3);
+  EXPECT_NEAR(closure.tau, 0.9, 1e-14);
+  EXPECT_NEAR(closure.sigma, 4. + 0.5 * 1.5 * 0.09, 1e-14);
+  const auto pressure =
+    ShearCoupling(ShearCoupling::Kind::pressure, *linear, 0.5, 3., 1.).response(1., 0.3);
+  EXPECT_NEAR(pressure.sigma, 4.12, 1e-14);
+  EXPECT_NEAR(pressure.tau, 2. * (1. + 4.12 / 3.) * 0.3, 1e-14);
+}
