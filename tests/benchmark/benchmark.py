@@ -248,6 +248,8 @@ def write_page(directory, page_directory):
     measured = figures.Figures(directory)
     names = plots.write(measured, page_directory)
     (page_directory / "benchmarks.md").write_text(tables.page(measured, names))
+    for name in ("phases.csv", "notes.json"):  # the figures travel with the page
+        shutil.copy(directory / name, page_directory / ("benchmark_" + name))
     print("Written: %s" % (page_directory / "benchmarks.md"))
 
 

@@ -27,7 +27,7 @@ def _line(axes, points, label, style="o-"):
 def _finish(axes, title, xlabel, ylabel):
     axes.set(title=title, xlabel=xlabel, ylabel=ylabel, xscale="log", yscale="log")
     if axes.has_data():
-        axes.legend()
+        axes.legend(framealpha=0.6)
 
 
 def precision(figures, directory):
@@ -71,6 +71,7 @@ def peers(figures, directory):
                 ("getfem", f + " x1", "GetFEM, 1")):
             ended = [one for one in figures.series("scene_g", variant, tool) if not one.failed]
             _line(axes, [(one.n, one.seconds) for one in ended], label, "o-" if tool == "fuga" else "s--")
+        axes.set_ylim(top=2e4)  # room for the legend
         _finish(axes, "scene G, f = %s" % f[1:], "contact elements", "CPU time after start [s]")
     return _save(figure, directory, "benchmark_peers")
 
