@@ -16,6 +16,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 namespace
 {
@@ -29,6 +30,7 @@ namespace
     unsigned int n_threads = 1;
     bool check_only        = false;
     bool plot_laws         = false;
+    bool restart           = false;
     bool quiet             = false;
     bool print_parameters  = false;
     bool print_version     = false;
@@ -53,6 +55,9 @@ namespace
                  line.plot_laws,
                  "Write the laws of all joints as tables and pictures, law_JOINT.csv and .svg; "
                  "compute nothing");
+    app.add_flag("--restart",
+                 line.restart,
+                 "Continue the run in the directory of the results from its last checkpoint");
     app.add_option("--threads", line.n_threads, "Threads of the linear algebra")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -66,6 +71,31 @@ namespace
                "complete), 4 certificate above its bound.\nFirst steps: fuga --print-parameters > "
                "my.prm; fuga --check my.prm; "
                "fuga my.prm");
+  }
+
+  Checkpoint
+  find_checkpoint(const Parameters &parameters)
+  {
+    if (!parameters.variants.empty())
+      throw InputError(
+        fmt::format("{}: a sweep cannot be restarted. Its variants are short runs that share one "
+                    "condensation: run without --restart, or take the section Sweep out.",
+                    parameters.parameter_file));
+    Checkpoint checkpoint = read_checkpoint(parameters.output.directory);
+    check_same_problem(checkpoint, parameters);
+    return checkpoint;
+  }
+
+  int
+  report_complete_run(const Checkpoint &checkpoint, const Parameters &parameters)
+  {
+    if (parameters.output.log != LogDetail::quiet)
+      fmt::print("The run in {} is complete: {}, t = {:.12g}. There is nothing left to compute and "
+                 "nothing was changed.\n",
+                 parameters.output.directory,
+                 checkpoint.verdict,
+                 checkpoint.cut.result.t);
+    return checkpoint.exit_code;
   }
 
   int
@@ -98,14 +128,23 @@ namespace
             fmt::print("{}\n", file);
         return 0;
       }
+    std::optional<Checkpoint> checkpoint;
+    if (line.restart)
+      {
+        checkpoint = find_checkpoint(parameters);
+        if (is_complete(*checkpoint, parameters))
+          return report_complete_run(*checkpoint, parameters);
+      }
     const Model<2> model(parameters);
     if (line.check_only)
       {
         fmt::print("{}: no errors found.\n", line.file);
         return 0;
       }
-    return static_cast<int>(parameters.variants.empty() ? Simulation<2>(model).run()
-                                                        : Sweep<2>(model).run());
+    if (!parameters.variants.empty())
+      return static_cast<int>(Sweep<2>(model).run());
+    Simulation<2> simulation(model);
+    return static_cast<int>(checkpoint ? simulation.resume(*checkpoint) : simulation.run());
   }
 } // namespace
 

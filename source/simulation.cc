@@ -25,8 +25,9 @@ namespace fuga
               model.stage_names,
               model.normals,
               parameters.output.units}
-    , log(parameters.output.log, context)
+    , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
+    , history(parameters.output.directory, context)
   {
     model.timer.finish("layered system");
   }
@@ -40,10 +41,17 @@ namespace fuga
   {
     begin_output();
     log_header();
+    return follow([this]() { return path.run(model.loads.levels, *this); });
+  }
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::follow(const std::function<PathResult()> &path_to_follow)
+  {
     Outcome outcome;
     try
       {
-        outcome.path    = path.run(model.loads.levels, *this);
+        outcome.path    = path_to_follow();
         outcome.verdict = verdict_name(outcome.path.verdict);
         outcome.code =
           outcome.path.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
@@ -91,9 +99,10 @@ namespace fuga
     for (const ContactEvent &event : events)
       ++events_by_kind[fmt::format("{} -> {}", state_name(event.from), state_name(event.to))];
     n_events += events.size();
-    history->add_events(events, certificate.worst());
-    history->publish(false);
+    history.add_events(events, certificate.worst());
     log.events(events, certificate.worst());
+    publish(false);
+    checkpoint_at_event();
   }
 
   // A requested load level: the only place where the full field is recovered, and only if it is
@@ -107,6 +116,7 @@ namespace fuga
                          (parameters.output.fields == FieldOutput::end && last);
     write_state(state, written);
     levels_written = index + 1;
+    write_checkpoint();
   }
 
   template <int dim>
@@ -131,9 +141,9 @@ namespace fuga
         model.timer.finish("fields");
       }
     worst.absorb(certificate);
-    history->add_level(state.t, results, judge.energies(), certificate.worst());
-    history->publish(false);
+    history.add_level(state.t, results, judge.energies(), certificate.worst());
     log.level(state.t, results, certificate.worst());
+    publish(false);
     model.timer.finish("tables");
   }
 

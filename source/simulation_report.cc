@@ -22,8 +22,10 @@ namespace fuga
     Outcome unfinished;
     unfinished.verdict = "unfinished";
     write_summary(unfinished);
-    remove_earlier_results(parameters.output.directory, "summary.json");
-    history = std::make_unique<HistoryWriter>(parameters.output.directory, context);
+    remove_earlier_results(parameters.output.directory, {"summary.json"});
+    publish(true);
+    if (wants_cuts())
+      mesh_identity = identify_file(parameters.mesh_file);
     model.timer.finish("tables");
   }
 
@@ -123,14 +125,14 @@ namespace fuga
   Simulation<dim>::finish(const Outcome &outcome)
   {
     model.timer.finish("path");
-    history->publish(true);
     for (const std::string &text :
          tables.warnings(model.joint_names, parameters.output.units.stress()))
       log.warning(text);
     log_closing_table(outcome);
     log.close();
-    write_complete_file(parameters.output.directory + "/log.txt", log.text());
+    publish(true);
     write_summary(outcome);
+    write_checkpoint(outcome);
   }
 
   template <int dim>

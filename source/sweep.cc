@@ -220,8 +220,9 @@ namespace fuga
   {
     const Parameters &parameters = model.parameters;
     make_output_directory(parameters.output.directory);
-    remove_earlier_results(parameters.output.directory, "");
+    remove_earlier_results(parameters.output.directory, {});
     CsvFile table(parameters.output.directory + "/sweep.csv", columns());
+    table.publish(true);
     ExitCode code    = ExitCode::done;
     const bool quiet = parameters.output.log == LogDetail::quiet;
     double worst     = 0.;

@@ -4,13 +4,12 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
-#include <fuga/contact/certificate.h>
-#include <fuga/contact/event_path.h>
-#include <fuga/io/field_writer.h>
-#include <fuga/io/run_log.h>
+#include <fuga/io/checkpoint.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
 #include <fuga/table_range.h>
+
+#include <functional>
 
 namespace fuga
 {
@@ -29,7 +28,7 @@ namespace fuga
    * goes through them. Nothing is written before run().
    */
   template <int dim>
-  class Simulation : private PathObserver
+  class Simulation : private PathObserver, private RunRecord
   {
   public:
     /** @throws InputError, NumericalFailure */
@@ -41,7 +40,23 @@ namespace fuga
     ExitCode
     run();
 
+    /**
+     * Does the rest of the run that @p checkpoint is of, in the same directory: afterwards all results
+     * are those of an unbroken run, but for times and what the log says of the restart.
+     */
+    ExitCode
+    resume(const Checkpoint &checkpoint);
+
+    /** Has @p action called behind every checkpoint. If it throws, the run ends there. */
+    void
+    on_checkpoint(std::function<void()> action)
+    {
+      checkpoint_action = std::move(action);
+    }
+
   private:
+    bool
+    wants_cuts() const override;
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override;
     void
@@ -60,8 +75,22 @@ namespace fuga
       std::string message;
     };
 
+    ExitCode
+    follow(const std::function<PathResult()> &path_to_follow);
     void
     begin_output();
+    void
+    continue_output(const Checkpoint &checkpoint);
+    void
+    publish(const bool now);
+    void
+    checkpoint_at_event();
+    void
+    write_checkpoint();
+    void
+    write_checkpoint(const Outcome &outcome);
+    void
+    write_checkpoint(Checkpoint &&checkpoint);
     void
     log_header();
     void
@@ -89,13 +118,12 @@ namespace fuga
     const HistoryContext context;
     RunLog log;
     FieldWriter<dim> fields;
-    std::unique_ptr<HistoryWriter> history;
+    HistoryWriter history;
 
-    JointState last_state;
-    std::size_t levels_written = 0;
-    Certificate worst;
-    std::map<std::string, std::size_t> events_by_kind;
-    std::size_t n_events = 0;
+    FileIdentity mesh_identity;
+    std::function<void()> checkpoint_action;
+    std::chrono::steady_clock::time_point last_checkpoint;
+    double cost_of_checkpoint = 0.;
   };
 } // namespace fuga
 

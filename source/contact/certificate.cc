@@ -55,8 +55,8 @@ namespace fuga
     : system(contact_system)
     , elements(contact_elements)
     , history(load_history)
-    , element_dissipation(contact_elements.size(), 0.)
   {
+    element_dissipation.assign(elements.size(), 0.);
     for (double t = 0.; t < history.end();)
       {
         t                       = history.next_corner(t);

@@ -46,14 +46,21 @@ namespace fuga
   PathResult
   EventPath::run(const std::vector<double> &levels, PathObserver &observer)
   {
-    PathResult result;
-    JointState state                = virgin_state();
-    std::size_t n_zero_steps_in_row = 0;
-    next_level                      = 0;
-    resticking.clear();
+    PathCut start;
+    start.state  = virgin_state();
+    start.scheme = scheme.memory();
+    return resume(start, levels, observer);
+  }
 
+  PathResult
+  EventPath::follow(const std::vector<double> &levels, ReportCounter &observer)
+  {
+    JointState state                = cut.state;
+    PathResult result               = cut.result;
+    std::size_t n_zero_steps_in_row = cut.n_zero_steps_in_row;
     while (state.t < history.end() || max_abs(state.unreleased) > 0.)
       {
+        make_cut(state, result, n_zero_steps_in_row, observer);
         if (jump_to_corner(state, levels, observer, result))
           continue;
         const Course course = next_course(state);
@@ -96,6 +103,7 @@ namespace fuga
                         state.t,
                         n_zero_steps_in_row));
       }
+    make_cut(state, result, n_zero_steps_in_row, observer);
     return result;
   }
 

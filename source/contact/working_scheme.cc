@@ -12,8 +12,6 @@ namespace fuga
 {
   namespace
   {
-    /** A pivot below this share of the bar's own stiffness is a mechanism, not a stiffness. */
-    constexpr double smallest_relative_pivot = 1e-13;
     /**
      * Defect of a solution, relative to the forces that drive it, that is accepted at once, and
      * after refinement. A mechanism answers with dislocations so large that their rounding errors
@@ -31,11 +29,9 @@ namespace fuga
 
   WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
                                const LayeredSystem &layered_system)
-    : elements(contact_elements)
-    , system(layered_system)
-    , states(contact_elements.size(), ContactState::stick)
-    , position(layered_system.n_bars(), no_row)
+    : elements(contact_elements), system(layered_system), position(layered_system.n_bars(), no_row)
   {
+    states.assign(elements.size(), ContactState::stick);
     for (const ContactElement &element : elements)
       {
         strengths.push_back(virgin_strength(element.friction, element.area));
@@ -69,129 +65,6 @@ namespace fuga
       tangents[k] = stiffness == LayerStiffness::initial ? initial_layer_tangent(elements[k])
                                                          : layer_tangent(elements[k], at, k);
     outdated = true;
-  }
-
-  std::vector<SchemeRow>
-  WorkingScheme::wanted_rows() const
-  {
-    std::vector<SchemeRow> wanted;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      append_rows(elements[k],
-                  k,
-                  states[k],
-                  strengths[k],
-                  nonlinear ? tangents[k] : LayerTangent(),
-                  system,
-                  wanted);
-    return wanted;
-  }
-
-  double
-  WorkingScheme::entry(const SchemeRow &row, const std::size_t bar) const
-  {
-    const DenseMatrix &W = system.stiffness();
-    return row.own * W(bar, row.bar) + row.weight * W(bar, row.other) +
-           (bar == row.bar ? row.stiffness : 0.) + (bar == row.other ? row.cross : 0.);
-  }
-
-  DenseMatrix
-  WorkingScheme::active_matrix() const
-  {
-    const std::size_t n = rows.size();
-    DenseMatrix M(n, n);
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        M(i, j) = entry(rows[i], rows[j].bar);
-    return M;
-  }
-
-  bool
-  WorkingScheme::rebuild()
-  {
-    ++n_factorisations;
-    stale = false;
-    return inverse.rebuild(active_matrix());
-  }
-
-  bool
-  WorkingScheme::bring_up_to_date()
-  {
-    if (!outdated)
-      return !singular;
-    const std::vector<SchemeRow> wanted = wanted_rows();
-    outdated                            = false;
-    if (!singular && inverse.size() == rows.size())
-      take_layer_stiffness(wanted);
-
-    // A few changed rows are cheaper to exchange than to factorise anew.
-    std::size_t n_kept = 0;
-    for (const SchemeRow &row : wanted)
-      n_kept += has_row(row) ? 1 : 0;
-    const std::size_t n_changes = (rows.size() - n_kept) + (wanted.size() - n_kept);
-    if (!singular && 4 * n_changes <= wanted.size() + 4 && inverse.size() == rows.size() &&
-        update_rows(wanted))
-      return true;
-
-    std::fill(position.begin(), position.end(), no_row);
-    rows = wanted;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      position[rows[i].bar] = i;
-    singular = !rebuild();
-    return !singular;
-  }
-
-  // The inverse need not follow a nonlinear layer at every step: that of a nearby stiffness serves
-  // as the first approximation of a refined solution, the paper's idea on the small system.
-  void
-  WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
-  {
-    for (const SchemeRow &row : wanted)
-      if (row.demand == SchemeRow::Demand::layer && position[row.bar] != no_row && !has_row(row))
-        {
-          SchemeRow &present = rows[position[row.bar]];
-          if (present.demand != row.demand)
-            continue;
-          present = row;
-          stale   = true;
-        }
-  }
-
-  bool
-  WorkingScheme::update_rows(const std::vector<SchemeRow> &wanted)
-  {
-    std::vector<bool> is_kept(system.n_bars(), false);
-    for (const SchemeRow &row : wanted)
-      is_kept[row.bar] = has_row(row);
-    for (std::size_t i = rows.size(); i-- > 0;)
-      if (!is_kept[rows[i].bar])
-        {
-          if (!inverse.remove(i))
-            return false;
-          position[rows.back().bar] = i;
-          position[rows[i].bar]     = no_row;
-          rows[i]                   = rows.back();
-          rows.pop_back();
-          ++n_updates;
-        }
-    for (const SchemeRow &row : wanted)
-      if (!is_kept[row.bar])
-        {
-          Vector column(rows.size()), line(rows.size());
-          for (std::size_t i = 0; i < rows.size(); ++i)
-            {
-              column[i] = entry(rows[i], row.bar);
-              line[i]   = entry(row, rows[i].bar);
-            }
-          const double smallest_pivot =
-            smallest_relative_pivot * std::abs(system.stiffness()(row.bar, row.bar));
-          if (std::abs(inverse.append(column, line, entry(row, row.bar), smallest_pivot)) <=
-              smallest_pivot)
-            return false;
-          position[row.bar] = rows.size();
-          rows.push_back(row);
-          ++n_updates;
-        }
-    return true;
   }
 
   // Forces and row defects that belong to the given active dislocations; the largest defect.

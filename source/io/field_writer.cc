@@ -20,13 +20,25 @@ namespace fuga
 {
   namespace
   {
+    /** Quick, and without the time of day: equal runs have equal files. */
     dealii::DataOutBase::VtkFlags
-    fast_compression()
+    vtk_flags()
     {
       dealii::DataOutBase::VtkFlags flags;
       flags.compression_level        = dealii::DataOutBase::VtkFlags::best_speed;
       flags.write_higher_order_cells = false;
+      flags.print_date_and_time      = false;
       return flags;
+    }
+
+    /** The comment of a PVD file is the time of day. */
+    std::string
+    without_comment(const std::string &text)
+    {
+      const std::size_t begin = text.find("<!--"), end = text.find("-->\n");
+      return begin == std::string::npos || end == std::string::npos
+               ? text
+               : text.substr(0, begin) + text.substr(end + 4);
     }
   } // namespace
 
@@ -44,17 +56,35 @@ namespace fuga
 
   template <int dim>
   void
-  FieldWriter<dim>::write_collection(const std::string &name,
-                                     Collection &collection,
-                                     const double t,
-                                     const std::string &content)
+  FieldWriter<dim>::add(const std::string &name,
+                        Collection &collection,
+                        const double t,
+                        const std::string &content)
   {
     const std::string file = fmt::format("{}_{:04d}.vtu", name, collection.size());
     write_complete_file(directory + "/" + file, content);
     collection.emplace_back(t, file);
+    write_collection(name, collection);
+  }
+
+  template <int dim>
+  void
+  FieldWriter<dim>::write_collection(const std::string &name, const Collection &collection) const
+  {
     std::ostringstream pvd;
     dealii::DataOutBase::write_pvd_record(pvd, collection);
-    write_complete_file(directory + "/" + name + ".pvd", pvd.str());
+    write_complete_file(directory + "/" + name + ".pvd", without_comment(pvd.str()));
+  }
+
+  template <int dim>
+  void
+  FieldWriter<dim>::restore(const FieldCollections &collections)
+  {
+    static_cast<FieldCollections &>(*this) = collections;
+    for_each_field(collections, [this](const char *name, const Collection &collection) {
+      if (!collection.empty())
+        write_collection(name, collection);
+    });
   }
 
   template <int dim>
@@ -68,7 +98,7 @@ namespace fuga
     dealii::Vector<float> body(static_cast<unsigned int>(space.n_cells()));
     for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
       body[cell] = static_cast<float>(space.cell_body(cell));
-    output.set_flags(fast_compression());
+    output.set_flags(vtk_flags());
     output.attach_dof_handler(space.dof_handler());
     output.add_data_vector(displacement, displacements);
     output.add_data_vector(displacement, stresses);
@@ -76,7 +106,7 @@ namespace fuga
     output.build_patches(space.mapping(), model.polynomial_degree);
     std::ostringstream content;
     output.write_vtu(content);
-    write_collection("bodies", bodies, t, content.str());
+    add("bodies", bodies, t, content.str());
   }
 
   template <int dim>
@@ -88,10 +118,10 @@ namespace fuga
   {
     const auto write = [&](const std::string &name, Collection &collection, const JointView view) {
       JointPatches<dim> patches(system, elements, results, dissipation, view);
-      patches.set_flags(fast_compression());
+      patches.set_flags(vtk_flags());
       std::ostringstream content;
       patches.write_vtu(content);
-      write_collection(name, collection, t, content.str());
+      add(name, collection, t, content.str());
     };
     write("joints", joints, JointView::in_place);
     write("joints_exploded", exploded, JointView::exploded);

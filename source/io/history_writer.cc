@@ -163,6 +163,21 @@ namespace fuga
       }
   }
 
+  HistoryMemory
+  HistoryWriter::memory() const
+  {
+    return {events.memory(), history.memory(), resultants.memory(), n_events};
+  }
+
+  void
+  HistoryWriter::restore(const HistoryMemory &memory)
+  {
+    events.restore(memory.events);
+    history.restore(memory.history);
+    resultants.restore(memory.resultants);
+    n_events = memory.n_events;
+  }
+
   void
   HistoryWriter::publish(const bool now)
   {

@@ -25,6 +25,17 @@ namespace fuga
         fmt::format("The result file {} cannot be written: {}.", path, std::strerror(errno)));
   }
 
+  std::string
+  read_file(const std::string &path)
+  {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    std::string content(file ? static_cast<std::size_t>(file.tellg()) : 0, ' ');
+    file.seekg(0);
+    if (!file.read(content.data(), static_cast<std::streamsize>(content.size())))
+      throw InputError(fmt::format("The file {} cannot be read: {}.", path, std::strerror(errno)));
+    return content;
+  }
+
   namespace
   {
     namespace fs = std::filesystem;
@@ -38,7 +49,8 @@ namespace fuga
                                 "resultants.csv",
                                 "summary.json",
                                 "sweep.csv",
-                                "log.txt"})
+                                "log.txt",
+                                checkpoint_file_name})
         if (name == known)
           return true;
       for (const char *prefix : {"bodies", "joints", "joints_exploded"})
@@ -64,26 +76,69 @@ namespace fuga
   }
 
   void
-  remove_earlier_results(const std::string &directory, const std::string &kept)
+  remove_earlier_results(const std::string &directory, const std::set<std::string> &kept)
   {
-    // Collections first: none may name a file that is gone.
-    for (const bool collections : {true, false})
+    // Collections and checkpoint first: they may not name a file that is gone.
+    for (const bool references : {true, false})
       for (const auto &entry : fs::directory_iterator(directory))
         {
           const std::string name = entry.path().filename().string();
-          if (entry.is_regular_file() && name != kept && is_own_file(name) &&
-              (!collections || entry.path().extension() == ".pvd"))
+          if (entry.is_regular_file() && kept.count(name) == 0 && is_own_file(name) &&
+              (!references || entry.path().extension() == ".pvd" || name == checkpoint_file_name))
             fs::remove(entry.path());
         }
   }
 
+  std::string
+  recover_text(const std::string &path, const TextMemory &memory)
+  {
+    std::string text = read_file(path);
+    text.resize(std::min(text.size(), memory.published.size));
+    if (text.size() != memory.published.size || checksum(text) != memory.published.checksum)
+      throw InputError(fmt::format("{} is not as the run left it that is to be restarted.", path));
+    return text + memory.rest;
+  }
+
+  TextFile::TextFile(std::string file_path) : path(std::move(file_path))
+  {
+  }
+
+  void
+  TextFile::publish(const bool now)
+  {
+    using seconds             = std::chrono::duration<double>;
+    const double cost_divisor = 20.;
+    const auto begin          = std::chrono::steady_clock::now();
+    if (text.size() == published.size ||
+        (!now && seconds(begin - last_publication).count() < cost_divisor * last_cost))
+      return;
+    write_complete_file(path, text);
+    const auto news    = std::string_view(text).substr(published.size);
+    published.checksum = checksum(news, published.checksum);
+    published.size     = text.size();
+    last_publication   = std::chrono::steady_clock::now();
+    last_cost          = seconds(last_publication - begin).count();
+  }
+
+  TextMemory
+  TextFile::memory() const
+  {
+    return {published, text.substr(published.size)};
+  }
+
+  void
+  TextFile::restore(const TextMemory &memory)
+  {
+    text      = recover_text(path, memory);
+    published = {};
+  }
+
   CsvFile::CsvFile(std::string file_path, const std::vector<std::string> &header)
-    : path(std::move(file_path))
+    : TextFile(std::move(file_path))
   {
     for (const std::string &name : header)
       add(name);
     end_row();
-    publish(true);
   }
 
   void
@@ -91,8 +146,7 @@ namespace fuga
   {
     if (row_begun)
       text += ',';
-    row_begun   = true;
-    unpublished = true;
+    row_begun = true;
   }
 
   void
@@ -129,20 +183,5 @@ namespace fuga
   {
     text += "\r\n";
     row_begun = false;
-  }
-
-  void
-  CsvFile::publish(const bool now)
-  {
-    using seconds             = std::chrono::duration<double>;
-    const double cost_divisor = 20.;
-    const auto begin          = std::chrono::steady_clock::now();
-    if (!unpublished ||
-        (!now && seconds(begin - last_publication).count() < cost_divisor * last_cost))
-      return;
-    write_complete_file(path, text);
-    last_publication = std::chrono::steady_clock::now();
-    last_cost        = seconds(last_publication - begin).count();
-    unpublished      = false;
   }
 } // namespace fuga

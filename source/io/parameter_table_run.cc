@@ -75,6 +75,11 @@ namespace fuga
       "Output",
       "",
       {defaulted("Fields", "levels", choice("levels|end|never"), "When VTU files are written."),
+       defaulted("Checkpoint",
+                 "levels",
+                 choice("levels|events|every event|never"),
+                 "When the file is written from which --restart continues. Events: levels, and "
+                 "events as often as a hundredth of the run time allows."),
        defaulted("Log",
                  "events",
                  choice("events|levels|quiet"),

@@ -122,18 +122,23 @@ namespace fuga
       const ParameterSection section = values.section("Output");
       const std::string directory    = values.section("").text("Output directory");
       const std::string fields       = section.text("Fields");
+      const std::string checkpoint   = section.text("Checkpoint");
       const std::string log          = section.text("Log");
       OutputSettings output;
-      output.directory = directory.empty()
-                           ? (fs::path("results") / fs::path(parameter_file).stem()).string()
-                           : resolve(parameter_file, directory);
-      output.fields    = fields == "levels" ? FieldOutput::levels
-                         : fields == "end"  ? FieldOutput::end
-                                            : FieldOutput::never;
-      output.log       = log == "events"   ? LogDetail::events
-                         : log == "levels" ? LogDetail::levels
-                                           : LogDetail::quiet;
-      output.units     = {section.text("Force unit"), section.text("Length unit")};
+      output.directory  = directory.empty()
+                            ? (fs::path("results") / fs::path(parameter_file).stem()).string()
+                            : resolve(parameter_file, directory);
+      output.fields     = fields == "levels" ? FieldOutput::levels
+                          : fields == "end"  ? FieldOutput::end
+                                             : FieldOutput::never;
+      output.checkpoint = checkpoint == "levels"        ? CheckpointOutput::levels
+                          : checkpoint == "events"      ? CheckpointOutput::events
+                          : checkpoint == "every event" ? CheckpointOutput::every_event
+                                                        : CheckpointOutput::never;
+      output.log        = log == "events"   ? LogDetail::events
+                          : log == "levels" ? LogDetail::levels
+                                            : LogDetail::quiet;
+      output.units      = {section.text("Force unit"), section.text("Length unit")};
       return output;
     }
   } // namespace

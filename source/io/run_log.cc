@@ -11,17 +11,20 @@
 
 namespace fuga
 {
-  RunLog::RunLog(const LogDetail log_detail, const HistoryContext &history_context)
+  RunLog::RunLog(const LogDetail log_detail,
+                 const HistoryContext &history_context,
+                 const std::string &file)
     : detail(log_detail)
     , context(history_context)
     , terminal(log_detail != LogDetail::quiet && isatty(STDOUT_FILENO) != 0)
+    , record(file)
   {
   }
 
   void
   RunLog::line(const std::string &text)
   {
-    record += text + "\n";
+    record.append(text + "\n");
     if (detail == LogDetail::quiet)
       return;
     clear_progress();
@@ -101,6 +104,13 @@ namespace fuga
     if (bar_shown)
       fmt::print("\r{: <60}\r", "");
     bar_shown = false;
+  }
+
+  void
+  RunLog::restore(const LogMemory &memory)
+  {
+    record.restore(memory.text);
+    warnings = memory.warnings;
   }
 
   void

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Kills runs with SIGKILL at random moments: whatever can be seen then must be complete (design.md, section 4).
+"""Kills runs with SIGKILL at random moments: whatever can be seen then must be complete (design.md, section 4), and
+--restart ends in the files of a run that was not killed.
 
 usage: killed.py FUGA
 
@@ -61,6 +62,46 @@ def check_directory(directory):
     return n_files
 
 
+def results(directory):
+    """Files by name, without times, memory, and what tells of restarts."""
+    files = {}
+    for path in directory.iterdir():
+        content = path.read_bytes()
+        if path.name == "summary.json":
+            summary = json.loads(content)
+            del summary["seconds"], summary["memory_MB"]
+            content = json.dumps(summary)
+        elif path.name == "log.txt":
+            content = [line for line in content.splitlines() if not line.startswith((b"Time ", b"Restarted "))]
+        if path.name != "checkpoint.cbor":
+            files[path.name] = content
+    return files
+
+
+def restart(command, directory, expected, chance):
+    """Restarts, is killed again with some chance, and compares; True if there was something to restart."""
+    there = (directory / "checkpoint.cbor").is_file()
+    if there and random.random() < chance:
+        process = subprocess.Popen(command + ["--restart"])
+        time.sleep(0.3 * random.random())
+        process.kill()
+        process.wait()
+        check_directory(directory)
+    run = subprocess.run(command + ["--restart"], capture_output=True, text=True)
+    if not there:
+        if run.returncode != 1 or "no checkpoint" not in run.stderr:
+            complaints.append(f"restart without checkpoint: {run.returncode}, {run.stderr}")
+        return False
+    if run.returncode != 0:
+        complaints.append(f"restart: {run.returncode}, {run.stderr}")
+    check_directory(directory)
+    found = results(directory)
+    differing = [name for name in sorted(set(found) | set(expected)) if found.get(name) != expected.get(name)]
+    if differing:
+        complaints.append(f"after a restart other than without: {differing}")
+    return True
+
+
 def main():
     fuga = sys.argv[1]
     random.seed(11)
@@ -71,6 +112,8 @@ def main():
         subprocess.run(command + ["--output-dir", name], check=True)
         duration = time.monotonic() - begin
         n_all = check_directory(pathlib.Path(name))
+        expected = results(pathlib.Path(name))
+        n_restarts = 0
         # The earlier results lie there still: they go, or are replaced, but never mix.
         n_seen = []
         for run in range(N_RUNS):
@@ -83,7 +126,10 @@ def main():
             verdict = json.loads((pathlib.Path(name) / "summary.json").read_text())["verdict"]
             if process.returncode != 0 and n_seen[-1] != n_all and verdict == "done":
                 complaints.append(f"killed with {n_seen[-1]} files, but summary.json says done")
-    print(f"{n_all} files of a whole run, {duration:.2f} s; after kills: {n_seen}")
+            n_restarts += restart(command + ["--output-dir", name], pathlib.Path(name), expected, 0.5)
+    print(f"{n_all} files of a whole run, {duration:.2f} s; after kills: {n_seen}; {n_restarts} restarts")
+    if n_restarts == 0:
+        complaints.append("no kill left a checkpoint")
     if not any(0 < n < n_all for n in n_seen):
         complaints.append("no kill hit the writing of results")
     print("\n".join(complaints))

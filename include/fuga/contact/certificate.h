@@ -52,6 +52,30 @@ namespace fuga
     absorb(const Certificate &other);
   };
 
+  template <typename Entries, typename Visitor, only_for<Entries, Certificate> = 0>
+  void
+  for_each_field(Entries &certificate, Visitor &&visit)
+  {
+    auto &[equilibrium,
+           body_equilibrium,
+           penetration,
+           tension,
+           cone,
+           complementarity,
+           slip_direction,
+           layer_law,
+           energy] = certificate;
+    visit("equilibrium", equilibrium);
+    visit("body_equilibrium", body_equilibrium);
+    visit("penetration", penetration);
+    visit("tension", tension);
+    visit("cone", cone);
+    visit("complementarity", complementarity);
+    visit("slip_direction", slip_direction);
+    visit("layer_law", layer_law);
+    visit("energy", energy);
+  }
+
   /** Energies since the start [MNm]. External work and bodies without the part that the loads would
    * store in the fully bonded structure. */
   struct EnergyLedger
@@ -62,12 +86,64 @@ namespace fuga
     double dissipation   = 0.;
   };
 
+  template <typename Ledger, typename Visitor, only_for<Ledger, EnergyLedger> = 0>
+  void
+  for_each_field(Ledger &ledger, Visitor &&visit)
+  {
+    auto &[external_work, bodies, layer, dissipation] = ledger;
+    visit("external_work", external_work);
+    visit("bodies", bodies);
+    visit("layer", layer);
+    visit("dissipation", dissipation);
+  }
+
+  /** What the judge remembers of the path that it followed. */
+  struct JudgeMemory
+  {
+    EnergyLedger ledger;
+    bool on_track = true;
+    Vector element_dissipation;
+    double largest_force     = 0.;
+    double largest_jump      = 0.;
+    double largest_energy    = 0.;
+    double largest_load      = 0.;
+    double wrong_slip_work   = 0.;
+    double largest_slip_work = 0.;
+    double wrong_rise        = 0.;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, JudgeMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[ledger,
+           on_track,
+           element_dissipation,
+           largest_force,
+           largest_jump,
+           largest_energy,
+           largest_load,
+           wrong_slip_work,
+           largest_slip_work,
+           wrong_rise] = memory;
+    visit("ledger", ledger);
+    visit("on_track", on_track);
+    visit("element_dissipation", element_dissipation);
+    visit("largest_force", largest_force);
+    visit("largest_jump", largest_jump);
+    visit("largest_energy", largest_energy);
+    visit("largest_load", largest_load);
+    visit("wrong_slip_work", wrong_slip_work);
+    visit("largest_slip_work", largest_slip_work);
+    visit("wrong_rise", wrong_rise);
+  }
+
   /**
    * The independent judge. It knows the bodies (S, F, B), the elements with their laws and the
    * loads, and checks what the solver claims; it shares no operator, scheme or tolerance with the
    * solver.
    */
-  class Judge
+  class Judge : private JudgeMemory
   {
   public:
     Judge(const ContactSystem &system,
@@ -97,6 +173,19 @@ namespace fuga
     dissipation() const
     {
       return element_dissipation;
+    }
+
+    const JudgeMemory &
+    memory() const
+    {
+      return *this;
+    }
+
+    /** Goes on judging where another judge of the same problem was. */
+    void
+    restore(const JudgeMemory &memory)
+    {
+      static_cast<JudgeMemory &>(*this) = memory;
     }
 
     /** Interface coordinates x of given jumps. */
@@ -143,16 +232,7 @@ namespace fuga
     DenseMatrix inverse_jump_operator;
     /** 2-norms of the rows of S. */
     Vector stiffness_row_norms;
-    EnergyLedger ledger;
-    bool on_track = true;
-    Vector element_dissipation;
-    double largest_force  = 0.;
-    double largest_jump   = 0.;
-    double largest_energy = 0.;
-    double largest_load = 0., largest_load_of_history = 0.;
-    double wrong_slip_work   = 0.;
-    double largest_slip_work = 0.;
-    double wrong_rise        = 0.;
+    double largest_load_of_history = 0.;
   };
 } // namespace fuga
 

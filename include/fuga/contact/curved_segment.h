@@ -46,6 +46,16 @@ namespace fuga
     double largest_energy = 0.;
   };
 
+  template <typename Count, typename Visitor, only_for<Count, IterationCount> = 0>
+  void
+  for_each_field(Count &count, Visitor &&visit)
+  {
+    auto &[n_solutions, n_iterations, max_in_one] = count;
+    visit("n_solutions", n_solutions);
+    visit("n_iterations", n_iterations);
+    visit("max_in_one", max_in_one);
+  }
+
   /**
    * The path of a working scheme with nonlinear layers: a smooth curve, followed by a tangent
    * predictor and an iterated corrector. The end is located on the curve itself: the event function

@@ -8,20 +8,12 @@
 #include <fuga/contact/load_history.h>
 #include <fuga/contact/mechanism.h>
 #include <fuga/contact/rate_problem.h>
+#include <fuga/contact/report_counter.h>
 
 #include <memory>
 
 namespace fuga
 {
-  /** One change of the working scheme. */
-  struct ContactEvent
-  {
-    double t            = 0.;
-    std::size_t element = 0;
-    ContactState from   = ContactState::stick;
-    ContactState to     = ContactState::stick;
-  };
-
   /** How a path ended. */
   enum class Verdict
   {
@@ -51,28 +43,69 @@ namespace fuga
     std::array<std::size_t, 4> n_decided_by = {{0, 0, 0, 0}};
   };
 
-  /** Receives the path as it is found. All calls come in the order of the load time. */
-  class PathObserver
+  template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
+  void
+  for_each_field(Result &result, Visitor &&visit)
   {
-  public:
-    virtual ~PathObserver() = default;
+    auto &[verdict,
+           t,
+           mechanism,
+           mechanism_jumps,
+           n_events,
+           n_zero_steps,
+           n_steps,
+           n_jumps,
+           n_schemes,
+           n_decided_by] = result;
+    visit("verdict", verdict);
+    visit("t", t);
+    visit("mechanism", mechanism);
+    visit("mechanism_jumps", mechanism_jumps);
+    visit("n_events", n_events);
+    visit("n_zero_steps", n_zero_steps);
+    visit("n_steps", n_steps);
+    visit("n_jumps", n_jumps);
+    visit("n_schemes", n_schemes);
+    visit("n_decided_by", n_decided_by);
+  }
 
-    /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
-    virtual void
-    advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;
-
-    /** The path went to @p to by an implicit step: what happened between is not known. */
-    virtual void
-    jumped(const JointState &to) = 0;
-
-    /** The scheme changed; @p state has the new states. */
-    virtual void
-    changed(const std::vector<ContactEvent> &events, const JointState &state) = 0;
-
-    /** A requested load time was reached; @p index counts them. */
-    virtual void
-    reached(const std::size_t index, const JointState &state) = 0;
+  /**
+   * A place between two segments from which a path can be followed again, bit for bit. Segments are
+   * never cut: where they are divided would change the steps along a curve. What the observer heard
+   * behind the cut, levels for instance, is counted instead and not reported again.
+   */
+  struct PathCut
+  {
+    JointState state;
+    /** What was found so far. */
+    PathResult result;
+    IterationCount iterations;
+    SchemeMemory scheme;
+    /** Steps without progress that came one after the other last. */
+    std::size_t n_zero_steps_in_row = 0;
+    std::size_t next_level          = 0;
+    /** First guess of the next decision, see PathSegment::resticking(). */
+    std::vector<std::size_t> resticking;
+    /** Reports to the observer since the cut. */
+    std::size_t n_reports = 0;
   };
+
+  template <typename Cut, typename Visitor, only_for<Cut, PathCut> = 0>
+  void
+  for_each_field(Cut &cut, Visitor &&visit)
+  {
+    auto
+      &[state, result, iterations, scheme, n_zero_steps_in_row, next_level, resticking, n_reports] =
+        cut;
+    visit("state", state);
+    visit("result", result);
+    visit("iterations", iterations);
+    visit("scheme", scheme);
+    visit("n_zero_steps_in_row", n_zero_steps_in_row);
+    visit("next_level", next_level);
+    visit("resticking", resticking);
+    visit("n_reports", n_reports);
+  }
 
   /**
    * The paper's step-by-step analysis: find the load of the next event on the contact, advance to
@@ -93,6 +126,22 @@ namespace fuga
     PathResult
     run(const std::vector<double> &levels, PathObserver &observer);
 
+    /**
+     * Follows the rest of a history from a cut of run() on the same problem; levels, events and the
+     * end are the same bit for bit. Reports only what comes after the cut and its reports. Stages
+     * behind the end of the history of the cut do not matter to it.
+     * @throws NumericalFailure also if the path is not the same.
+     */
+    PathResult
+    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer);
+
+    /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
+    const PathCut &
+    last_cut() const
+    {
+      return cut;
+    }
+
     /** Work of the steps with nonlinear layers so far. */
     IterationCount
     iterations() const;
@@ -100,6 +149,13 @@ namespace fuga
   private:
     JointState
     virgin_state() const;
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer);
+    void
+    make_cut(const JointState &state,
+             const PathResult &result,
+             const std::size_t n_zero_steps_in_row,
+             ReportCounter &observer);
     Course
     next_course(const JointState &state) const;
     bool
@@ -140,6 +196,7 @@ namespace fuga
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
     IterationCount iteration_count;
+    PathCut cut;
   };
 } // namespace fuga
 

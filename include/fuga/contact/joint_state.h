@@ -5,6 +5,7 @@
 #define fuga_contact_joint_state_h
 
 #include <fuga/base/dense_matrix.h>
+#include <fuga/base/fields.h>
 #include <fuga/laws/contact_state.h>
 #include <fuga/laws/friction_law.h>
 
@@ -33,6 +34,21 @@ namespace fuga
      */
     Vector unreleased;
   };
+
+  template <typename State, typename Visitor, only_for<State, JointState> = 0>
+  void
+  for_each_field(State &state, Visitor &&visit)
+  {
+    auto &[t, states, forces, dislocations, slips, dilations, strengths, unreleased] = state;
+    visit("t", t);
+    visit("states", states);
+    visit("forces", forces);
+    visit("dislocations", dislocations);
+    visit("slips", slips);
+    visit("dilations", dilations);
+    visit("strengths", strengths);
+    visit("unreleased", unreleased);
+  }
 
   /** How a JointState changes per unit of the path parameter. */
   struct JointRates

@@ -21,6 +21,17 @@ namespace fuga
       return n;
     }
 
+    /** The size up to which the matrix can grow where it lies. */
+    std::size_t
+    capacity() const
+    {
+      return stride;
+    }
+
+    /** Makes room for a matrix of this size. */
+    void
+    reserve(const std::size_t new_size);
+
     /** The inverse of @p matrix. Returns false if it is singular to working precision. */
     bool
     rebuild(DenseMatrix &&matrix);
@@ -59,9 +70,6 @@ namespace fuga
     {
       return values.data() + j * stride;
     }
-
-    void
-    reserve(const std::size_t new_size);
 
     std::size_t n      = 0;
     std::size_t stride = 0;

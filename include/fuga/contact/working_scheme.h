@@ -20,6 +20,64 @@ namespace fuga
     initial
   };
 
+  /** A row of the active matrix that was removed (by its number) or, if `removed` is none,
+   * appended. */
+  struct RowExchange
+  {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    std::size_t removed = none;
+    SchemeRow appended;
+  };
+
+  /**
+   * All that the next solution of a working scheme depends on. The last bits of the updated inverse
+   * depend on its history. It is not kept itself: the matrix it was last factorised from and the
+   * rows exchanged since, repeated in their order, give it again bit for bit.
+   */
+  struct SchemeMemory
+  {
+    bool outdated = true;
+    bool singular = false;
+    /** The inverse belongs to an earlier stiffness of nonlinear layers. */
+    bool stale = false;
+    std::vector<ContactState> states;
+    std::vector<Strength> strengths;
+    /** By element; empty if no layer is nonlinear. */
+    std::vector<LayerTangent> tangents;
+    std::vector<SchemeRow> rows;
+    /** Rows of the matrix that was factorised, capacity of its inverse, and what followed. */
+    std::vector<SchemeRow> factorised_rows;
+    std::size_t capacity = 0;
+    std::vector<RowExchange> exchanges;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, SchemeMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[outdated,
+           singular,
+           stale,
+           states,
+           strengths,
+           tangents,
+           rows,
+           factorised_rows,
+           capacity,
+           exchanges] = memory;
+    visit("outdated", outdated);
+    visit("singular", singular);
+    visit("stale", stale);
+    visit("states", states);
+    visit("strengths", strengths);
+    visit("tangents", tangents);
+    visit("rows", rows);
+    visit("factorised_rows", factorised_rows);
+    visit("capacity", capacity);
+    visit("exchanges", exchanges);
+  }
+
   /**
    * The paper's working scheme: the states of all contact elements, and the linear system they
    * leave. A bar is *active* if its dislocation is unknown; its row then reads
@@ -32,7 +90,7 @@ namespace fuga
    * with p = R a - W d, linearised (SchemeRow). Closed and stuck bars of a rigid or linear layer
    * are not active. The inverse of the active matrix is updated when states change.
    */
-  class WorkingScheme
+  class WorkingScheme : private SchemeMemory
   {
   public:
     WorkingScheme(const std::vector<ContactElement> &elements, const LayeredSystem &system);
@@ -91,9 +149,16 @@ namespace fuga
     JointRates
     mechanism() const;
 
-    /** Newton matrices factorised and rank-one updates done so far. */
-    unsigned int n_factorisations = 0;
-    unsigned int n_updates        = 0;
+    const SchemeMemory &
+    memory() const
+    {
+      return *this;
+    }
+
+    /** Goes on where a scheme with the same bars and laws was.
+     * @throws NumericalFailure if its matrix cannot be built again. */
+    void
+    restore(const SchemeMemory &memory);
 
   private:
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
@@ -117,6 +182,12 @@ namespace fuga
     bool
     update_rows(const std::vector<SchemeRow> &wanted);
     bool
+    remove_row(const std::size_t i);
+    bool
+    append_row(const SchemeRow &row);
+    void
+    set_rows(const std::vector<SchemeRow> &new_rows);
+    bool
     rebuild();
     std::optional<JointRates>
     solve(const Vector &rhs, Vector force_offset);
@@ -130,15 +201,6 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     bool nonlinear = false;
-    bool outdated  = true;
-    bool singular  = false;
-    /** The inverse belongs to an earlier stiffness of nonlinear layers. */
-    bool stale = false;
-    std::vector<ContactState> states;
-    std::vector<Strength> strengths;
-    /** By element; empty if no layer is nonlinear. */
-    std::vector<LayerTangent> tangents;
-    std::vector<SchemeRow> rows;
     UpdatedInverse inverse;
     /** Row of each bar, or no_row. */
     std::vector<std::size_t> position;

@@ -4,11 +4,30 @@
 #ifndef fuga_io_field_writer_h
 #define fuga_io_field_writer_h
 
+#include <fuga/base/fields.h>
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/io/joint_results.h>
 
 namespace fuga
 {
+  /** The files of a run and their load times, by collection. */
+  struct FieldCollections
+  {
+    using Collection = std::vector<std::pair<double, std::string>>;
+
+    Collection bodies, joints, exploded;
+  };
+
+  template <typename Collections, typename Visitor, only_for<Collections, FieldCollections> = 0>
+  void
+  for_each_field(Collections &collections, Visitor &&visit)
+  {
+    auto &[bodies, joints, exploded] = collections;
+    visit("bodies", bodies);
+    visit("joints", joints);
+    visit("joints_exploded", exploded);
+  }
+
   /**
    * Writes the fields of one load level as VTU files and keeps the PVD collections that ParaView
    * opens:
@@ -20,7 +39,7 @@ namespace fuga
    * CSV files.
    */
   template <int dim>
-  class FieldWriter
+  class FieldWriter : private FieldCollections
   {
   public:
     FieldWriter(std::string directory,
@@ -37,20 +56,29 @@ namespace fuga
                  const std::vector<ElementResult> &results,
                  const Vector &dissipation);
 
-  private:
-    using Collection = std::vector<std::pair<double, std::string>>;
+    const FieldCollections &
+    memory() const
+    {
+      return *this;
+    }
 
+    /** Goes on with these collections, whose files are there; the collections are written anew. */
     void
-    write_collection(const std::string &name,
-                     Collection &collection,
-                     const double t,
-                     const std::string &content);
+    restore(const FieldCollections &collections);
+
+  private:
+    void
+    add(const std::string &name,
+        Collection &collection,
+        const double t,
+        const std::string &content);
+    void
+    write_collection(const std::string &name, const Collection &collection) const;
 
     const std::string directory;
     const CondensedSystem<dim> &system;
     const ModelDefinition &model;
     const std::vector<std::string> body_names;
-    Collection bodies, joints, exploded;
   };
 } // namespace fuga
 

@@ -31,6 +31,24 @@ namespace fuga
   std::pair<std::size_t, double>
   stage_of_event(const double t, const std::size_t n_stages);
 
+  /** What a checkpoint keeps of the tables. */
+  struct HistoryMemory
+  {
+    TextMemory events, history, resultants;
+    std::size_t n_events = 0;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, HistoryMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[events, history, resultants, n_events] = memory;
+    visit("events", events);
+    visit("history", history);
+    visit("resultants", resultants);
+    visit("n_events", n_events);
+  }
+
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
    * element and level), resultants.csv (one row per joint and level). Columns: README, "Results".
@@ -38,7 +56,14 @@ namespace fuga
   class HistoryWriter
   {
   public:
+    /** Nothing is published yet. */
     HistoryWriter(const std::string &directory, const HistoryContext &context);
+
+    HistoryMemory
+    memory() const;
+
+    void
+    restore(const HistoryMemory &memory);
 
     void
     add_events(const std::vector<ContactEvent> &events, const double certificate);

@@ -4,7 +4,10 @@
 #ifndef fuga_io_output_files_h
 #define fuga_io_output_files_h
 
+#include <fuga/io/checksum.h>
+
 #include <chrono>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,25 +21,87 @@ namespace fuga
   void
   write_complete_file(const std::string &path, const std::string &content);
 
+  constexpr const char *checkpoint_file_name = "checkpoint.cbor";
+
+  /** The content of a file. @throws InputError if it cannot be read. */
+  std::string
+  read_file(const std::string &path);
+
   /** @throws InputError if the directory is not there and cannot be made. */
   void
   make_output_directory(const std::string &directory);
 
   /**
-   * Removes what an earlier run of this program left, but for the file @p kept: a directory never
+   * Removes what an earlier run of this program left, but for the files @p kept: a directory never
    * shows a mixture of two runs.
    */
   void
-  remove_earlier_results(const std::string &directory, const std::string &kept);
+  remove_earlier_results(const std::string &directory, const std::set<std::string> &kept);
+
+  /** What a checkpoint keeps of a TextFile: how much of it is on disk, and the text behind that. */
+  struct TextMemory
+  {
+    FileIdentity published;
+    std::string rest;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, TextMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[published, rest] = memory;
+    visit("published", published);
+    visit("rest", rest);
+  }
 
   /**
-   * A CSV file (RFC 4180, numbers with 17 digits) that grows during the run but is complete
-   * whenever it can be seen: it is published whole, and not so often that publishing costs more
-   * than a small share of the run.
+   * The text that a file had when it was remembered. What was written behind that does not matter.
+   * @throws InputError if the file does not begin with what was published then.
    */
-  class CsvFile
+  std::string
+  recover_text(const std::string &path, const TextMemory &memory);
+
+  /**
+   * A text that grows during the run and whose file is complete whenever it can be seen: it is
+   * published whole, and not so often that publishing costs more than a small share of the run.
+   */
+  class TextFile
   {
   public:
+    explicit TextFile(std::string path);
+
+    void
+    append(const std::string &more)
+    {
+      text += more;
+    }
+
+    /** Publishes the text so far if it is worth it, or in any case if @p now. */
+    void
+    publish(const bool now);
+
+    TextMemory
+    memory() const;
+
+    /** Takes the text back that the file had then; not yet published. */
+    void
+    restore(const TextMemory &memory);
+
+  protected:
+    std::string text;
+
+  private:
+    const std::string path;
+    FileIdentity published;
+    double last_cost = 0.;
+    std::chrono::steady_clock::time_point last_publication;
+  };
+
+  /** A table as TextFile: CSV (RFC 4180), numbers with 17 digits. */
+  class CsvFile : public TextFile
+  {
+  public:
+    /** The header is not yet published. */
     CsvFile(std::string path, const std::vector<std::string> &header);
 
     void
@@ -48,20 +113,11 @@ namespace fuga
     void
     end_row();
 
-    /** Publishes the rows so far if it is worth it, or in any case if @p now. */
-    void
-    publish(const bool now);
-
   private:
     void
     separate();
 
-    const std::string path;
-    std::string text;
-    bool row_begun   = false;
-    bool unpublished = true;
-    double last_cost = 0.;
-    std::chrono::steady_clock::time_point last_publication;
+    bool row_begun = false;
   };
 } // namespace fuga
 

@@ -130,6 +130,16 @@ namespace fuga
     never
   };
 
+  /** When a checkpoint is written, see Checkpoint. */
+  enum class CheckpointOutput
+  {
+    levels,
+    /** Levels, and events as long as that costs next to nothing. */
+    events,
+    every_event,
+    never
+  };
+
   /** What gets a line on the screen. */
   enum class LogDetail
   {
@@ -142,8 +152,9 @@ namespace fuga
   {
     /** Never empty; relative names are relative to the current directory of the process. */
     std::string directory;
-    FieldOutput fields = FieldOutput::levels;
-    LogDetail log      = LogDetail::events;
+    FieldOutput fields          = FieldOutput::levels;
+    CheckpointOutput checkpoint = CheckpointOutput::levels;
+    LogDetail log               = LogDetail::events;
     Units units;
   };
 

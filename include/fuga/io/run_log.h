@@ -6,12 +6,29 @@
 
 #include <fuga/contact/event_path.h>
 #include <fuga/io/history_writer.h>
+#include <fuga/io/output_files.h>
 #include <fuga/io/parameters.h>
 
 #include <string>
 
 namespace fuga
 {
+  /** What a checkpoint keeps of the log. */
+  struct LogMemory
+  {
+    TextMemory text;
+    std::vector<std::string> warnings;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, LogMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[text, warnings] = memory;
+    visit("text", text);
+    visit("warnings", warnings);
+  }
+
   /**
    * What a run says on the screen, and keeps in log.txt: a header, one line per event or per level,
    * warnings (repeated at the end) and a closing table. On a terminal a progress bar shows the load
@@ -20,7 +37,8 @@ namespace fuga
   class RunLog
   {
   public:
-    RunLog(const LogDetail detail, const HistoryContext &context);
+    /** @p file is where publish() keeps what was said. */
+    RunLog(const LogDetail detail, const HistoryContext &context, const std::string &file);
 
     /** A line, unless the run is quiet. */
     void
@@ -44,12 +62,22 @@ namespace fuga
     void
     close();
 
-    /** Everything said so far. */
-    const std::string &
-    text() const
+    /** Brings the file up to date. */
+    void
+    publish(const bool now)
     {
-      return record;
+      record.publish(now);
     }
+
+    LogMemory
+    memory() const
+    {
+      return {record.memory(), warnings};
+    }
+
+    /** What was said in this run before is forgotten. */
+    void
+    restore(const LogMemory &memory);
 
     const std::vector<std::string> &
     all_warnings() const
@@ -65,7 +93,7 @@ namespace fuga
     const HistoryContext context;
     const bool terminal;
     bool bar_shown = false;
-    std::string record;
+    TextFile record;
     std::vector<std::string> warnings;
   };
 } // namespace fuga

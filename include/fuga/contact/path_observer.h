@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_observer_h
+#define fuga_contact_path_observer_h
+
+#include <fuga/contact/path_segment.h>
+
+namespace fuga
+{
+  /** One change of the working scheme. */
+  struct ContactEvent
+  {
+    double t            = 0.;
+    std::size_t element = 0;
+    ContactState from   = ContactState::stick;
+    ContactState to     = ContactState::stick;
+  };
+
+  /** Receives the path as it is found. All calls come in the order of the load time. */
+  class PathObserver
+  {
+  public:
+    virtual ~PathObserver() = default;
+
+    /** Whether EventPath::last_cut() is to be kept up to date. */
+    virtual bool
+    wants_cuts() const
+    {
+      return false;
+    }
+
+    /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
+    virtual void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;
+
+    /** The path went to @p to by an implicit step: what happened between is not known. */
+    virtual void
+    jumped(const JointState &to) = 0;
+
+    /** The scheme changed; @p state has the new states. */
+    virtual void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) = 0;
+
+    /** A requested load time was reached; @p index counts them. */
+    virtual void
+    reached(const std::size_t index, const JointState &state) = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/event_path.h>
+
+namespace fuga
+{
+  PathResult
+  EventPath::resume(const PathCut &from, const std::vector<double> &levels, PathObserver &observer)
+  {
+    cut = from;
+    scheme.restore(cut.scheme);
+    next_level      = cut.next_level;
+    resticking      = cut.resticking;
+    iteration_count = cut.iterations;
+    ReportCounter reports(observer, cut.n_reports);
+    return follow(levels, reports);
+  }
+
+  void
+  EventPath::make_cut(const JointState &state,
+                      const PathResult &result,
+                      const std::size_t n_zero_steps_in_row,
+                      ReportCounter &observer)
+  {
+    observer.start();
+    if (!observer.wants_cuts())
+      return;
+    cut.state               = state;
+    cut.result              = result;
+    cut.iterations          = iteration_count;
+    cut.scheme              = scheme.memory();
+    cut.n_zero_steps_in_row = n_zero_steps_in_row;
+    cut.next_level          = next_level;
+    cut.resticking          = resticking;
+  }
+} // namespace fuga

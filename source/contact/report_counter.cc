@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/report_counter.h>
+
+namespace fuga
+{
+  ReportCounter::ReportCounter(PathObserver &path_observer, std::size_t &n_reports)
+    : observer(path_observer), n_heard(n_reports), count(n_reports)
+  {
+    count = 0;
+  }
+
+  void
+  ReportCounter::start()
+  {
+    if (count == 0)
+      return;
+    if (count < n_heard)
+      throw NumericalFailure("The path behind the checkpoint is not the one that was followed "
+                             "before: it was computed with another program or library, or with "
+                             "another number of threads. Run without --restart.");
+    n_heard = 0;
+    count   = 0;
+  }
+
+  bool
+  ReportCounter::is_new()
+  {
+    return ++count > n_heard;
+  }
+
+  bool
+  ReportCounter::wants_cuts() const
+  {
+    return observer.wants_cuts();
+  }
+
+  void
+  ReportCounter::advanced(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    if (is_new())
+      observer.advanced(from, to, length);
+  }
+
+  void
+  ReportCounter::jumped(const JointState &to)
+  {
+    if (is_new())
+      observer.jumped(to);
+  }
+
+  void
+  ReportCounter::changed(const std::vector<ContactEvent> &events, const JointState &state)
+  {
+    if (is_new())
+      observer.changed(events, state);
+  }
+
+  void
+  ReportCounter::reached(const std::size_t index, const JointState &state)
+  {
+    if (is_new())
+      observer.reached(index, state);
+  }
+} // namespace fuga

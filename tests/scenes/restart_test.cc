@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// Restart: the oracle is the unbroken run, the tolerance is no byte.
+
+#include "scenes/scene_run.h"
+
+#include <fuga/base/errors.h>
+#include <fuga/io/output_files.h>
+#include <fuga/simulation.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  /** Files of a run by name, without what may differ: times, memory, and that it was restarted. */
+  using Results = std::map<std::string, std::string>;
+
+  Results
+  results(const std::string &directory)
+  {
+    Results files;
+    for (const auto &entry : fs::directory_iterator(directory))
+      {
+        const std::string name = entry.path().filename();
+        std::string text       = file_text(entry.path());
+        if (name == checkpoint_file_name)
+          continue;
+        if (name == "summary.json")
+          {
+            nlohmann::json summary = nlohmann::json::parse(text);
+            summary.erase("seconds");
+            summary.erase("memory_MB");
+            text = summary.dump(1);
+          }
+        if (name == "log.txt")
+          {
+            std::istringstream lines(text);
+            text.clear();
+            for (std::string line; std::getline(lines, line);)
+              if (line.rfind("Time ", 0) != 0 && line.rfind("Restarted ", 0) != 0)
+                text += line + "\n";
+          }
+        files[name] = text;
+      }
+    return files;
+  }
+
+  /** Names of the files that differ. */
+  std::string
+  differences(const Results &a, const Results &b)
+  {
+    std::string names;
+    for (const auto &[name, text] : a)
+      if (b.count(name) == 0 || b.at(name) != text)
+        names += name + " ";
+    for (const auto &[name, text] : b)
+      if (a.count(name) == 0)
+        names += name + " ";
+    return names;
+  }
+
+  /** A copy of a shipped file with one more stage at the end. */
+  std::string
+  with_added_stage(const std::string &file, const std::string &loads, const unsigned int levels)
+  {
+    std::string text        = file_text(parameter_path(file));
+    const std::string place = "../meshes/";
+    text.replace(text.find(place), place.size(), std::string(FUGA_SOURCE_DIR) + "/meshes/");
+    const std::size_t end = text.find("\nend", text.find("subsection Stages"));
+    text.insert(end,
+                "\n  subsection back\n    set Loads = " + loads +
+                  "\n    set Levels = " + std::to_string(levels) + "\n  end");
+    const std::string copy = temporary_directory() + "/" + file;
+    std::ofstream(copy) << text;
+    return copy;
+  }
+
+  /** Ends a run as a kill does. */
+  class Stop
+  {
+  };
+
+  std::vector<std::string>
+  with_checkpoints(const std::vector<std::string> &overrides)
+  {
+    std::vector<std::string> all = {"Output/Log=quiet", "Output/Checkpoint=every event"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return all;
+  }
+
+  /** Ends a run behind its checkpoint number @p last. */
+  void
+  run_until(const Model<2> &model, const std::size_t last)
+  {
+    std::size_t count = 0;
+    Simulation<2> simulation(model);
+    simulation.on_checkpoint([&]() {
+      if (++count == last)
+        throw Stop();
+    });
+    EXPECT_THROW(simulation.run(), Stop);
+  }
+
+  /** Restarts from about @p n_restarts of the checkpoints of a run; how many it wrote. */
+  std::size_t
+  check(const std::string &file,
+        const std::vector<std::string> &overrides,
+        const std::size_t n_restarts,
+        const ExitCode code = ExitCode::done)
+  {
+    Parameters parameters = read_parameters(parameter_path(file), with_checkpoints(overrides));
+    const std::string directory = parameters.output.directory = temporary_directory();
+    const Model<2> model(parameters);
+    std::size_t n_checkpoints = 0;
+    Simulation<2> unbroken(model);
+    unbroken.on_checkpoint([&]() { ++n_checkpoints; });
+    EXPECT_EQ(unbroken.run(), code);
+    const Results expected = results(directory);
+
+    // The last one belongs to the finished run.
+    const std::size_t stride = 1 + n_checkpoints / n_restarts;
+    for (std::size_t i = 1; i < n_checkpoints; i += stride)
+      {
+        run_until(model, i);
+        const Checkpoint checkpoint = read_checkpoint(directory);
+        EXPECT_FALSE(is_complete(checkpoint, parameters));
+        EXPECT_NO_THROW(check_same_problem(checkpoint, parameters));
+        EXPECT_EQ(Simulation<2>(model).resume(checkpoint), code);
+        EXPECT_EQ(differences(expected, results(directory)), "") << "checkpoint " << i;
+        EXPECT_TRUE(is_complete(read_checkpoint(directory), parameters));
+      }
+    fs::remove_all(directory);
+    return n_checkpoints;
+  }
+} // namespace
+
+TEST(Restart, LinearLayer)
+{
+  EXPECT_GT(check("scene_g_f06.prm", {"Output/Fields=never"}, 25), 30u);
+}
+
+TEST(Restart, LawNine)
+{
+  EXPECT_GT(check("paper_3_cubic_root.prm", {"Output/Fields=never"}, 12), 11u);
+}
+
+TEST(Restart, RigidLayer)
+{
+  EXPECT_GT(check("scene_g_rigid_f06.prm", {"Output/Fields=never"}, 12), 20u);
+}
+
+// Bonds break, and the load goes back.
+TEST(Restart, CohesionAndReversal)
+{
+  for (const char *law : {"linear", "cubic root"})
+    EXPECT_GT(check(with_added_stage("paper_2_linear.prm", "push: 1.2-2.4*t", 5),
+                    {"Output/Fields=never",
+                     std::string("Joints/base/Normal law=") + law,
+                     "Joints/base/Cohesion=0.002",
+                     "Stages/push/Loads=push: 1.2*t"},
+                    12),
+              16u);
+}
+
+// With fields, whose collections go on; and to a limit load, behind which one more state is
+// written.
+TEST(Restart, FieldsAndLimitLoad)
+{
+  EXPECT_GT(
+    check("paper_2_linear.prm", {"Loads/push/Value=0.03"}, 6, ExitCode::loss_of_equilibrium), 8u);
+}
+
+TEST(Restart, StageEnds)
+{
+  EXPECT_GE(check("paper_2_linear.prm", {"Output/Fields=never", "Solver/Follow=stage ends"}, 12),
+            8u);
+}
+
+// A restarted run can be restarted itself, also from the same checkpoint again.
+TEST(Restart, Again)
+{
+  Parameters parameters =
+    read_parameters(parameter_path("paper_2_linear.prm"), with_checkpoints({}));
+  const std::string directory = parameters.output.directory = temporary_directory();
+  const Model<2> model(parameters);
+  Simulation<2>(model).run();
+  const Results expected = results(directory);
+  run_until(model, 2);
+  for (const std::size_t last : {1u, 1u, 3u, 2u})
+    {
+      std::size_t count = 0;
+      Simulation<2> simulation(model);
+      simulation.on_checkpoint([&]() {
+        if (++count == last)
+          throw Stop();
+      });
+      EXPECT_THROW(simulation.resume(read_checkpoint(directory)), Stop);
+    }
+  EXPECT_EQ(Simulation<2>(model).resume(read_checkpoint(directory)), ExitCode::done);
+  EXPECT_EQ(differences(expected, results(directory)), "");
+}
+
+// Stages that are added to a finished run: as if they had been there from the beginning. Only the
+// scale of the energy in the certificates of the earlier rows knows the loads of their time.
+TEST(Restart, AddedStages)
+{
+  const std::string first  = parameter_path("paper_3_cubic_root.prm"),
+                    all    = with_added_stage("paper_3_cubic_root.prm", "push: 1-1.7*t", 4);
+  const std::string in_two = temporary_directory(), in_one = temporary_directory();
+  const auto run = [&](const std::string &file, const std::string &directory, const bool restart) {
+    Parameters parameters = read_parameters(file, {"Output/Fields=never", "Output/Log=quiet"});
+    parameters.output.directory = directory;
+    const Model<2> model(parameters);
+    Simulation<2> simulation(model);
+    if (!restart)
+      return simulation.run();
+    const Checkpoint checkpoint = read_checkpoint(directory);
+    check_same_problem(checkpoint, parameters);
+    EXPECT_FALSE(is_complete(checkpoint, parameters));
+    return simulation.resume(checkpoint);
+  };
+  run(all, in_one, false);
+  run(first, in_two, false);
+  EXPECT_EQ(run(all, in_two, true), ExitCode::done);
+  EXPECT_EQ(file_text(in_one + "/joint_history.csv"), file_text(in_two + "/joint_history.csv"));
+  for (const char *name : {"/events.csv", "/resultants.csv"})
+    {
+      Table a = parse_csv(file_text(in_one + name)), b = parse_csv(file_text(in_two + name));
+      EXPECT_EQ(a.header.back(), "certificate");
+      for (Table *table : {&a, &b})
+        for (auto &row : table->rows)
+          row.pop_back();
+      EXPECT_TRUE(a.rows == b.rows) << name;
+      EXPECT_GE(a.rows.size(), 10u);
+    }
+}
+
+namespace
+{
+  /** What --restart says with these changes behind a finished run, whose files must remain. */
+  class RestartedProgram
+  {
+  public:
+    RestartedProgram() : directory(temporary_directory())
+    {
+      EXPECT_EQ(run({}, false).exit_code, 0);
+      before = all_files();
+    }
+
+    ProgramRun
+    run(const std::vector<std::string> &more,
+        const bool restart      = true,
+        const std::string &file = parameter_path("paper_2_linear.prm")) const
+    {
+      std::vector<std::string> words = {file, "--output-dir", directory};
+      if (restart)
+        words.push_back("--restart");
+      words.insert(words.end(), more.begin(), more.end());
+      return run_program(words);
+    }
+
+    std::map<std::string, std::string>
+    all_files() const
+    {
+      std::map<std::string, std::string> files;
+      for (const auto &entry : fs::directory_iterator(directory))
+        files[entry.path().filename()] = file_text(entry.path());
+      return files;
+    }
+
+    void
+    expect_refusal(const std::vector<std::string> &more,
+                   const std::vector<std::string> &words,
+                   const std::string &file = parameter_path("paper_2_linear.prm")) const
+    {
+      const auto found     = all_files();
+      const ProgramRun run = this->run(more, true, file);
+      EXPECT_EQ(run.exit_code, 1);
+      for (const std::string &word : words)
+        EXPECT_NE(run.err.find(word), std::string::npos) << word << " not in\n" << run.err;
+      EXPECT_TRUE(all_files() == found);
+    }
+
+    const std::string directory;
+    std::map<std::string, std::string> before;
+  };
+} // namespace
+
+// Changed physics is refused: every change is named with both values, and no file is touched.
+TEST(Restart, ChangedProblemIsRefused)
+{
+  const RestartedProgram program;
+  program.expect_refusal({"--set",
+                          "Bodies/structure/Young modulus=3061",
+                          "--set",
+                          "Joints/base/Friction coefficient=",
+                          "--set",
+                          "Joints/base/Friction angle=20"},
+                         {"Bodies/structure/Young modulus: was 3060, is 3061",
+                          "Joints/base/Friction coefficient: was 0.2, is not there now",
+                          "Joints/base/Friction angle: was not there, is 20",
+                          "without --restart"});
+  program.expect_refusal({"--set", "Stages/push/Levels=9"}, {"Stages/push/Levels: was 10, is 9"});
+  program.expect_refusal({"--set", "Solver/Follow=stage ends"},
+                         {"Solver/Follow: was events, is stage ends"});
+  program.expect_refusal({"--set", "Loads/push/Value=0.0144*t"},
+                         {"Loads/push/Value: was 0.0144, is 0.0144*t", "Stages/back: added"},
+                         with_added_stage("paper_2_linear.prm", "push: 1-t", 1));
+  program.expect_refusal({"--set", "Sweep/Cohesion=0, 1"}, {"sweep cannot be restarted"});
+
+  const std::string mesh = temporary_directory() + "/changed.msh";
+  std::ofstream(mesh) << file_text(std::string(FUGA_SOURCE_DIR) + "/meshes/s0.msh") << "\n";
+  program.expect_refusal({"--set", "Mesh/File=" + mesh}, {"changed.msh: another content"});
+}
+
+// A complete run: nothing happens, and the exit code is that of the run; also with entries changed
+// that do not matter, and with the same mesh in another place.
+TEST(Restart, CompleteRunRemains)
+{
+  const RestartedProgram program;
+  const std::string mesh = temporary_directory() + "/copy.msh";
+  fs::copy_file(std::string(FUGA_SOURCE_DIR) + "/meshes/s0.msh", mesh);
+  for (const std::vector<std::string> &more :
+       {std::vector<std::string>(),
+        {"--set", "Title=other", "--set", "Output/Fields=never", "--set", "Output/Log=levels"},
+        {"--set", "Solver/Certificate bound=1e-8", "--set", "Mesh/File=" + mesh}})
+    {
+      const ProgramRun run = program.run(more);
+      EXPECT_EQ(run.exit_code, 0) << run.err;
+      EXPECT_NE(run.out.find("complete"), std::string::npos) << run.out;
+      EXPECT_TRUE(program.all_files() == program.before);
+    }
+  const std::string limit = temporary_directory();
+  for (const bool restart : {false, true})
+    {
+      std::vector<std::string> words = {restart
+                                          ? with_added_stage("paper_2_linear.prm", "push: 1-t", 1)
+                                          : parameter_path("paper_2_linear.prm"),
+                                        "--output-dir",
+                                        limit,
+                                        "--set",
+                                        "Loads/push/Value=0.03"};
+      if (restart)
+        words.push_back("--restart");
+      EXPECT_EQ(run_program(words).exit_code, 3);
+    }
+}
+
+// What cannot be continued is said, with what to do; nothing is written.
+TEST(Restart, DamagedOrMissing)
+{
+  const RestartedProgram program;
+  const std::string path = program.directory + "/" + checkpoint_file_name;
+  const std::string good = file_text(path);
+  const auto put         = [&](const std::string &name, const std::string &text) {
+    std::ofstream(program.directory + "/" + name, std::ios::binary) << text;
+  };
+  for (const double share : {0., 0.1, 0.5, 0.999})
+    {
+      put(checkpoint_file_name,
+          good.substr(0, static_cast<std::size_t>(share * static_cast<double>(good.size()))));
+      program.expect_refusal({}, {"damaged", "without --restart"});
+    }
+  for (const double share : {0.3, 0.6, 0.9})
+    {
+      std::string bad = good;
+      bad[static_cast<std::size_t>(share * static_cast<double>(good.size()))] ^= 1;
+      put(checkpoint_file_name, bad);
+      program.expect_refusal({}, {"damaged", "without --restart"});
+    }
+  put(checkpoint_file_name, good);
+  const std::string table = program.before.at("joint_history.csv");
+  put("joint_history.csv", table.substr(0, table.size() - 2));
+  program.expect_refusal({}, {"joint_history.csv", "without --restart"});
+  put("joint_history.csv", table);
+  fs::remove(program.directory + "/bodies_0003.vtu");
+  program.expect_refusal({}, {"bodies_0003.vtu is gone"});
+  fs::remove(path);
+  program.expect_refusal({}, {"no checkpoint", "--output-dir"});
+  const std::string absent = program.directory + "/absent";
+  EXPECT_EQ(run_program({parameter_path("paper_2_linear.prm"), "--restart", "--output-dir", absent})
+              .exit_code,
+            1);
+  EXPECT_FALSE(fs::exists(absent));
+}
