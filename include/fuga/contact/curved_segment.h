@@ -50,10 +50,11 @@ namespace fuga
   void
   for_each_field(Count &count, Visitor &&visit)
   {
-    auto &[n_solutions, n_iterations, max_in_one] = count;
+    auto &[n_solutions, n_iterations, max_in_one, largest_energy] = count;
     visit("n_solutions", n_solutions);
     visit("n_iterations", n_iterations);
     visit("max_in_one", max_in_one);
+    visit("largest_energy", largest_energy);
   }
 
   /**
