@@ -8,6 +8,7 @@
 #include <fuga/contact/load_history.h>
 #include <fuga/contact/mechanism.h>
 #include <fuga/contact/rate_problem.h>
+#include <fuga/contact/standstill.h>
 
 #include <memory>
 
@@ -20,6 +21,8 @@ namespace fuga
     std::size_t element = 0;
     ContactState from   = ContactState::stick;
     ContactState to     = ContactState::stick;
+    /** Continuations known at this load: 1 unless friction is beyond critical. */
+    std::size_t n_branches = 1;
   };
 
   /** How a path ended. */
@@ -31,7 +34,49 @@ namespace fuga
     limit_load,
     /** No quasi-static continuation exists although nothing moves freely (friction beyond
        critical). */
-    no_continuation
+    no_continuation,
+    /** Several continuations exist (friction beyond critical), and the path is not to choose. */
+    non_unique_continuation
+  };
+
+  /** What is known of the first place on a path where friction was seen beyond its critical value.
+   */
+  struct CriticalFriction
+  {
+    double t = 0.;
+    /** Elements on their strength that decide: no other ones differ between the continuations. */
+    std::vector<std::size_t> elements;
+    /** Number of continuations; a lower bound if not `all_counted`. */
+    std::size_t n_branches = 0;
+    bool all_counted       = false;
+    /** Signs of the determinants of their schemes; if there is no continuation, of the scheme in
+     * which all elements on their strength slip. */
+    std::vector<int> determinant_signs;
+  };
+
+  /** What the path did beyond its limit load. */
+  struct BeyondLimit
+  {
+    enum class End
+    {
+      /** The path did not go there. */
+      none,
+      /** The largest jump has grown as far as asked for. */
+      largest_jump,
+      /** The load has fallen to where its stage, or the linear piece of it, began. */
+      load_removed,
+      /** The load has risen to the limit again. */
+      limit_regained,
+      /** No motion goes on at any load. */
+      no_continuation
+    };
+
+    End end = End::none;
+    /** Growth of the largest jump [m]. */
+    double length = 0.;
+    /** Load time at the end. */
+    double t            = 0.;
+    std::size_t n_steps = 0;
   };
 
   struct PathResult
@@ -48,7 +93,11 @@ namespace fuga
     std::size_t n_jumps    = 0;
     unsigned int n_schemes = 0;
     /** Continuations found by each RateMethod. */
-    std::array<std::size_t, 4> n_decided_by = {{0, 0, 0, 0}};
+    std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
+    /** Decisions with several continuations. */
+    std::size_t n_non_unique = 0;
+    CriticalFriction critical;
+    BeyondLimit beyond;
   };
 
   /** Receives the path as it is found. All calls come in the order of the load time. */
@@ -72,6 +121,13 @@ namespace fuga
     /** A requested load time was reached; @p index counts them. */
     virtual void
     reached(const std::size_t index, const JointState &state) = 0;
+
+    /** A state beyond the limit load, after the largest jump has grown by @p length: at the limit, and at
+     * the end of every step. Here the load time may stay or fall. */
+    virtual void
+    went_beyond(const double /*length*/, const JointState & /*state*/)
+    {
+    }
   };
 
   /**
@@ -102,6 +158,10 @@ namespace fuga
     virgin_state() const;
     Course
     next_course(const JointState &state) const;
+    double
+    widening_of_tolerances() const;
+    void
+    check_standstill(const JointState &state) const;
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,
@@ -111,6 +171,35 @@ namespace fuga
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
     bool
     break_exhausted_bonds(JointState &state, PathObserver &observer, PathResult &result) const;
+    void
+    choose_branch(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  const Drive &drive,
+                  Continuation &continuation,
+                  PathResult &result);
+    /** States and strengths of the working scheme become those of @p state. */
+    void
+    take_scheme(JointState &state);
+    std::size_t
+    adopt_scheme(JointState &state,
+                 const std::vector<BoundaryElement> &set,
+                 const std::size_t n_branches,
+                 PathObserver &observer) const;
+    void
+    go_beyond_limit(JointState &state, PathObserver &observer, PathResult &result);
+    struct ControlledStep
+    {
+      ControlledContinuation motion;
+      Course course;
+    };
+    ControlledStep
+    step_beyond(const JointState &state,
+                const std::vector<BoundaryElement> &set,
+                const double first_t,
+                const double last_t,
+                const double left);
+    void
+    find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
     double
@@ -127,7 +216,7 @@ namespace fuga
     lose_equilibrium(JointState &state,
                      const Continuation &continuation,
                      PathObserver &observer,
-                     PathResult &result) const;
+                     PathResult &result);
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
@@ -136,6 +225,7 @@ namespace fuga
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
+    Standstill standstill;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
