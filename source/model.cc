@@ -97,11 +97,25 @@ namespace fuga
   Model<dim>::path_options() const
   {
     PathOptions options;
-    options.iteration      = parameters.solver.iteration == IterationKind::newton
-                               ? PathOptions::Iteration::newton
-                               : PathOptions::Iteration::constant_stiffness;
-    options.follow         = parameters.solver.follow_events ? PathOptions::Follow::events
-                                                             : PathOptions::Follow::stage_ends;
+    options.iteration = parameters.solver.iteration == IterationKind::newton
+                          ? PathOptions::Iteration::newton
+                          : PathOptions::Iteration::constant_stiffness;
+    options.follow    = parameters.solver.follow_events ? PathOptions::Follow::events
+                                                        : PathOptions::Follow::stage_ends;
+    switch (parameters.solver.non_unique)
+      {
+        case NonUniqueChoice::stop:
+          options.non_unique = PathOptions::NonUnique::stop;
+          break;
+        case NonUniqueChoice::first:
+          options.non_unique = PathOptions::NonUnique::first;
+          break;
+        case NonUniqueChoice::largest_dissipation:
+          options.non_unique = PathOptions::NonUnique::largest_dissipation;
+          break;
+      }
+    options.beyond_limit   = parameters.solver.beyond_limit;
+    options.beyond_jump    = parameters.solver.beyond_jump;
     options.tolerance      = parameters.solver.iteration_tolerance;
     options.max_iterations = parameters.solver.maximum_iterations;
     return options;

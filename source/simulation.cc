@@ -55,7 +55,8 @@ namespace fuga
         outcome.verdict = verdict_name(outcome.path.verdict);
         outcome.code =
           outcome.path.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
-        if (outcome.path.verdict != Verdict::done)
+        if (outcome.path.verdict != Verdict::done &&
+            outcome.path.beyond.end == BeyondLimit::End::none)
           write_last_state();
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
@@ -121,6 +122,20 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::went_beyond(const double length, const JointState &state)
+  {
+    if (length == 0.)
+      {
+        last_state = state;
+        write_last_state();
+        return;
+      }
+    history->set_path_length(length);
+    write_state(state, parameters.output.fields == FieldOutput::levels);
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::write_state(const JointState &state, const bool with_fields)
   {
     model.timer.finish("path");
@@ -136,8 +151,10 @@ namespace fuga
         certificate.equilibrium        = std::max(certificate.equilibrium, error.residual);
         certificate.body_equilibrium   = std::max(certificate.body_equilibrium, error.resultant);
         model.timer.finish("recovery of displacements");
-        fields.write_bodies(state.t, u);
-        fields.write_joints(state.t, joint.elements, results, judge.dissipation());
+        // Beyond a limit load the load time does not grow, but the times of a film must.
+        const double time = state.t + history->path_length();
+        fields.write_bodies(time, u);
+        fields.write_joints(time, joint.elements, results, judge.dissipation());
         model.timer.finish("fields");
       }
     worst.absorb(certificate);

@@ -125,6 +125,14 @@ namespace fuga
   Simulation<dim>::finish(const Outcome &outcome)
   {
     model.timer.finish("path");
+    if (outcome.path.n_non_unique > 0 && outcome.path.verdict != Verdict::non_unique_continuation)
+      log.warning(fmt::format(
+        "t = {:.12g}: {}; {} such decisions on the path, the one of '{}' was "
+        "followed.",
+        outcome.path.critical.t,
+        describe_critical(outcome.path),
+        outcome.path.n_non_unique,
+        parameters.solver.non_unique == NonUniqueChoice::first ? "first" : "largest dissipation"));
     for (const std::string &text :
          tables.warnings(model.joint_names, parameters.output.units.stress()))
       log.warning(text);
@@ -133,6 +141,41 @@ namespace fuga
     publish(true);
     write_summary(outcome);
     write_checkpoint(outcome);
+  }
+
+  // Friction beyond its critical value: how many ways to go on, and which elements decide.
+  template <int dim>
+  std::string
+  Simulation<dim>::describe_critical(const PathResult &result) const
+  {
+    constexpr std::size_t max_named = 3;
+    const CriticalFriction &place   = result.critical;
+    std::string where;
+    for (std::size_t i = 0; i < std::min(max_named, place.elements.size()); ++i)
+      {
+        const ContactElement &element = joint.elements[place.elements[i]];
+        where += fmt::format("{}{} {} at ({:.6g}, {:.6g})",
+                             i == 0 ? "" : ", ",
+                             model.joint_names[element.joint],
+                             element.number,
+                             element.position[0],
+                             element.position[1]);
+      }
+    if (place.elements.size() > max_named)
+      where += fmt::format(" and {} more", place.elements.size() - max_named);
+    return fmt::format("friction beyond its critical value: {}{} continuations, decided by {}",
+                       place.all_counted ? "" : "at least ",
+                       place.n_branches,
+                       where);
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::reason_of(const PathResult &result) const
+  {
+    return result.verdict == Verdict::limit_load
+             ? "mechanism: " + mechanism_name(result.mechanism)
+             : "although nothing moves freely, " + describe_critical(result);
   }
 
   template <int dim>
@@ -147,19 +190,24 @@ namespace fuga
           log.line(fmt::format("Verdict     numerical failure: {}", outcome.message));
           break;
         case ExitCode::loss_of_equilibrium:
-          log.line(
-            fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
-                        outcome.verdict,
-                        fraction,
-                        model.stage_names[stage],
-                        outcome.path.t,
-                        outcome.path.verdict == Verdict::limit_load
-                          ? "mechanism: " + mechanism_name(outcome.path.mechanism)
-                          : "although nothing moves freely: friction beyond its critical value"));
+          log.line(fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
+                               outcome.verdict,
+                               fraction,
+                               model.stage_names[stage],
+                               outcome.path.t,
+                               reason_of(outcome.path)));
           break;
         default:
           log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
       }
+    if (const BeyondLimit &beyond = outcome.path.beyond; beyond.end != BeyondLimit::End::none)
+      log.line(
+        fmt::format("Beyond      {} steps to t = {:.12g}, largest jump grown by {:.6g} {}, end: {}",
+                    beyond.n_steps,
+                    beyond.t,
+                    beyond.length,
+                    parameters.output.units.length,
+                    beyond_limit_end_name(beyond.end)));
     std::string kinds;
     for (const auto &[kind, count] : events_by_kind)
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
@@ -202,20 +250,24 @@ namespace fuga
     summary.stage                = model.stage_names[stage];
     summary.stage_fraction       = fraction;
     summary.path                 = outcome.path;
-    summary.load_factors         = model.loads.factors_by_name(parameters.model, summary.t);
-    summary.sizes                = {{"cells", model.bodies.discretization().n_cells()},
-                                    {"degrees_of_freedom", model.bodies.discretization().n_dofs()},
-                                    {"contact_elements", joint.elements.size()},
-                                    {"bars", layered.n_bars()}};
-    summary.events_by_kind       = events_by_kind;
-    summary.n_events             = n_events;
-    summary.iterations           = path.iterations();
-    summary.certificate          = worst;
-    summary.certificate_bound    = parameters.solver.certificate_bound;
-    summary.phases               = model.timer.seconds();
-    summary.memory_MB            = peak_memory_in_megabytes();
-    summary.split_report         = model.mesh.report;
-    summary.warnings             = log.all_warnings();
+    for (const std::size_t k : outcome.path.critical.elements)
+      summary.critical_elements.push_back({model.joint_names[joint.elements[k].joint],
+                                           joint.elements[k].number,
+                                           joint.elements[k].position});
+    summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
+    summary.sizes             = {{"cells", model.bodies.discretization().n_cells()},
+                                 {"degrees_of_freedom", model.bodies.discretization().n_dofs()},
+                                 {"contact_elements", joint.elements.size()},
+                                 {"bars", layered.n_bars()}};
+    summary.events_by_kind    = events_by_kind;
+    summary.n_events          = n_events;
+    summary.iterations        = path.iterations();
+    summary.certificate       = worst;
+    summary.certificate_bound = parameters.solver.certificate_bound;
+    summary.phases            = model.timer.seconds();
+    summary.memory_MB         = peak_memory_in_megabytes();
+    summary.split_report      = model.mesh.report;
+    summary.warnings          = log.all_warnings();
     write_complete_file(parameters.output.directory + "/summary.json",
                         summary_json(summary, parameters));
   }

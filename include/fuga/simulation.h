@@ -65,6 +65,8 @@ namespace fuga
     changed(const std::vector<ContactEvent> &events, const JointState &state) override;
     void
     reached(const std::size_t index, const JointState &state) override;
+    void
+    went_beyond(const double length, const JointState &state) override;
 
     /** How a run ended. */
     struct Outcome
@@ -103,6 +105,10 @@ namespace fuga
     write_last_state();
     void
     finish(const Outcome &outcome);
+    std::string
+    describe_critical(const PathResult &result) const;
+    std::string
+    reason_of(const PathResult &result) const;
     void
     log_closing_table(const Outcome &outcome);
     void

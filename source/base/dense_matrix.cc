@@ -134,6 +134,21 @@ namespace fuga
       LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', n, factors.data(), leading(factors), norm, &rcond);
   }
 
+  int
+  LuFactors::determinant_sign() const
+  {
+    int sign = 1;
+    for (std::size_t i = 0; i < factors.n_rows(); ++i)
+      {
+        if (factors(i, i) == 0.)
+          return 0;
+        // dgetrf counts from one; every true exchange of rows changes the sign.
+        if ((factors(i, i) < 0.) != (pivots[i] != to_int(i) + 1))
+          sign = -sign;
+      }
+    return sign;
+  }
+
   void
   LuFactors::solve(Vector &b) const
   {

@@ -7,7 +7,6 @@
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
 #include <fuga/contact/layer_response.h>
-#include <fuga/contact/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,33 +54,39 @@ namespace fuga
   PathResult
   EventPath::follow(const std::vector<double> &levels, ReportCounter &observer)
   {
-    JointState state                = cut.state;
-    PathResult result               = cut.result;
-    std::size_t n_zero_steps_in_row = cut.n_zero_steps_in_row;
+    JointState state  = cut.state;
+    PathResult result = cut.result;
+    standstill        = Standstill();
     while (state.t < history.end() || max_abs(state.unreleased) > 0.)
       {
-        make_cut(state, result, n_zero_steps_in_row, observer);
+        make_cut(state, result, observer);
         if (jump_to_corner(state, levels, observer, result))
           continue;
         const Course course = next_course(state);
 
         // How does the contact go on from here? The rates of all elements on a boundary decide
         // together.
-        boundary.set_scales(
-          state,
-          course.factors,
-          std::pow(10., std::min<double>(3., static_cast<double>(n_zero_steps_in_row / 4))));
+        boundary.set_scales(state, course.factors, widening_of_tolerances());
         const Vector unreleased         = state.unreleased;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
-            if (break_exhausted_bonds(state, observer, result))
-              continue;
+            if (result.verdict != Verdict::non_unique_continuation &&
+                break_exhausted_bonds(state, observer, result))
+              {
+                standstill.forget();
+                continue;
+              }
             lose_equilibrium(state, continuation, observer, result);
+            if (options.beyond_limit && result.verdict != Verdict::non_unique_continuation)
+              go_beyond_limit(state, observer, result);
             return result;
           }
         if (state.unreleased != unreleased)
-          continue; // a bond broke: its forces are given up before the load goes on
+          {
+            standstill.forget();
+            continue; // a bond broke: its forces are given up before the load goes on
+          }
 
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
@@ -92,19 +97,41 @@ namespace fuga
         resticking = segment->resticking();
         result.t   = state.t;
         ++result.n_steps;
-        const bool progress = length > shortest_step * std::max(1., course.t);
-        n_zero_steps_in_row = progress ? 0 : n_zero_steps_in_row + 1;
-        result.n_zero_steps += progress ? 0 : 1;
-        if (n_zero_steps_in_row > 20 + 4 * elements.size())
-          throw NumericalFailure(
-            fmt::format("The contact goes on changing at load time {} without any load being added "
-                        "({} changes). The forces "
-                        "there are too small against their rounding errors to decide.",
-                        state.t,
-                        n_zero_steps_in_row));
+        if (length > shortest_step * std::max(1., course.t))
+          standstill.forget();
+        else
+          {
+            ++result.n_zero_steps;
+            standstill.note(scheme.all_states());
+            check_standstill(state);
+          }
       }
-    make_cut(state, result, n_zero_steps_in_row, observer);
+    standstill.forget();
+    make_cut(state, result, observer);
     return result;
+  }
+
+  // Steps without length come from elements that reach their boundary together but for rounding:
+  // what counts as being on it is widened step by step, at once where a scheme comes back.
+  double
+  EventPath::widening_of_tolerances() const
+  {
+    const std::size_t n = standstill.n_steps() / 4 + standstill.n_repetitions();
+    return std::pow(10., static_cast<double>(std::min<std::size_t>(3, n)));
+  }
+
+  void
+  EventPath::check_standstill(const JointState &state) const
+  {
+    if (standstill.n_steps() <= 20 + 4 * elements.size())
+      return;
+    throw NumericalFailure(fmt::format(
+      "The contact goes on changing at load time {} without any load being added ({} "
+      "changes, {} of them to a scheme that was there before). The forces there are too "
+      "small against their rounding errors to decide.",
+      state.t,
+      standstill.n_steps(),
+      standstill.n_repetitions()));
   }
 
   JointState
@@ -191,6 +218,27 @@ namespace fuga
                     PathObserver &observer,
                     PathResult &result)
   {
+    take_scheme(state);
+    for (const std::size_t k : resticking)
+      scheme.set_state(k, ContactState::stick);
+    scheme.linearise(state);
+
+    const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
+    Continuation continuation              = rate_problem.solve(state, set, course.drive);
+    result.n_schemes += continuation.n_schemes;
+    if (continuation.exists)
+      choose_branch(state, set, course.drive, continuation, result);
+    if (!continuation.exists)
+      return continuation;
+    ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
+
+    result.n_events += adopt_scheme(state, set, continuation.n_branches, observer);
+    return continuation;
+  }
+
+  void
+  EventPath::take_scheme(JointState &state)
+  {
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         if (state.dilations[k] >= elements[k].friction.dilation_limit - boundary.gap_tolerance())
@@ -198,32 +246,29 @@ namespace fuga
         scheme.set_state(k, state.states[k]);
         scheme.set_strength(k, state.strengths[k]);
       }
-    for (const std::size_t k : resticking)
-      scheme.set_state(k, ContactState::stick);
-    scheme.linearise(state);
+  }
 
-    const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
-    const Continuation continuation        = rate_problem.solve(state, set, course.drive);
-    result.n_schemes += continuation.n_schemes;
-    if (!continuation.exists)
-      return continuation;
-    ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
-
+  // Gives the boundary elements the states of the working scheme. Returns the number of changes.
+  std::size_t
+  EventPath::adopt_scheme(JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const std::size_t n_branches,
+                          PathObserver &observer) const
+  {
     std::vector<ContactEvent> events;
     for (const BoundaryElement &candidate : set)
       {
         const std::size_t k = candidate.element;
         if (state.states[k] == scheme.state(k))
           continue;
-        events.push_back({state.t, k, state.states[k], scheme.state(k)});
+        events.push_back({state.t, k, state.states[k], scheme.state(k), n_branches});
         change_state(
           elements[k], k, scheme.state(k), boundary.force_tolerance(elements[k].normal_bar), state);
         events.back().to = state.states[k];
       }
-    result.n_events += events.size();
     if (!events.empty())
       observer.changed(events, state);
-    return continuation;
+    return events.size();
   }
 
   // A bond at the end of its strength that allows no continuation, neither kept nor lost by
@@ -306,38 +351,6 @@ namespace fuga
         from = std::move(to);
       }
     return from.state;
-  }
-
-  void
-  EventPath::lose_equilibrium(JointState &state,
-                              const Continuation &continuation,
-                              PathObserver &observer,
-                              PathResult &result) const
-  {
-    result.t       = state.t;
-    result.verdict = Verdict::no_continuation;
-    if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
-      return;
-    result.verdict         = Verdict::limit_load;
-    result.mechanism_jumps = mechanism_jumps(continuation.mechanism, system);
-    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
-
-    // The elements that reach their boundary at the limit take the state in which the mechanism
-    // moves.
-    std::vector<ContactEvent> events;
-    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
-      {
-        const std::size_t k = candidate.element;
-        const ContactState to =
-          state_in_mechanism(candidate, state.states[k], elements[k], result.mechanism_jumps);
-        if (to == state.states[k])
-          continue;
-        events.push_back({state.t, k, state.states[k], to});
-        state.states[k] = to;
-      }
-    result.n_events += events.size();
-    if (!events.empty())
-      observer.changed(events, state);
   }
 
   IterationCount

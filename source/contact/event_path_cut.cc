@@ -18,20 +18,18 @@ namespace fuga
   }
 
   void
-  EventPath::make_cut(const JointState &state,
-                      const PathResult &result,
-                      const std::size_t n_zero_steps_in_row,
-                      ReportCounter &observer)
+  EventPath::make_cut(const JointState &state, const PathResult &result, ReportCounter &observer)
   {
+    if (standstill.n_steps() > 0)
+      return; // what is known at this load is not kept
     observer.start();
     if (!observer.wants_cuts())
       return;
-    cut.state               = state;
-    cut.result              = result;
-    cut.iterations          = iteration_count;
-    cut.scheme              = scheme.memory();
-    cut.n_zero_steps_in_row = n_zero_steps_in_row;
-    cut.next_level          = next_level;
-    cut.resticking          = resticking;
+    cut.state      = state;
+    cut.result     = result;
+    cut.iterations = iteration_count;
+    cut.scheme     = scheme.memory();
+    cut.next_level = next_level;
+    cut.resticking = resticking;
   }
 } // namespace fuga

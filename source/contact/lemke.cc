@@ -12,6 +12,8 @@ namespace fuga
   namespace
   {
     constexpr double pivot_tolerance = 1e-11;
+    /** Rounding error of an entry of the tableau, relative to the larger of one and the entry. */
+    constexpr double entry_noise = 1e-13;
 
     /** The tableau w - M z - d z0 = q with columns w_0..w_n-1, z_0..z_n-1, z0, q, by columns. */
     class Tableau
@@ -43,13 +45,16 @@ namespace fuga
         return variable < n ? variable + n : variable - n;
       }
 
-      /** Row with the most negative q/d: the first to leave. Lowest index on ties. */
+      /**
+       * Row with the most negative q/d: the first to leave. The last one on ties: its unit row is
+       * the lexicographically smallest, so that all others become lexicographically positive.
+       */
       std::size_t
       first_row(const Vector &d) const
       {
         std::size_t row = 0;
         for (std::size_t i = 1; i < n; ++i)
-          if (q(i) / d[i] < q(row) / d[row])
+          if (compare(q(i), d[i], q(row), d[row]) <= 0)
             row = i;
         return row;
       }
@@ -73,8 +78,8 @@ namespace fuga
             }
         // Of several limiting rows the covering variable leaves first: that ends the method.
         if (covering_row != n &&
-            q(covering_row) / table(covering_row, entering) <=
-              q(best) / table(best, entering) + pivot_tolerance * std::abs(q(covering_row)))
+            compare(
+              q(covering_row), table(covering_row, entering), q(best), table(best, entering)) <= 0)
           return covering_row;
         return best;
       }
@@ -108,29 +113,39 @@ namespace fuga
         return table(row, 2 * n + 1);
       }
 
-      double
-      entry(const std::size_t row, const std::size_t variable) const
+      /** The z part of the ray along which @p entering grows, nothing limiting it. */
+      void
+      direction_of(const std::size_t entering, Vector &z) const
       {
-        return table(row, variable);
+        if (entering >= n && entering != covering_variable())
+          z[entering - n] = 1.;
+        for (std::size_t i = 0; i < n; ++i)
+          if (basis[i] >= n && basis[i] != covering_variable())
+            z[basis[i] - n] = std::max(0., -table(i, entering));
       }
 
       const std::size_t n;
 
     private:
+      /** The sign of x/a - y/b for a, b > 0; 0 if it is within rounding. */
+      static int
+      compare(const double x, const double a, const double y, const double b)
+      {
+        const double difference = x / a - y / b;
+        const double noise =
+          entry_noise * (std::max(1., std::abs(x)) / a + std::max(1., std::abs(y)) / b);
+        return std::abs(difference) <= noise ? 0 : difference < 0. ? -1 : 1;
+      }
+
+      /** Row i before row k in the lexicographic order of (q, basis inverse)/entering? */
       bool
       is_before(const std::size_t i, const std::size_t k, const std::size_t entering) const
       {
         const double a = table(i, entering), b = table(k, entering);
-        const auto less = [&](const double x, const double y, bool &decided) {
-          const double left = x / a, right = y / b;
-          decided = std::abs(left - right) > 1e-14 * (std::abs(left) + std::abs(right));
-          return left < right;
-        };
-        bool decided = false;
-        bool result  = less(q(i), q(k), decided);
-        for (std::size_t j = 0; j < n && !decided; ++j)
-          result = less(table(i, j), table(k, j), decided);
-        return decided ? result : i < k;
+        int order = compare(q(i), a, q(k), b);
+        for (std::size_t j = 0; j < n && order == 0; ++j)
+          order = compare(table(i, j), a, table(k, j), b);
+        return order < 0;
       }
 
       DenseMatrix table;
@@ -139,46 +154,49 @@ namespace fuga
   } // namespace
 
   LcpSolution
-  solve_lcp(const DenseMatrix &M, const Vector &q, const Vector &covering)
+  solve_lcp(const DenseMatrix &M, const Vector &right_hand_side, const Vector &covering)
   {
     LcpSolution result;
-    result.z.assign(q.size(), 0.);
-    if (std::all_of(q.begin(), q.end(), [](const double value) { return value >= 0.; }))
+    const std::size_t n = right_hand_side.size();
+    result.z.assign(n, 0.);
+    const double size = max_abs(right_hand_side);
+    if (std::all_of(right_hand_side.begin(), right_hand_side.end(), [](const double value) {
+          return value >= 0.;
+        }))
       {
-        result.solved = true;
+        result.status = LcpStatus::solved;
         return result;
       }
 
+    // q scaled to a largest entry of one.
+    Vector q = right_hand_side;
+    for (double &value : q)
+      value /= size;
     Tableau tableau(M, q, covering);
     std::size_t row              = tableau.first_row(covering);
     std::size_t leaving          = tableau.basic_variable(row);
     std::size_t entering         = tableau.covering_variable();
-    const std::size_t max_pivots = 50 * tableau.n + 1000;
+    const std::size_t max_pivots = 50 * n + 1000;
     for (std::size_t count = 0; count < max_pivots; ++count)
       {
         tableau.pivot(row, entering);
         if (leaving == tableau.covering_variable())
           {
-            for (std::size_t i = 0; i < tableau.n; ++i)
-              if (tableau.basic_variable(i) >= tableau.n)
-                result.z[tableau.basic_variable(i) - tableau.n] = std::max(0., tableau.q(i));
-            result.solved = true;
+            for (std::size_t i = 0; i < n; ++i)
+              if (tableau.basic_variable(i) >= n)
+                result.z[tableau.basic_variable(i) - n] = size * std::max(0., tableau.q(i));
+            result.status = LcpStatus::solved;
             return result;
           }
         entering = tableau.complement(leaving);
         row      = tableau.leaving_row(entering);
-        if (row == tableau.n)
-          break;
+        if (row == n)
+          {
+            tableau.direction_of(entering, result.z);
+            result.status = LcpStatus::ray;
+            return result;
+          }
         leaving = tableau.basic_variable(row);
-      }
-
-    if (entering >= tableau.n && entering != tableau.covering_variable())
-      result.z[entering - tableau.n] = 1.;
-    for (std::size_t i = 0; i < tableau.n; ++i)
-      {
-        const std::size_t variable = tableau.basic_variable(i);
-        if (variable >= tableau.n && variable != tableau.covering_variable())
-          result.z[variable - tableau.n] = std::max(0., -tableau.entry(i, entering));
       }
     return result;
   }

@@ -42,6 +42,12 @@ namespace fuga
     return corners[segment_after(t) + 1];
   }
 
+  double
+  LoadHistory::last_corner(const double t) const
+  {
+    return corners[segment_after(t)];
+  }
+
   Vector
   LoadHistory::factors(const double t) const
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/blas.h>
+#include <fuga/contact/boundary_lcp.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/lemke.h>
 #include <fuga/contact/rate_problem.h>
@@ -12,15 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** One unknown z ≥ 0 of the complementarity problem: a rate of dislocation in direction `sign`
-     * of a bar. */
-    struct Unknown
-    {
-      std::size_t element;
-      std::size_t bar;
-      double sign;
-      ContactState state;
-    };
+    using Unknown = BoundaryLcp::Unknown;
 
     std::vector<Unknown>
     unknowns_of(const std::vector<BoundaryElement> &set,
@@ -82,13 +76,30 @@ namespace fuga
            add(element.normal_bar, state.strengths[k].dilatancy);
   }
 
+  JointRates
+  BoundaryLcp::motion(const Vector &z) const
+  {
+    JointRates result;
+    result.forces.assign(responses.empty() ? 0 : responses.front().forces.size(), 0.);
+    result.dislocations.assign(result.forces.size(), 0.);
+    for (std::size_t j = 0; j < size(); ++j)
+      if (z[j] != 0.)
+        {
+          const double amount = z[j] * scale[j];
+          const std::size_t n = result.forces.size();
+          blas::axpy(n, amount, responses[j].forces.data(), result.forces.data());
+          blas::axpy(n, amount, responses[j].dislocations.data(), result.dislocations.data());
+        }
+    return result;
+  }
+
   // With every boundary element closed and stuck the others are condensed; each unknown then acts
   // by its response, which gives q and the columns of M.
-  bool
-  RateProblem::complementarity(const JointState &state,
-                               const std::vector<BoundaryElement> &set,
-                               const Drive &drive,
-                               Continuation &result)
+  std::optional<BoundaryLcp>
+  RateProblem::boundary_lcp(const JointState &state,
+                            const std::vector<BoundaryElement> &set,
+                            const Drive &drive,
+                            Continuation &result)
   {
     for (const BoundaryElement &candidate : set)
       scheme.set_state(candidate.element, ContactState::stick);
@@ -97,19 +108,25 @@ namespace fuga
       {
         result.has_mechanism = true;
         result.mechanism     = scheme.mechanism();
-        return false;
+        return {};
       }
 
-    const std::vector<Unknown> unknowns = unknowns_of(set, elements);
-    const std::size_t n                 = unknowns.size();
-    DenseMatrix M(n, n);
-    Vector q(n), scale(n);
-    std::vector<JointRates> responses(n);
+    BoundaryLcp lcp;
+    lcp.stuck                            = *stuck;
+    lcp.unknowns                         = unknowns_of(set, elements);
+    const std::vector<Unknown> &unknowns = lcp.unknowns;
+    const std::size_t n                  = unknowns.size();
+    lcp.M                                = DenseMatrix(n, n);
+    lcp.q.resize(n);
+    lcp.responses.resize(n);
+    const auto unit = [&](const std::size_t bar) {
+      return 1. / std::sqrt(system.stiffness()(bar, bar));
+    };
     for (std::size_t j = 0; j < n; ++j)
       {
-        if (!respond(state, unknowns[j].element, unknowns[j].state, responses[j]))
-          return false;
-        scale[j] = 1. / std::sqrt(system.stiffness()(unknowns[j].bar, unknowns[j].bar));
+        if (!respond(state, unknowns[j].element, unknowns[j].state, lcp.responses[j]))
+          return {};
+        lcp.scale.push_back(unit(unknowns[j].bar));
       }
     // Scaled to unit diagonal of W, so that one pivot tolerance suits elements of every size.
     for (std::size_t i = 0; i < n; ++i)
@@ -117,47 +134,54 @@ namespace fuga
         const Unknown &unknown        = unknowns[i];
         const ContactElement &element = elements[unknown.element];
         const double f                = state.strengths[unknown.element].friction;
-        q[i]                          = reserve(unknown, element, f, stuck->forces);
+        const double s                = lcp.scale[i];
+        lcp.q[i]                      = s * reserve(unknown, element, f, stuck->forces);
         if (unknown.state != ContactState::open)
-          q[i] += cohesive_strength_rate(element, drive);
-        q[i] *= scale[i];
+          lcp.q[i] += s * cohesive_strength_rate(element, drive);
         for (std::size_t j = 0; j < n; ++j)
-          M(i, j) = scale[i] * scale[j] * reserve(unknown, element, f, responses[j].forces);
+          lcp.M(i, j) = s * lcp.scale[j] * reserve(unknown, element, f, lcp.responses[j].forces);
+        // Both directions of slip of an element may grow together without moving anything: a ray
+        // that means nothing. It cannot occur if the artificial variable acts in the friction rows
+        // as f times as in the opening row on top of its own share.
+        lcp.covering.push_back(
+          unknown.state == ContactState::open ? 1. : 1. + f * s / unit(element.normal_bar));
       }
+    return lcp;
+  }
 
-    // Both directions of slip of an element may grow together without moving anything: a ray that
-    // means nothing. It cannot occur if the artificial variable acts in the friction rows as f
-    // times as in the opening row on top of its own share.
-    Vector covering(n, 1.);
-    for (std::size_t i = 0; i < n; ++i)
-      if (unknowns[i].state != ContactState::open)
-        covering[i] += state.strengths[unknowns[i].element].friction * scale[i] *
-                       std::sqrt(system.stiffness()(elements[unknowns[i].element].normal_bar,
-                                                    elements[unknowns[i].element].normal_bar));
-    const LcpSolution lcp = solve_lcp(M, q, covering);
-    if (lcp.solved)
+  void
+  RateProblem::take_states(const BoundaryLcp &lcp,
+                           const std::vector<BoundaryElement> &set,
+                           const Vector &z)
+  {
+    for (const BoundaryElement &candidate : set)
+      scheme.set_state(candidate.element, ContactState::stick);
+    const double smallest = 1e-12 * max_abs(z);
+    for (std::size_t j = lcp.size(); j-- > 0;)
+      if (z[j] > smallest && scheme.state(lcp.unknowns[j].element) != ContactState::open)
+        scheme.set_state(lcp.unknowns[j].element, lcp.unknowns[j].state);
+  }
+
+  bool
+  RateProblem::complementarity(const JointState &state,
+                               const std::vector<BoundaryElement> &set,
+                               const Drive &drive,
+                               Continuation &result)
+  {
+    const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
+    if (!lcp)
+      return false;
+    const LcpSolution solution = solve_lcp(lcp->M, lcp->q, lcp->covering);
+    if (solution.solved())
       {
-        const double smallest = 1e-12 * max_abs(lcp.z);
-        for (std::size_t j = n; j-- > 0;)
-          if (lcp.z[j] > smallest && scheme.state(unknowns[j].element) != ContactState::open)
-            scheme.set_state(unknowns[j].element, unknowns[j].state);
+        take_states(*lcp, set, solution.z);
         if (switch_states(state, set, drive, Stride::one_at_a_time, result))
           return true;
       }
-
     // The ray, or a solution that is unbounded but for rounding, is the motion that meets no
     // resistance if anything does; whether it really changes no force is for the caller to see.
     result.has_mechanism = true;
-    result.mechanism.forces.assign(system.n_bars(), 0.);
-    result.mechanism.dislocations.assign(system.n_bars(), 0.);
-    for (std::size_t j = 0; j < n; ++j)
-      if (lcp.z[j] != 0.)
-        for (std::size_t i = 0; i < system.n_bars(); ++i)
-          {
-            const double amount = lcp.z[j] * scale[j];
-            result.mechanism.forces[i] += amount * responses[j].forces[i];
-            result.mechanism.dislocations[i] += amount * responses[j].dislocations[i];
-          }
+    result.mechanism     = lcp->motion(solution.z);
     return false;
   }
 } // namespace fuga

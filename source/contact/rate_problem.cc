@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/layer_response.h>
-#include <fuga/contact/lemke.h>
+#include <fuga/contact/mechanism.h>
 #include <fuga/contact/rate_problem.h>
 
 #include <algorithm>
@@ -11,6 +11,15 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** A determinant below this share of its neighbour is that of a mechanism, not a negative one.
+     */
+    constexpr double smallest_ratio = 1e-10;
+    /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
+    constexpr double max_combinations = 4096.;
+  } // namespace
+
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
                            const LayeredSystem &layered_system,
                            WorkingScheme &working_scheme)
@@ -47,11 +56,29 @@ namespace fuga
     if (set.size() <= max_enumerated)
       {
         result.method = RateMethod::enumeration;
-        if (enumerate(state, set, drive, true, result) > 0)
+        if (enumerate(state, set, drive, result, [] { return true; }))
           return result;
       }
     result.method = RateMethod::lemke;
-    complementarity(state, set, drive, result);
+    if (complementarity(state, set, drive, result) || set.size() <= max_enumerated ||
+        (result.has_mechanism && is_free_motion(result.mechanism, system)))
+      return result;
+    // Nothing moves freely: friction is beyond its critical value, and all that can be done is to
+    // try.
+    result.method = RateMethod::search;
+    if (can_be_enumerated(set))
+      {
+        enumerate(state, set, drive, result, [] { return true; });
+        return result;
+      }
+    std::vector<Branch> found;
+    search_branches(state, set, drive, found);
+    if (!found.empty())
+      {
+        take(set, found.front());
+        result.exists = true;
+        result.rates  = found.front().rates;
+      }
     return result;
   }
 
@@ -134,14 +161,12 @@ namespace fuga
     for (std::size_t count = 0; count < max_schemes; ++count)
       {
         ++result.n_schemes;
-        std::vector<ContactState> present;
-        for (const BoundaryElement &candidate : set)
-          present.push_back(scheme.state(candidate.element));
-        if (!visited.insert(std::move(present)).second)
+        if (!visited.insert(states_of(set)).second)
           return false;
         const std::optional<JointRates> rates = scheme.rates(drive);
         if (!rates)
           return false;
+        result.met_negative_determinant |= scheme.determinant_sign() < 0;
         const std::vector<Switch> switches = violations(state, set, drive, *rates);
         if (switches.empty())
           {
@@ -156,18 +181,18 @@ namespace fuga
     return false;
   }
 
-  unsigned int
+  template <typename Found>
+  bool
   RateProblem::enumerate(const JointState &state,
                          const std::vector<BoundaryElement> &set,
                          const Drive &drive,
-                         const bool stop_at_first,
-                         Continuation &result)
+                         Continuation &result,
+                         const Found &found)
   {
     std::vector<std::vector<ContactState>> choices;
     for (const BoundaryElement &candidate : set)
       choices.push_back(admissible_states(candidate));
     std::vector<std::size_t> choice(set.size(), 0);
-    unsigned int n_found = 0;
     while (true)
       {
         ++result.n_schemes;
@@ -176,26 +201,102 @@ namespace fuga
         const std::optional<JointRates> rates = scheme.rates(drive);
         if (rates && violations(state, set, drive, *rates).empty())
           {
-            ++n_found;
             result.exists = true;
             result.rates  = *rates;
-            if (stop_at_first)
-              return n_found;
+            if (found())
+              return true;
           }
         std::size_t digit = 0;
         while (digit < set.size() && ++choice[digit] == choices[digit].size())
           choice[digit++] = 0;
         if (digit == set.size())
-          return n_found;
+          return false;
       }
   }
 
-  unsigned int
-  RateProblem::count_continuations(const JointState &state,
-                                   const std::vector<BoundaryElement> &set,
-                                   const Drive &drive)
+  std::vector<std::size_t>
+  RateProblem::critical_elements(const std::vector<BoundaryElement> &set)
   {
-    Continuation unused;
-    return enumerate(state, set, drive, false, unused);
+    const bool all = scheme.determinant_sign() <= 0;
+    std::vector<std::size_t> result;
+    for (const BoundaryElement &candidate : set)
+      {
+        if (candidate.shear != ShearPosition::at_strength)
+          continue;
+        const std::size_t k    = candidate.element;
+        const ContactState now = scheme.state(k);
+        if (now == ContactState::open)
+          continue;
+        const ContactState other = is_slipping(now)      ? ContactState::stick
+                                   : candidate.sign > 0. ? ContactState::slip_forward
+                                                         : ContactState::slip_backward;
+        if (all || scheme.determinant_ratio(k, other) < -smallest_ratio)
+          result.push_back(k);
+      }
+    return result;
+  }
+
+  bool
+  RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set)
+  {
+    double n = 1.;
+    for (const BoundaryElement &candidate : set)
+      n *= static_cast<double>(admissible_states(candidate).size());
+    return n <= max_combinations;
+  }
+
+  bool
+  RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
+  {
+    std::vector<WorkingScheme::SlipDirection> slips;
+    for (const BoundaryElement &candidate : set)
+      if (candidate.shear == ShearPosition::at_strength)
+        slips.push_back({candidate.element, candidate.sign});
+    const bool all_slips = std::none_of(
+      set.begin(), set.end(), [](const BoundaryElement &candidate) { return candidate.grazing; });
+    if (all_slips)
+      if (const std::optional<bool> monotone = scheme.is_monotone(slips))
+        return !*monotone;
+    return found.met_negative_determinant || !critical_elements(set).empty();
+  }
+
+  std::vector<ContactState>
+  RateProblem::states_of(const std::vector<BoundaryElement> &set) const
+  {
+    std::vector<ContactState> states;
+    for (const BoundaryElement &candidate : set)
+      states.push_back(scheme.state(candidate.element));
+    return states;
+  }
+
+  void
+  RateProblem::set_states(const std::vector<BoundaryElement> &set,
+                          const std::vector<ContactState> &states)
+  {
+    for (std::size_t i = 0; i < set.size(); ++i)
+      scheme.set_state(set[i].element, states[i]);
+  }
+
+  std::vector<Branch>
+  RateProblem::branches(const JointState &state,
+                        const std::vector<BoundaryElement> &set,
+                        const Drive &drive)
+  {
+    const std::vector<ContactState> present = states_of(set);
+    std::vector<Branch> found;
+    const std::optional<JointRates> rates = scheme.rates(drive);
+    if (rates && violations(state, set, drive, *rates).empty())
+      found.push_back(present_branch(state, set, *rates));
+    Continuation result;
+    if (can_be_enumerated(set))
+      enumerate(state, set, drive, result, [&] {
+        if (is_new(found, result.rates, drive))
+          found.push_back(present_branch(state, set, result.rates));
+        return false;
+      });
+    else
+      search_branches(state, set, drive, found);
+    set_states(set, present);
+    return found;
   }
 } // namespace fuga

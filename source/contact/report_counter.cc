@@ -64,4 +64,11 @@ namespace fuga
     if (is_new())
       observer.reached(index, state);
   }
+
+  void
+  ReportCounter::went_beyond(const double length, const JointState &state)
+  {
+    if (is_new())
+      observer.went_beyond(length, state);
+  }
 } // namespace fuga

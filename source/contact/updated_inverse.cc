@@ -30,6 +30,7 @@ namespace fuga
     LuFactors factors(std::move(matrix));
     if (!(factors.reciprocal_condition() > std::numeric_limits<double>::epsilon()))
       return false;
+    sign                      = factors.determinant_sign();
     const DenseMatrix inverse = factors.release_inverse();
     reserve(size);
     n = size;
@@ -65,7 +66,16 @@ namespace fuga
       }
     column(n)[n] = 1. / pivot;
     ++n;
+    sign = pivot > 0. ? sign : -sign;
     return pivot;
+  }
+
+  double
+  UpdatedInverse::pivot_of(const Vector &new_column,
+                           const Vector &new_row,
+                           const double diagonal_entry) const
+  {
+    return diagonal_entry - dot(new_row, solve(new_column));
   }
 
   bool
@@ -99,7 +109,8 @@ namespace fuga
                 removed_row.data(),
                 values.data(),
                 stride);
-    n = last;
+    n    = last;
+    sign = diagonal > 0. ? sign : -sign;
     return true;
   }
 
@@ -109,6 +120,15 @@ namespace fuga
     Vector x(n, 0.);
     if (n > 0)
       blas::gemv('N', n, n, values.data(), stride, b.data(), x.data());
+    return x;
+  }
+
+  Vector
+  UpdatedInverse::solve_transposed(const Vector &b) const
+  {
+    Vector x(n, 0.);
+    if (n > 0)
+      blas::gemv('T', n, n, values.data(), stride, b.data(), x.data());
     return x;
   }
 } // namespace fuga

@@ -39,7 +39,9 @@ namespace fuga
               fmt::format("z[{}]", u.length),
               "from",
               "to",
-              "certificate"};
+              "certificate",
+              "continuations",
+              fmt::format("path_length[{}]", u.length)};
     }
 
     std::vector<std::string>
@@ -56,6 +58,7 @@ namespace fuga
         columns.push_back(fmt::format("{}[{}]", name, u.stress()));
       for (const char *name : {"gap", "slip1", "slip2", "jump_n", "jump_t1", "jump_t2"})
         columns.push_back(fmt::format("{}[{}]", name, u.length));
+      columns.push_back(fmt::format("path_length[{}]", u.length));
       return columns;
     }
 
@@ -80,7 +83,8 @@ namespace fuga
               fmt::format("energy_bodies[{}]", u.energy()),
               fmt::format("energy_layer[{}]", u.energy()),
               fmt::format("dissipation[{}]", u.energy()),
-              "certificate"};
+              "certificate",
+              fmt::format("path_length[{}]", u.length)};
     }
   } // namespace
 
@@ -110,6 +114,8 @@ namespace fuga
         events.add(std::string(state_name(event.from)));
         events.add(std::string(state_name(event.to)));
         events.add(certificate);
+        events.add(event.n_branches);
+        events.add(length_beyond);
         events.end_row();
       }
   }
@@ -134,6 +140,7 @@ namespace fuga
         for (const double value :
              {r.N, r.T, 0., r.pressure, r.shear, 0., r.gap, r.slip, 0., r.jump_n, r.jump_t, 0.})
           history.add(value);
+        history.add(length_beyond);
         history.end_row();
       }
     for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
@@ -157,7 +164,8 @@ namespace fuga
                                    energies.bodies,
                                    energies.layer,
                                    energies.dissipation,
-                                   certificate})
+                                   certificate,
+                                   length_beyond})
           resultants.add(value);
         resultants.end_row();
       }

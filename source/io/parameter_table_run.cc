@@ -12,7 +12,7 @@ namespace fuga
   {
     return {
       "Solver",
-      "Rigid and linear laws need no iteration: the first three entries are for other laws.",
+      "Rigid and linear laws need no iteration: the entries on iterations are for other laws.",
       {defaulted(
          "Follow",
          "events",
@@ -21,6 +21,23 @@ namespace fuga
          "linear and nothing can break. The same end state if what slips or opens in a stage "
          "keeps "
          "doing so; energies and events are not known then."),
+       defaulted(
+         "Non-unique",
+         "stop",
+         choice("stop|first|largest dissipation"),
+         "What to do where friction is beyond its critical value and the joints can go on in "
+         "several ways: stop with a verdict that says where, or follow the first "
+         "continuation found, or the one that dissipates most."),
+       defaulted("Beyond limit load",
+                 "stop",
+                 choice("stop|arc length"),
+                 "Arc length: goes on beyond a limit load, where the load stays or falls while the "
+                 "mechanism moves. For rigid and linear layers."),
+       defaulted("Largest jump beyond limit",
+                 "0",
+                 number_from(0),
+                 "Growth of the largest jump beyond the limit load at which the run ends. 0: ten "
+                 "times the largest jump at the limit load."),
        defaulted("Iteration",
                  "newton",
                  choice("newton|constant stiffness"),

@@ -107,6 +107,12 @@ namespace fuga
     {
       SolverSettings solver;
       solver.follow_events       = section.text("Follow") == "events";
+      const std::string branch   = section.text("Non-unique");
+      solver.non_unique          = branch == "stop"    ? NonUniqueChoice::stop
+                                   : branch == "first" ? NonUniqueChoice::first
+                                                       : NonUniqueChoice::largest_dissipation;
+      solver.beyond_limit        = section.text("Beyond limit load") == "arc length";
+      solver.beyond_jump         = section.number("Largest jump beyond limit");
       solver.iteration           = section.text("Iteration") == "newton" ? IterationKind::newton
                                                                          : IterationKind::constant_stiffness;
       solver.iteration_tolerance = section.number("Iteration tolerance");

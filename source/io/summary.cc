@@ -21,6 +21,8 @@ namespace fuga
           return "limit load";
         case Verdict::no_continuation:
           return "no continuation";
+        case Verdict::non_unique_continuation:
+          return "non-unique continuation";
       }
     return "";
   }
@@ -42,6 +44,25 @@ namespace fuga
     return "";
   }
 
+  std::string
+  beyond_limit_end_name(const BeyondLimit::End end)
+  {
+    switch (end)
+      {
+        case BeyondLimit::End::none:
+          return "none";
+        case BeyondLimit::End::largest_jump:
+          return "largest jump";
+        case BeyondLimit::End::load_removed:
+          return "load removed";
+        case BeyondLimit::End::limit_regained:
+          return "limit load regained";
+        case BeyondLimit::End::no_continuation:
+          return "no continuation";
+      }
+    return "";
+  }
+
   namespace
   {
     using Json = nlohmann::ordered_json;
@@ -54,6 +75,25 @@ namespace fuga
       for (const auto &[name, value] : pairs)
         result[std::string(name)] = value;
       return result;
+    }
+
+    /** Where friction was seen beyond its critical value, and what could go on there how. */
+    Json
+    critical_section(const Summary &summary)
+    {
+      const CriticalFriction &critical = summary.path.critical;
+      Json elements                    = Json::array();
+      for (const NamedElement &element : summary.critical_elements)
+        elements.push_back({{"joint", element.joint},
+                            {"element", element.number},
+                            {"x", element.position[0]},
+                            {"y", element.position[1]}});
+      return {{"t", critical.t},
+              {"continuations", critical.n_branches},
+              {"all_counted", critical.all_counted},
+              {"determinant_signs", critical.determinant_signs},
+              {"decisions", summary.path.n_non_unique},
+              {"elements", elements}};
     }
 
     Json
@@ -70,7 +110,8 @@ namespace fuga
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},
                                    {"single switching", path.n_decided_by[1]},
                                    {"enumeration", path.n_decided_by[2]},
-                                   {"lemke", path.n_decided_by[3]}};
+                                   {"lemke", path.n_decided_by[3]},
+                                   {"search", path.n_decided_by[4]}};
       return json;
     }
   } // namespace
@@ -95,6 +136,13 @@ namespace fuga
                             {"stage_fraction", summary.stage_fraction},
                             {"load_factors", object(summary.load_factors)},
                             {"mechanism", mechanism_name(summary.path.mechanism)}};
+    if (const BeyondLimit &beyond = summary.path.beyond; beyond.end != BeyondLimit::End::none)
+      json["beyond_limit"] = {{"end", beyond_limit_end_name(beyond.end)},
+                              {"path_length", beyond.length},
+                              {"t", beyond.t},
+                              {"steps", beyond.n_steps}};
+    if (!summary.critical_elements.empty())
+      json["friction_beyond_critical"] = critical_section(summary);
     json["load_factors"] = object(summary.load_factors);
     json["sizes"]        = object(summary.sizes);
     json["events"]       = path_section(summary);

@@ -3,7 +3,6 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/contact/lemke.h>
 #include <fuga/contact/rate_problem.h>
 
 #include <gtest/gtest.h>
@@ -54,8 +53,8 @@ namespace
           state.unreleased   = {0., 0.};
           const Drive drive{multiply(layered.reactions(), Vector{std::cos(angle), std::sin(angle)}),
                             {}};
-          const unsigned int n = problem.count_continuations(
-            state, {{0, false, ShearPosition::at_strength, sign}}, drive);
+          const auto n = static_cast<unsigned int>(
+            problem.branches(state, {{0, false, ShearPosition::at_strength, sign}}, drive).size());
           counts.smallest = std::min(counts.smallest, n);
           counts.largest  = std::max(counts.largest, n);
         }
@@ -72,27 +71,4 @@ TEST(RateProblem, UniqueUpToTheCriticalFriction)
   EXPECT_EQ(below.largest, 1u);
   EXPECT_EQ(above.smallest, 0u);
   EXPECT_EQ(above.largest, 2u);
-}
-
-// Murty's example for n = 3 (lower triangular matrix, q = -1): the unique solution of the P-matrix
-// problem is z = (1, 0, ... ) computed by hand: z1 = 1, w2 = -1 + 2 = 1, w3 = -1 + 2 = 1.
-TEST(Lemke, LowerTriangularExample)
-{
-  DenseMatrix M(3, 3);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j <= i; ++j)
-      M(i, j) = i == j ? 1. : 2.;
-  const LcpSolution solution = solve_lcp(M, {-1., -1., -1.}, {1., 1., 1.});
-  ASSERT_TRUE(solution.solved);
-  EXPECT_NEAR(solution.z[0], 1., 1e-14);
-  EXPECT_NEAR(solution.z[1], 0., 1e-14);
-  EXPECT_NEAR(solution.z[2], 0., 1e-14);
-}
-
-// M = 0, q < 0 has no solution: the method ends on the ray z.
-TEST(Lemke, RayWithoutSolution)
-{
-  const LcpSolution solution = solve_lcp(DenseMatrix(1, 1), {-1.}, {1.});
-  EXPECT_FALSE(solution.solved);
-  EXPECT_EQ(solution.z[0], 1.);
 }

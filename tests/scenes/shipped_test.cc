@@ -66,10 +66,13 @@ TEST_P(Shipped, RunsAndIsCertified)
                                             "z",
                                             "from",
                                             "to",
-                                            "certificate"};
+                                            "certificate",
+                                            "continuations",
+                                            "path_length"};
   const std::vector<std::string> history = {
-    "t",  "joint",    "element", "x",      "y",   "z",     "area",  "state",  "N",       "T1",
-    "T2", "pressure", "shear1",  "shear2", "gap", "slip1", "slip2", "jump_n", "jump_t1", "jump_t2"};
+    "t",     "joint", "element", "x",      "y",        "z",       "area",
+    "state", "N",     "T1",      "T2",     "pressure", "shear1",  "shear2",
+    "gap",   "slip1", "slip2",   "jump_n", "jump_t1",  "jump_t2", "path_length"};
   EXPECT_EQ(names_without_units(run.events), events);
   EXPECT_EQ(names_without_units(run.history), history);
   const auto resultants = names_without_units(run.resultants);

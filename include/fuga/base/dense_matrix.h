@@ -131,6 +131,10 @@ namespace fuga
       return rcond;
     }
 
+    /** Sign of det A; 0 if a pivot vanished. */
+    int
+    determinant_sign() const;
+
     /** Overwrites b by A⁻¹ b. */
     void
     solve(Vector &b) const;

@@ -28,7 +28,23 @@ namespace fuga
       stage_ends
     };
 
-    Follow follow       = Follow::events;
+    /** What happens where the joints can go on in several ways. */
+    enum class NonUnique
+    {
+      /** The path ends with Verdict::non_unique_continuation. */
+      stop,
+      /** The first continuation found is followed. */
+      first,
+      /** The one that dissipates most. */
+      largest_dissipation
+    };
+
+    Follow follow        = Follow::events;
+    NonUnique non_unique = NonUnique::stop;
+    /** Goes on beyond a limit load, the load falling or constant. */
+    bool beyond_limit = false;
+    /** How far the largest jump grows there [m]; 0: ten times the largest jump at the limit. */
+    double beyond_jump  = 0.;
     Iteration iteration = Iteration::newton;
     /** Difference of two successive iterations that ends the iteration, relative to the largest
      * jump. */

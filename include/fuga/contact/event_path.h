@@ -9,6 +9,7 @@
 #include <fuga/contact/mechanism.h>
 #include <fuga/contact/rate_problem.h>
 #include <fuga/contact/report_counter.h>
+#include <fuga/contact/standstill.h>
 
 #include <memory>
 
@@ -23,8 +24,73 @@ namespace fuga
     limit_load,
     /** No quasi-static continuation exists although nothing moves freely (friction beyond
        critical). */
-    no_continuation
+    no_continuation,
+    /** Several continuations exist (friction beyond critical), and the path is not to choose. */
+    non_unique_continuation
   };
+
+  /** What is known of the first place on a path where friction was seen beyond its critical value.
+   */
+  struct CriticalFriction
+  {
+    double t = 0.;
+    /** Elements on their strength that decide: no other ones differ between the continuations. */
+    std::vector<std::size_t> elements;
+    /** Number of continuations; a lower bound if not `all_counted`. */
+    std::size_t n_branches = 0;
+    bool all_counted       = false;
+    /** Signs of the determinants of their schemes; if there is no continuation, of the scheme in
+     * which all elements on their strength slip. */
+    std::vector<int> determinant_signs;
+  };
+
+  template <typename Place, typename Visitor, only_for<Place, CriticalFriction> = 0>
+  void
+  for_each_field(Place &place, Visitor &&visit)
+  {
+    auto &[t, elements, n_branches, all_counted, determinant_signs] = place;
+    visit("t", t);
+    visit("elements", elements);
+    visit("n_branches", n_branches);
+    visit("all_counted", all_counted);
+    visit("determinant_signs", determinant_signs);
+  }
+
+  /** What the path did beyond its limit load. */
+  struct BeyondLimit
+  {
+    enum class End
+    {
+      /** The path did not go there. */
+      none,
+      /** The largest jump has grown as far as asked for. */
+      largest_jump,
+      /** The load has fallen to where its stage, or the linear piece of it, began. */
+      load_removed,
+      /** The load has risen to the limit again. */
+      limit_regained,
+      /** No motion goes on at any load. */
+      no_continuation
+    };
+
+    End end = End::none;
+    /** Growth of the largest jump [m]. */
+    double length = 0.;
+    /** Load time at the end. */
+    double t            = 0.;
+    std::size_t n_steps = 0;
+  };
+
+  template <typename Way, typename Visitor, only_for<Way, BeyondLimit> = 0>
+  void
+  for_each_field(Way &way, Visitor &&visit)
+  {
+    auto &[end, length, t, n_steps] = way;
+    visit("end", end);
+    visit("length", length);
+    visit("t", t);
+    visit("n_steps", n_steps);
+  }
 
   struct PathResult
   {
@@ -40,7 +106,11 @@ namespace fuga
     std::size_t n_jumps    = 0;
     unsigned int n_schemes = 0;
     /** Continuations found by each RateMethod. */
-    std::array<std::size_t, 4> n_decided_by = {{0, 0, 0, 0}};
+    std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
+    /** Decisions with several continuations. */
+    std::size_t n_non_unique = 0;
+    CriticalFriction critical;
+    BeyondLimit beyond;
   };
 
   template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
@@ -56,7 +126,10 @@ namespace fuga
            n_steps,
            n_jumps,
            n_schemes,
-           n_decided_by] = result;
+           n_decided_by,
+           n_non_unique,
+           critical,
+           beyond] = result;
     visit("verdict", verdict);
     visit("t", t);
     visit("mechanism", mechanism);
@@ -67,10 +140,14 @@ namespace fuga
     visit("n_jumps", n_jumps);
     visit("n_schemes", n_schemes);
     visit("n_decided_by", n_decided_by);
+    visit("n_non_unique", n_non_unique);
+    visit("critical", critical);
+    visit("beyond", beyond);
   }
 
   /**
-   * A place between two segments from which a path can be followed again, bit for bit. Segments are
+   * A place between two segments, where the load goes on, from which a path can be followed again,
+   * bit for bit. Segments are
    * never cut: where they are divided would change the steps along a curve. What the observer heard
    * behind the cut, levels for instance, is counted instead and not reported again.
    */
@@ -81,9 +158,7 @@ namespace fuga
     PathResult result;
     IterationCount iterations;
     SchemeMemory scheme;
-    /** Steps without progress that came one after the other last. */
-    std::size_t n_zero_steps_in_row = 0;
-    std::size_t next_level          = 0;
+    std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
     /** Reports to the observer since the cut. */
@@ -94,14 +169,11 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto
-      &[state, result, iterations, scheme, n_zero_steps_in_row, next_level, resticking, n_reports] =
-        cut;
+    auto &[state, result, iterations, scheme, next_level, resticking, n_reports] = cut;
     visit("state", state);
     visit("result", result);
     visit("iterations", iterations);
     visit("scheme", scheme);
-    visit("n_zero_steps_in_row", n_zero_steps_in_row);
     visit("next_level", next_level);
     visit("resticking", resticking);
     visit("n_reports", n_reports);
@@ -152,12 +224,13 @@ namespace fuga
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer);
     void
-    make_cut(const JointState &state,
-             const PathResult &result,
-             const std::size_t n_zero_steps_in_row,
-             ReportCounter &observer);
+    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
     Course
     next_course(const JointState &state) const;
+    double
+    widening_of_tolerances() const;
+    void
+    check_standstill(const JointState &state) const;
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,
@@ -167,6 +240,35 @@ namespace fuga
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
     bool
     break_exhausted_bonds(JointState &state, PathObserver &observer, PathResult &result) const;
+    void
+    choose_branch(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  const Drive &drive,
+                  Continuation &continuation,
+                  PathResult &result);
+    /** States and strengths of the working scheme become those of @p state. */
+    void
+    take_scheme(JointState &state);
+    std::size_t
+    adopt_scheme(JointState &state,
+                 const std::vector<BoundaryElement> &set,
+                 const std::size_t n_branches,
+                 PathObserver &observer) const;
+    void
+    go_beyond_limit(JointState &state, PathObserver &observer, PathResult &result);
+    struct ControlledStep
+    {
+      ControlledContinuation motion;
+      Course course;
+    };
+    ControlledStep
+    step_beyond(const JointState &state,
+                const std::vector<BoundaryElement> &set,
+                const double first_t,
+                const double last_t,
+                const double left);
+    void
+    find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
     double
@@ -183,7 +285,7 @@ namespace fuga
     lose_equilibrium(JointState &state,
                      const Continuation &continuation,
                      PathObserver &observer,
-                     PathResult &result) const;
+                     PathResult &result);
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
@@ -192,6 +294,7 @@ namespace fuga
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
+    Standstill standstill;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;

@@ -8,21 +8,37 @@
 
 namespace fuga
 {
-  /** Result of Lemke's method. */
+  /** How Lemke's method ended. */
+  enum class LcpStatus
+  {
+    solved,
+    /** A ray: no solution is reached from this covering vector. */
+    ray,
+    /** Too many pivots; the method is finite, but its number of pivots may grow as 2ⁿ. */
+    undecided
+  };
+
   struct LcpSolution
   {
-    /** False: the method ended on a ray. */
-    bool solved = false;
+    LcpStatus status = LcpStatus::undecided;
     /** z ≥ 0 with q + M z ≥ 0 complementary to it; on a ray the direction of the ray. */
     Vector z;
+
+    bool
+    solved() const
+    {
+      return status == LcpStatus::solved;
+    }
   };
 
   /**
    * Linear complementarity problem  z ≥ 0,  q + M z ≥ 0,  z·(q + M z) = 0  by Lemke's method with
    * the lexicographic ratio test (Cottle, Pang & Stone, The Linear Complementarity Problem, 4.4
-   * and 4.9):
-   * finite for every M, a solution or a ray. O(n²) per pivot. @p covering: the positive vector that
-   * multiplies the artificial variable.
+   * and 4.9). All rows of (q, basis inverse) are lexicographically positive from the first pivot
+   * on, so no basis comes back: finite for every M, a solution or a ray. O(n²) per pivot. The
+   * diagonal of
+   * @p M should be of order one: ties are told by rounding errors relative to that. @p covering: the
+   * positive vector that multiplies the artificial variable.
    */
   LcpSolution
   solve_lcp(const DenseMatrix &M, const Vector &q, const Vector &covering);

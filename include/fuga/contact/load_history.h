@@ -31,6 +31,10 @@ namespace fuga
     double
     next_corner(const double t) const;
 
+    /** The last corner at or before @p t at which rates(t) begin to hold. */
+    double
+    last_corner(const double t) const;
+
     /** a(t). */
     Vector
     factors(const double t) const;

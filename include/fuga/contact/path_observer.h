@@ -15,6 +15,8 @@ namespace fuga
     std::size_t element = 0;
     ContactState from   = ContactState::stick;
     ContactState to     = ContactState::stick;
+    /** Continuations known at this load: 1 unless friction is beyond critical. */
+    std::size_t n_branches = 1;
   };
 
   /** Receives the path as it is found. All calls come in the order of the load time. */
@@ -45,6 +47,13 @@ namespace fuga
     /** A requested load time was reached; @p index counts them. */
     virtual void
     reached(const std::size_t index, const JointState &state) = 0;
+
+    /** A state beyond the limit load, after the largest jump has grown by @p length: at the limit, and
+     * at the end of every step. Here the load time may stay or fall. */
+    virtual void
+    went_beyond(const double /*length*/, const JointState & /*state*/)
+    {
+    }
   };
 } // namespace fuga
 

@@ -11,14 +11,16 @@ namespace fuga
 {
   /**
    * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
-   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1.
+   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
+   * beyond a limit load, the load that goes with the growth τ of the largest jump.
    */
   struct Course
   {
     enum class Kind
     {
       loading,
-      release
+      release,
+      beyond_limit
     };
 
     Kind kind    = Kind::loading;

@@ -22,7 +22,9 @@ namespace fuga
     /** All combinations of a small boundary set. */
     enumeration,
     /** Lexicographic Lemke on the whole boundary set. */
-    lemke
+    lemke,
+    /** Single switching from many first guesses and Lemke with several covering vectors. */
+    search
   };
 
   /** What the rate problem found. */
@@ -36,9 +38,40 @@ namespace fuga
     /** If none exists: the motion that meets the least resistance, if one was found. */
     bool has_mechanism = false;
     JointRates mechanism;
+    /** Continuations known. */
+    std::size_t n_branches = 1;
     /** Schemes tried. */
     unsigned int n_schemes = 0;
+    /** One of them had a negative determinant. */
+    bool met_negative_determinant = false;
   };
+
+  /** One of several ways in which the joints can go on. */
+  struct Branch
+  {
+    /** States of the boundary elements. */
+    std::vector<ContactState> states;
+    JointRates rates;
+    /** Sign of the determinant of its scheme: negative beyond critical friction. */
+    int determinant_sign = 0;
+    /** Σ T ṡ [MN m per unit of the path]. */
+    double dissipation = 0.;
+    /** Σ Ṫ ṡ: decides between branches that leave from the apex of the cone, where T = 0. */
+    double dissipation_growth = 0.;
+  };
+
+  /** How the joints go on beyond a limit load, where the load is no longer given. */
+  struct ControlledContinuation
+  {
+    bool exists = false;
+    /** Per unit of the largest jump [m]. */
+    JointRates rates;
+    /** Rate of the load time per unit of the largest jump [1/m]: zero on a plateau, negative where
+     * the load falls. */
+    double load_rate = 0.;
+  };
+
+  struct BoundaryLcp;
 
   /**
    * Decides by rates, for all elements on a boundary at once, how the joints go on:
@@ -59,12 +92,62 @@ namespace fuga
     Continuation
     solve(const JointState &state, const std::vector<BoundaryElement> &set, const Drive &drive);
 
-    /** Number of consistent continuations, by trying all; for boundary sets of at most
-     * max_enumerated elements. */
-    unsigned int
-    count_continuations(const JointState &state,
-                        const std::vector<BoundaryElement> &set,
-                        const Drive &drive);
+    /**
+     * Elements of @p set that give reason to look for further continuations: the determinant of the
+     * present scheme changes its sign if one of them begins or ceases to slip. All of them if the
+     * determinant is not positive. Costs nothing beside a solution of the rate problem.
+     */
+    std::vector<std::size_t>
+    critical_elements(const std::vector<BoundaryElement> &set);
+
+    /**
+     * False if it is certain that the continuation just found is the only one, or if nothing speaks
+     * against it where that is not known. Certain where the slips are monotone; where not all of
+     * the set are slips of tangential bars the determinants are asked.
+     */
+    bool
+    may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found);
+
+    /**
+     * Continuations with different rates. All of them if can_be_enumerated(), otherwise those that
+     * switching from several schemes and Lemke's method with several
+     * covering vectors reach. The one that the present scheme describes, if it is one, comes first;
+     * the present scheme is restored.
+     */
+    std::vector<Branch>
+    branches(const JointState &state, const std::vector<BoundaryElement> &set, const Drive &drive);
+
+    /** Gives the elements of @p set the states of a branch. */
+    void
+    take(const std::vector<BoundaryElement> &set, const Branch &branch)
+    {
+      set_states(set, branch.states);
+    }
+
+    /**
+     * The motion that goes on at a load which may fall or stay: the rate problem with the load rate
+     * λ̇ as one more unknown and the amount of motion as given (doc/theory.md, section 7). @p
+     * unit_load drives at λ̇ = 1. The working scheme takes the states that go with it.
+     */
+    ControlledContinuation
+    solve_controlled(const JointState &state,
+                     const std::vector<BoundaryElement> &set,
+                     const Drive &unit_load);
+
+    /**
+     * The release of lost strength that no constant load allows: the load falls while that part of
+     * its displacement which is due to opening and slip stands still (doc/theory.md, eq. 7b). The
+     * rates are those per unit of @p release.
+     */
+    ControlledContinuation
+    solve_release(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  const Drive &release,
+                  const Drive &unit_load);
+
+    /** The states of @p set have few enough combinations to try all. */
+    static bool
+    can_be_enumerated(const std::vector<BoundaryElement> &set);
 
     static constexpr std::size_t max_enumerated = 6;
 
@@ -97,12 +180,21 @@ namespace fuga
                   const Drive &drive,
                   const Stride stride,
                   Continuation &result);
-    unsigned int
+    /** Tries all schemes until @p found returns true. */
+    template <typename Found>
+    bool
     enumerate(const JointState &state,
               const std::vector<BoundaryElement> &set,
               const Drive &drive,
-              const bool stop_at_first,
-              Continuation &result);
+              Continuation &result,
+              const Found &found);
+    std::optional<BoundaryLcp>
+    boundary_lcp(const JointState &state,
+                 const std::vector<BoundaryElement> &set,
+                 const Drive &drive,
+                 Continuation &result);
+    void
+    take_states(const BoundaryLcp &lcp, const std::vector<BoundaryElement> &set, const Vector &z);
     bool
     respond(const JointState &state,
             const std::size_t k,
@@ -113,6 +205,22 @@ namespace fuga
                     const std::vector<BoundaryElement> &set,
                     const Drive &drive,
                     Continuation &result);
+
+    Branch
+    present_branch(const JointState &state,
+                   const std::vector<BoundaryElement> &set,
+                   const JointRates &rates);
+    void
+    set_states(const std::vector<BoundaryElement> &set, const std::vector<ContactState> &states);
+    std::vector<ContactState>
+    states_of(const std::vector<BoundaryElement> &set) const;
+    bool
+    is_new(const std::vector<Branch> &known, const JointRates &rates, const Drive &drive) const;
+    void
+    search_branches(const JointState &state,
+                    const std::vector<BoundaryElement> &set,
+                    const Drive &drive,
+                    std::vector<Branch> &found);
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;

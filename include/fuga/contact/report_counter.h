@@ -32,6 +32,8 @@ namespace fuga
     changed(const std::vector<ContactEvent> &events, const JointState &state) override;
     void
     reached(const std::size_t index, const JointState &state) override;
+    void
+    went_beyond(const double length, const JointState &state) override;
 
   private:
     bool

@@ -32,6 +32,25 @@ namespace fuga
     void
     reserve(const std::size_t new_size);
 
+    /** Sign of the determinant of the matrix, kept through all changes. */
+    int
+    determinant_sign() const
+    {
+      return sign;
+    }
+
+    /** Entry of the inverse. On the diagonal: the determinant without row and column k over the
+     * determinant with them. */
+    double
+    entry(const std::size_t i, const std::size_t j) const
+    {
+      return column(j)[i];
+    }
+
+    /** Pivot that append() would return. */
+    double
+    pivot_of(const Vector &column, const Vector &row, const double diagonal) const;
+
     /** The inverse of @p matrix. Returns false if it is singular to working precision. */
     bool
     rebuild(DenseMatrix &&matrix);
@@ -58,6 +77,10 @@ namespace fuga
     Vector
     solve(const Vector &b) const;
 
+    /** x = M⁻ᵀ b. */
+    Vector
+    solve_transposed(const Vector &b) const;
+
   private:
     double *
     column(const std::size_t j)
@@ -73,6 +96,7 @@ namespace fuga
 
     std::size_t n      = 0;
     std::size_t stride = 0;
+    int sign           = 1;
     Vector values;
   };
 } // namespace fuga

@@ -160,6 +160,37 @@ namespace fuga
     void
     restore(const SchemeMemory &memory);
 
+    /**
+     * Sign of the determinant of the active matrix; 0 if it is singular. Without friction it is
+     * positive: W is positive definite wherever a scheme is no mechanism.
+     */
+    int
+    determinant_sign();
+
+    /**
+     * The determinant after the tangential bar of @p element has taken the equation of state @p to,
+     * over the present one; made dimensionless by W of that bar. Positive without friction.
+     */
+    double
+    determinant_ratio(const std::size_t element, const ContactState to);
+
+    /** An element on its strength, and the direction in which it slips or would slip. */
+    struct SlipDirection
+    {
+      std::size_t element;
+      double sign;
+    };
+
+    /**
+     * Whether the slips of these elements, the rest of the scheme given, answer their reserves of
+     * strength monotonically: xᵀMx > 0 for the matrix M of the rate problem (doc/theory.md, eq. 7).
+     * Then it has one solution for every load. Nothing if the slip of one of them is not the work
+     * of its tangential bar alone.
+     */
+    std::optional<bool>
+    is_monotone(const std::vector<SlipDirection> &slips);
+
+
   private:
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
@@ -171,6 +202,13 @@ namespace fuga
       return position[row.bar] != no_row && rows[position[row.bar]] == row;
     }
 
+    void
+    add_stuck_slips(const std::vector<SlipDirection> &slips,
+                    const std::vector<std::size_t> &active,
+                    const std::vector<std::size_t> &stuck,
+                    DenseMatrix &M) const;
+    std::optional<SchemeRow>
+    tangential_row(const std::size_t element, const ContactState in_state) const;
     double
     entry(const SchemeRow &row, const std::size_t bar) const;
     DenseMatrix

@@ -74,6 +74,19 @@ namespace fuga
               const EnergyLedger &energies,
               const double certificate);
 
+    /** Growth of the largest jump beyond the limit load, for all rows that follow; 0 before it. */
+    void
+    set_path_length(const double length)
+    {
+      length_beyond = length;
+    }
+
+    double
+    path_length() const
+    {
+      return length_beyond;
+    }
+
     /** Brings the files on disk up to date. */
     void
     publish(const bool now);
@@ -82,6 +95,7 @@ namespace fuga
     const HistoryContext context;
     CsvFile events, history, resultants;
     std::size_t n_events = 0;
+    double length_beyond = 0.;
   };
 } // namespace fuga
 

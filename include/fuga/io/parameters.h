@@ -111,10 +111,23 @@ namespace fuga
     constant_stiffness
   };
 
+  /** What happens where the joints can go on in several ways. */
+  enum class NonUniqueChoice
+  {
+    stop,
+    first,
+    largest_dissipation
+  };
+
   struct SolverSettings
   {
     /** False: stage ends by implicit steps where possible. */
-    bool follow_events              = true;
+    bool follow_events         = true;
+    NonUniqueChoice non_unique = NonUniqueChoice::stop;
+    /** Beyond a limit load by arc length, until the largest jump has grown by this [m]; 0: by
+     * default. */
+    bool beyond_limit               = false;
+    double beyond_jump              = 0.;
     IterationKind iteration         = IterationKind::newton;
     double iteration_tolerance      = 1e-12;
     unsigned int maximum_iterations = 200;

@@ -18,6 +18,16 @@ namespace fuga
   verdict_name(const Verdict verdict);
   std::string
   mechanism_name(const MechanismKind kind);
+  std::string
+  beyond_limit_end_name(const BeyondLimit::End end);
+
+  /** A contact element as the user knows it. */
+  struct NamedElement
+  {
+    std::string joint;
+    unsigned int number = 0;
+    std::array<double, 3> position;
+  };
 
   /** What summary.json says; see README, "Results". */
   struct Summary
@@ -37,6 +47,8 @@ namespace fuga
     std::map<std::string, std::size_t> events_by_kind;
     std::size_t n_events = 0;
     PathResult path;
+    /** The elements of PathResult::critical. */
+    std::vector<NamedElement> critical_elements;
     IterationCount iterations;
     Certificate certificate;
     double certificate_bound = 0.;

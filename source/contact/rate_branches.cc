@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/boundary_lcp.h>
+#include <fuga/contact/layer_response.h>
+#include <fuga/contact/lemke.h>
+#include <fuga/contact/rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Rates that differ by less than this share of the largest are the same branch. */
+    constexpr double same_rates = 1e-7;
+    /** Covering vectors with which Lemke's method looks for further branches. */
+    constexpr unsigned int n_covering_vectors = 8;
+    /** First guesses at random. */
+    constexpr unsigned int n_random_guesses = 64;
+
+    /** Numbers between 1/4 and 4 that fill the interval evenly: multiples of the golden ratio. */
+    Vector
+    varied(const Vector &covering, const unsigned int attempt)
+    {
+      constexpr double golden_ratio = 0.6180339887498949;
+      Vector result                 = covering;
+      for (std::size_t i = 0; i < result.size() && attempt > 0; ++i)
+        {
+          const double position = golden_ratio * static_cast<double>(attempt * result.size() + i);
+          result[i] *= std::pow(4., 2. * (position - std::floor(position)) - 1.);
+        }
+      return result;
+    }
+  } // namespace
+
+  Branch
+  RateProblem::present_branch(const JointState &state,
+                              const std::vector<BoundaryElement> &set,
+                              const JointRates &rates)
+  {
+    Branch branch;
+    branch.states           = states_of(set);
+    branch.rates            = rates;
+    branch.determinant_sign = scheme.determinant_sign();
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (is_slipping(scheme.state(k)))
+        {
+          const std::size_t t = elements[k].tangential_bar;
+          const double slip   = slip_rate(elements[k], state, k, rates);
+          branch.dissipation += state.forces[t] * slip;
+          branch.dissipation_growth += rates.forces[t] * slip;
+        }
+    return branch;
+  }
+
+  // Schemes may differ where nothing moves; branches differ if forces or dislocations do.
+  bool
+  RateProblem::is_new(const std::vector<Branch> &known,
+                      const JointRates &rates,
+                      const Drive &drive) const
+  {
+    const DenseMatrix &W = system.stiffness();
+    for (const Branch &branch : known)
+      {
+        double size = max_abs(drive.reactions), difference = 0.;
+        for (std::size_t i = 0; i < rates.forces.size(); ++i)
+          {
+            const double d = rates.dislocations[i], d_known = branch.rates.dislocations[i];
+            size       = std::max({size,
+                                   std::abs(rates.forces[i]),
+                                   std::abs(branch.rates.forces[i]),
+                                   W(i, i) * std::abs(d),
+                                   W(i, i) * std::abs(d_known)});
+            difference = std::max({difference,
+                                   std::abs(rates.forces[i] - branch.rates.forces[i]),
+                                   W(i, i) * std::abs(d - d_known)});
+          }
+        if (difference <= same_rates * size)
+          return false;
+      }
+    return true;
+  }
+
+  // Switching from all stuck, from all slipping, from the present branch with one critical element
+  // turned, from random schemes; Lemke's method with several covering vectors.
+  void
+  RateProblem::search_branches(const JointState &state,
+                               const std::vector<BoundaryElement> &set,
+                               const Drive &drive,
+                               std::vector<Branch> &found)
+  {
+    const std::vector<ContactState> present = states_of(set);
+    const std::vector<std::size_t> critical = critical_elements(set);
+    const auto switched = [&](const BoundaryElement &candidate, const ContactState now) {
+      if (candidate.shear != ShearPosition::at_strength || now == ContactState::open)
+        return now;
+      if (is_slipping(now))
+        return ContactState::stick;
+      return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+    };
+    std::vector<std::vector<ContactState>> guesses(2, present);
+    for (std::size_t i = 0; i < set.size(); ++i)
+      {
+        guesses[0][i] = ContactState::stick;
+        guesses[1][i] = switched(set[i], ContactState::stick);
+        if (std::find(critical.begin(), critical.end(), set[i].element) != critical.end() &&
+            guesses.size() < 2 + max_enumerated)
+          {
+            guesses.push_back(present);
+            guesses.back()[i] = switched(set[i], present[i]);
+          }
+      }
+    std::mt19937 random; // its numbers are the same everywhere
+    for (unsigned int i = 0; i < n_random_guesses; ++i)
+      {
+        guesses.push_back(present);
+        for (std::size_t k = 0; k < set.size(); ++k)
+          {
+            const std::vector<ContactState> admissible = admissible_states(set[k]);
+            guesses.back()[k]                          = admissible[random() % admissible.size()];
+          }
+      }
+    Continuation result;
+    const auto note = [&] {
+      if (switch_states(state, set, drive, Stride::one_at_a_time, result) &&
+          is_new(found, result.rates, drive))
+        found.push_back(present_branch(state, set, result.rates));
+    };
+    for (const std::vector<ContactState> &guess : guesses)
+      {
+        set_states(set, guess);
+        note();
+      }
+    const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
+    for (unsigned int attempt = 0; lcp && attempt < n_covering_vectors; ++attempt)
+      {
+        const LcpSolution solution = solve_lcp(lcp->M, lcp->q, varied(lcp->covering, attempt));
+        if (!solution.solved())
+          continue;
+        take_states(*lcp, set, solution.z);
+        note();
+      }
+  }
+} // namespace fuga
