@@ -18,11 +18,12 @@ namespace fuga
     constexpr double rate_tolerance = 1e-10;
     constexpr double never          = std::numeric_limits<double>::infinity();
 
-    /** Where a function that is φ now and changes at the rate φ' reaches zero from above. */
+    /** Where a function that is φ now and changes at the rate φ' reaches zero from above. At zero a
+     * rate of the size of the noise is none: the rate problem has taken it for zero as well. */
     double
-    root(const double value, const double rate, const double tolerance)
+    root(const double value, const double rate, const double tolerance, const double noise)
     {
-      if (rate >= 0. || (value <= tolerance && rate >= -tolerance))
+      if (rate >= 0. || (value <= tolerance && rate >= -std::max(tolerance, noise)))
         return never;
       return std::max(0., -value / rate);
     }
@@ -103,23 +104,27 @@ namespace fuga
   ContactBoundary::distance_of(const std::size_t k,
                                const JointState &state,
                                const JointRates &rates,
-                               const Drive &drive) const
+                               const Drive &drive,
+                               const RateNoise &noise) const
   {
     const ContactElement &element = elements[k];
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return root(gap(element, state, k), rates.dislocations[n], zero_gap);
+      return root(gap(element, state, k), rates.dislocations[n], zero_gap, noise.jump());
 
     const Strength &strength_left = state.strengths[k];
-    double nearest =
-      root(strength_left.tension - state.forces[n], -rates.forces[n], force_tolerances[n]);
+    double nearest                = root(strength_left.tension - state.forces[n],
+                          -rates.forces[n],
+                          force_tolerances[n],
+                          noise.force(n));
     if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
       nearest =
         std::min(nearest,
                  root(element.friction.dilation_limit - state.dilations[k],
                       -strength_left.dilatancy * std::abs(slip_rate(element, state, k, rates)),
-                      zero_gap));
+                      zero_gap,
+                      strength_left.dilatancy * noise.jump()));
     if (state.states[k] == ContactState::stick && element.has_tangential_bar())
       for (const double sign : {1., -1.})
         {
@@ -130,7 +135,8 @@ namespace fuga
                              root(strength - sign * state.forces[t],
                                   -f * rates.forces[n] + cohesive_strength_rate(element, drive) -
                                     sign * rates.forces[t],
-                                  tolerance));
+                                  tolerance,
+                                  noise.force(t) + f * noise.force(n)));
         }
     return nearest;
   }
@@ -141,8 +147,9 @@ namespace fuga
                             const Drive &drive) const
   {
     double nearest = never;
+    const RateNoise noise(system, rates, drive);
     for (std::size_t k = 0; k < elements.size(); ++k)
-      nearest = std::min(nearest, distance_of(k, state, rates, drive));
+      nearest = std::min(nearest, distance_of(k, state, rates, drive, noise));
     return nearest;
   }
 

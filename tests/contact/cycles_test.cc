@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "contact/toy_system.h"
+#include "contact/cycle_record.h"
+#include "known_answer.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,47 +12,15 @@
 using namespace fuga;
 using namespace fuga::tests;
 
-namespace
-{
-  LoadHistory
-  cycles(const std::size_t n, const Vector &first, const Vector &second, const Vector &begin)
-  {
-    std::vector<double> corners = {0., 1.};
-    std::vector<Vector> values  = {Vector(begin.size(), 0.), begin};
-    for (std::size_t i = 0; i < n; ++i)
-      for (const Vector &value : {first, second})
-        {
-          corners.push_back(corners.back() + 1.);
-          values.push_back(value);
-        }
-    return {corners, values};
-  }
-
-  std::vector<double>
-  whole_numbers(const std::size_t n)
-  {
-    std::vector<double> result;
-    for (std::size_t i = 1; i <= n; ++i)
-      result.push_back(static_cast<double>(i));
-    return result;
-  }
-} // namespace
-
 // V6, Jenkins element beside a spring k under ±F0: U = (F0 - fN)/k, loss per cycle 4 fN (U -
 // fN/k_t), closed form. k = 2, k_t = 5, fN = 0.3, F0 = 1: U = 0.35, loss 0.348.
 TEST(Cycles, JenkinsElement)
 {
   const std::size_t n_cycles = 50;
   const ToyJoint joint(1, 1., make_rigid_law(), make_linear_law(1. / 5.), {0.3, 0.});
-  ToySystem system;
-  system.S       = DenseMatrix(2, 2);
-  system.S(0, 0) = 1.;
-  system.S(1, 1) = 2.;
-  system.F       = DenseMatrix(2, 2);
-  system.F(0, 0) = -1.;
-  system.F(1, 1) = 1.;
+  const ToySystem system = spring_beside_joint(2.);
   const LayeredSystem layered(system, joint.elements);
-  const LoadHistory history = cycles(n_cycles, {1., -1.}, {1., 1.}, {1., 1.});
+  const LoadHistory history = cyclic_history(n_cycles, {1., -1.}, {1., 1.}, {1., 1.});
   EventPath path(joint.elements, layered, history, {});
   class LossRecord : public Record
   {
@@ -88,7 +58,8 @@ TEST(Cycles, RatchetOfRockingBlock)
   const ToyJoint joint(2, 1., make_linear_law(1.), make_linear_law(0.5), {0.6, 0.});
   const ToySystem system = rigid_block(1, 1.);
   const LayeredSystem layered(system, joint.elements);
-  const LoadHistory history = cycles(n_cycles, {0.9, -2., 0.5}, {0.9, -2., -0.5}, {0.9, -2., 0.});
+  const LoadHistory history =
+    cyclic_history(n_cycles, {0.9, -2., 0.5}, {0.9, -2., -0.5}, {0.9, -2., 0.});
   EventPath path(joint.elements, layered, history, {});
   Record record(system, joint.elements, history);
   const PathResult result = path.run(whole_numbers(1 + 2 * n_cycles), record);
@@ -99,6 +70,58 @@ TEST(Cycles, RatchetOfRockingBlock)
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_NEAR(
         record.levels[2 * cycle].slips[k] - record.levels[2 * cycle - 2].slips[k], 0.3, tolerance);
+}
+
+// V6, shakedown: the Jenkins element with F0 ≤ fN(1 + k/k_t) = 0.42 never slips again after the
+// first loading (here never at all; at 0.42 itself the limit is touched in every cycle).
+TEST(Cycles, JenkinsElementShakesDown)
+{
+  for (const double F0 : {0.3, 0.42})
+    {
+      const std::size_t n_cycles = 50;
+      const ToyJoint joint(1, 1., make_rigid_law(), make_linear_law(1. / 5.), {0.3, 0.});
+      const ToySystem system = spring_beside_joint(2.);
+      const LayeredSystem layered(system, joint.elements);
+      const LoadHistory history = cyclic_history(n_cycles, {1., -F0}, {1., F0}, {1., F0});
+      EventPath path(joint.elements, layered, history, {});
+      CycleRecord record(system, joint.elements, history);
+      EXPECT_EQ(path.run(whole_numbers(1 + 2 * n_cycles), record).verdict, Verdict::done);
+      EXPECT_LE(record.worst.worst(), 1e-12);
+      for (const double loss : record.loss)
+        EXPECT_NEAR(loss, 0., 1e-14);
+      EXPECT_NEAR(record.last.slips[0], 0., 1e-14);
+    }
+}
+
+// V6, shakedown of the rocking block: D = Q - 2 f N0 (1 - β) ≤ 0. f = 1 gives D = -0.1, f = 0.9
+// gives D = 0, where both bars touch their limits in every cycle. What slips in the first cycles
+// stays; then nothing is lost any more.
+TEST(Cycles, RockingBlockShakesDown)
+{
+  for (const double f : {0.9, 1.})
+    {
+      const std::size_t n_cycles = 50;
+      const ToyJoint joint(2, 1., make_linear_law(1.), make_linear_law(0.5), {f, 0.});
+      const ToySystem system = rigid_block(1, 1.);
+      const LayeredSystem layered(system, joint.elements);
+      const LoadHistory history =
+        cyclic_history(n_cycles, {0.9, -2., 0.5}, {0.9, -2., -0.5}, {0.9, -2., 0.});
+      EventPath path(joint.elements, layered, history, {});
+      CycleRecord record(system, joint.elements, history);
+      EXPECT_EQ(path.run(whole_numbers(1 + 2 * n_cycles), record).verdict, Verdict::done);
+      EXPECT_LE(record.worst.worst(), 1e-12);
+      // Some roundings of numbers of order one; 0.27 where the block ratchets.
+      for (std::size_t cycle = 1; cycle < n_cycles; ++cycle)
+        EXPECT_NEAR(record.loss[cycle], 0., 1e-14) << f << ' ' << cycle;
+      for (const std::size_t k : {0u, 1u})
+        EXPECT_NEAR(record.last.slips[k], record.end_of_second.slips[k], 1e-13);
+      expect_answer({"V6 rocking block",
+                     fmt::format("loss of cycle 50 with D = {:.1f}", 0.9 - f),
+                     0.,
+                     "closed form (shakedown)"},
+                    record.loss.back(),
+                    1e-14);
+    }
 }
 
 // Cohesion lost at opening. One element, springs k_n = k_t = 1, rigid layer, f = 0, c A = 2;

@@ -28,6 +28,19 @@ namespace fuga::tests
     return system;
   }
 
+  ToySystem
+  spring_beside_joint(const double k)
+  {
+    ToySystem system;
+    system.S       = DenseMatrix(2, 2);
+    system.S(0, 0) = 1.;
+    system.S(1, 1) = k;
+    system.F       = DenseMatrix(2, 2);
+    system.F(0, 0) = -1.;
+    system.F(1, 1) = 1.;
+    return system;
+  }
+
   ToyJoint
   rigid_block_joint(const std::size_t n,
                     const double base,

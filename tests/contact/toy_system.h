@@ -125,6 +125,10 @@ namespace fuga::tests
   ToySystem
   rigid_block(const std::size_t n, const double base);
 
+  /** One element pressed by load 0; load 1 shears it together with a spring of stiffness @p k. */
+  ToySystem
+  spring_beside_joint(const double k);
+
   /** The joint of that block: nodal areas base/n, half at the ends. */
   ToyJoint
   rigid_block_joint(const std::size_t n,

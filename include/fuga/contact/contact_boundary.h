@@ -101,7 +101,8 @@ namespace fuga
     distance_of(const std::size_t k,
                 const JointState &state,
                 const JointRates &rates,
-                const Drive &drive) const;
+                const Drive &drive,
+                const RateNoise &noise) const;
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;

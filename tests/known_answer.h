@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_known_answer_h
+#define fuga_tests_known_answer_h
+
+#include <string>
+
+namespace fuga::tests
+{
+  /** A number that is known from somewhere else than the program. */
+  struct KnownAnswer
+  {
+    /** The verification problem, such as "V5 pull-out". */
+    std::string problem;
+    /** What it is, with its unit if it has one. */
+    std::string quantity;
+    double value = 0.;
+    /** Where it comes from: a closed form, a publication, an independent solver. */
+    std::string source;
+  };
+
+  /**
+   * Expects @p ours within @p tolerance of the known answer. If the environment variable
+   * FUGA_VERIFICATION names a file, appends both to it as one line of JSON: the rows of
+   * doc/verification.md (source/python/verification_page.py).
+   */
+  void
+  expect_answer(const KnownAnswer &known, const double ours, const double tolerance);
+} // namespace fuga::tests
+
+#endif
