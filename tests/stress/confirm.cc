@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "stress/confirm.h"
+
+#include "stress/examiner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+namespace fuga::stress
+{
+  void
+  PieceSample::advanced(const PathPoint &from, const PathPoint &to, const double)
+  {
+    end = to.state;
+    if (to.state.t - from.state.t < 1e-9)
+      return; // nothing to solve anew
+    last.emplace(Piece{from.state, to.state});
+    ++n_seen;
+    if (pieces.size() < capacity)
+      pieces.push_back(*last);
+    else if (n_seen % 7 == 0)
+      pieces[(n_seen / 7) % capacity] = *last;
+  }
+
+  void
+  PieceSample::jumped(const JointState &to)
+  {
+    end = to;
+  }
+
+  void
+  PieceSample::changed(const std::vector<ContactEvent> &, const JointState &state)
+  {
+    end = state;
+  }
+
+  void
+  PieceSample::reached(const std::size_t, const JointState &state)
+  {
+    end = state;
+  }
+
+  namespace
+  {
+    /** Two solutions this close are the same one. */
+    constexpr double same = 1e-6;
+    /** A state with a larger residual does not satisfy the conditions. */
+    constexpr double right = 1e-8;
+
+    /** Nothing loaded; closed but for initial gaps. */
+    JointState
+    virgin_state(const JointModel &joint)
+    {
+      JointState state;
+      std::size_t n_bars = 0;
+      for (const ContactElement &element : joint.elements)
+        {
+          n_bars += element.has_tangential_bar() ? 2 : 1;
+          const bool open = element.initial_gap > 0.;
+          state.states.push_back(open ? ContactState::open : ContactState::stick);
+          state.broken.push_back(open);
+        }
+      state.forces.assign(n_bars, 0.);
+      state.dislocations.assign(n_bars, 0.);
+      state.slips.assign(joint.elements.size(), 0.);
+      return state;
+    }
+
+    void
+    check_piece(const Examiner &examiner,
+                const PieceSample::Piece &piece,
+                Confirmation &confirmation)
+    {
+      const Examiner::StepReport report = examiner.examine_step(piece.from, piece.to);
+      if (report.distance && *report.distance <= same)
+        {
+          ++confirmation.n_equal;
+          confirmation.difference = std::max(confirmation.difference, *report.distance);
+        }
+      else if (report.residual <= right)
+        ++confirmation.n_other;
+      else
+        confirmation.objection +=
+          fmt::format("step to t = {:.9g}: residual {:.1e}, other solver {}; ",
+                      piece.to.t,
+                      report.residual,
+                      report.distance ? fmt::format("at distance {:.1e}", *report.distance)
+                                      : "without solution");
+    }
+
+    void
+    confirm_end(const Examiner &examiner,
+                const PathResult &result,
+                const JointState &end,
+                Confirmation &confirmation)
+    {
+      const RateSearch search = examiner.search(end);
+      std::string by;
+      switch (search.answer)
+        {
+          case RateAnswer::continuation:
+            confirmation.objection +=
+              fmt::format("the path can go on: {} boundary elements, {} schemes; ",
+                          search.n_boundary,
+                          search.n_schemes);
+            break;
+          case RateAnswer::none:
+            by = "enumeration";
+            break;
+          case RateAnswer::ray:
+            by = "Lemke ray";
+            break;
+          case RateAnswer::undecided:
+            break;
+        }
+      // A complete enumeration needs no further witness.
+      if (search.answer != RateAnswer::none && examiner.finds_step_beyond(end, 1e-6))
+        confirmation.objection += "an implicit step of 1e-6 goes on; ";
+      if (result.verdict == Verdict::limit_load &&
+          examiner.is_mechanism(end, result.mechanism_jumps))
+        by += by.empty() ? "mechanism" : ", mechanism";
+      if (confirmation.objection.empty() && by.empty())
+        confirmation.objection = "no independent solver could decide; ";
+      if (confirmation.objection.empty())
+        confirmation.by = by;
+    }
+  } // namespace
+
+  Confirmation
+  confirm(const Model<2> &model,
+          const JointModel &joint,
+          const PathResult &result,
+          const PieceSample &sample,
+          const double seconds)
+  {
+    using Clock      = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    Confirmation confirmation;
+    const Examiner examiner(model, joint);
+    if (sample.last)
+      check_piece(examiner, *sample.last, confirmation);
+    for (const PieceSample::Piece &piece : sample.pieces)
+      if (std::chrono::duration<double>(Clock::now() - start).count() < seconds)
+        check_piece(examiner, piece, confirmation);
+    // A path may end where it begins.
+    const JointState end = sample.end.states.empty() ? virgin_state(joint) : sample.end;
+    if (result.verdict != Verdict::done)
+      confirm_end(examiner, result, end, confirmation);
+    else if (confirmation.objection.empty())
+      confirmation.by = confirmation.n_other == 0 && confirmation.n_equal > 0 ? "solved anew"
+                        : confirmation.n_equal > 0 ? "solved anew, residual"
+                        : confirmation.n_other > 0 ? "residual"
+                                                   : "certificate";
+    return confirmation;
+  }
+} // namespace fuga::stress

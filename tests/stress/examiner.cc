@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "stress/examiner.h"
+
+#include "judges/dislocation_form.h"
+#include "judges/from_contact.h"
+#include "judges/judges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga::stress
+{
+  using namespace judges;
+
+  Examiner::Examiner(const Model<2> &fuga_model, const JointModel &joint)
+    : model(fuga_model)
+    , layered(model.bodies, joint.elements)
+    , judge(model.bodies, joint.elements, model.loads.history)
+    , problem(judge_problem(model.bodies, joint.elements))
+  {
+  }
+
+  Vector
+  Examiner::load(const double t) const
+  {
+    return judge_load(model.bodies, model.loads.history.factors(t));
+  }
+
+  // Bonds that are broken are no longer there.
+  JudgeProblem
+  Examiner::problem_at(const JointState &state) const
+  {
+    JudgeProblem result = problem;
+    for (std::size_t k = 0; k < result.elements.size(); ++k)
+      if (state.broken[k])
+        result.elements[k].cohesion = 0.;
+    return result;
+  }
+
+  StepSolution
+  Examiner::solution(const JudgeProblem &at,
+                     const JointState &state,
+                     const Vector &slip_before) const
+  {
+    StepSolution result;
+    result.x      = judge.coordinates(layered.jumps(state.dislocations, state.forces));
+    result.forces = state.forces;
+    result.slip   = state.slips;
+    result.states = state.states;
+    complete(at, slip_before, load(state.t), result);
+    return result;
+  }
+
+  std::optional<StepSolution>
+  Examiner::solve_anew(const JudgeProblem &at,
+                       const Vector &slip_before,
+                       const Vector &load_before,
+                       const Vector &new_load) const
+  {
+    const std::size_t few_elements = 30, many_elements = 60;
+    NewtonOptions options;
+    options.load_before    = load_before;
+    options.tolerance      = 1e-10;
+    options.max_iterations = 60;
+    options.strategies     = {"undamped", "damped", "load homotopy", "friction homotopy"};
+    if (at.elements.size() > many_elements)
+      options.strategies = {"undamped", "damped"};
+    NewtonStep newton = semismooth_newton_step(at, slip_before, new_load, options);
+    if (newton.converged)
+      return std::move(newton.solution);
+    const bool linear = std::none_of(at.elements.begin(), at.elements.end(), [](const auto &e) {
+      return e.has_nonlinear_layer();
+    });
+    if (!linear || at.elements.size() > few_elements)
+      return {};
+    LemkeStep step = lemke_step(at, slip_before, new_load, 1e-10);
+    if (!step.solved)
+      return {};
+    return std::move(step.solution);
+  }
+
+  Examiner::StepReport
+  Examiner::examine_step(const JointState &from, const JointState &to) const
+  {
+    const JudgeProblem at   = problem_at(from);
+    const StepSolution ours = solution(at, to, from.slips);
+    StepReport report;
+    report.residual = ours.residual;
+    if (const auto other = solve_anew(at, from.slips, load(from.t), load(to.t)))
+      report.distance = distance(*other, ours);
+    return report;
+  }
+
+  // On a boundary is what is closer to it than the rounding of the terms p = R a - W d of its
+  // force, and whatever the state says to slip.
+  std::vector<RateElement>
+  Examiner::positions(const JudgeProblem &at, const JointState &state, const double tolerance) const
+  {
+    const DislocationForm form = dislocation_form(at, {load(state.t)});
+    const Vector jumps         = layered.jumps(state.dislocations, state.forces);
+    Vector terms(at.n_bars(), 0.);
+    double length = 0.;
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      {
+        terms[i] = std::abs(form.R[0][i]);
+        for (std::size_t j = 0; j < terms.size(); ++j)
+          terms[i] += std::abs(form.W(i, j) * state.dislocations[j]);
+        length = std::max({length, std::abs(jumps[i]), std::abs(state.dislocations[i])});
+      }
+    std::vector<RateElement> result;
+    for (std::size_t k = 0; k < at.elements.size(); ++k)
+      {
+        const JudgeElement &element = at.elements[k];
+        const double gap            = element.initial_gap + jumps[element.normal_bar];
+        const double pressing       = -state.forces[element.normal_bar];
+        RateElement place;
+        place.closure = std::max(0., -gap);
+        if (state.states[k] == ContactState::open)
+          place.status = gap > tolerance * std::max(length, element.initial_gap)
+                           ? RateStatus::open
+                           : RateStatus::grazing;
+        else if (pressing <= tolerance * terms[element.normal_bar])
+          place.status = RateStatus::grazing;
+        else if (element.has_tangential_bar() && element.friction == 0. && element.cohesion == 0.)
+          place.status = RateStatus::frictionless;
+        else if (element.has_tangential_bar())
+          {
+            const double T     = state.forces[element.tangential_bar];
+            const double limit = element.friction * pressing + element.cohesion * element.area;
+            const double noise = tolerance * (terms[element.tangential_bar] +
+                                              element.friction * terms[element.normal_bar]);
+            if (is_slipping(state.states[k]) || std::abs(T) >= limit - noise)
+              {
+                place.status = RateStatus::slip_limit;
+                place.sign   = T >= 0. ? 1. : -1.;
+              }
+          }
+        result.push_back(place);
+      }
+    return result;
+  }
+
+  RateSearch
+  Examiner::search(const JointState &state) const
+  {
+    JudgeProblem at                         = problem_at(state);
+    const std::vector<RateElement> elements = positions(at, state, 1e-10);
+    for (std::size_t k = 0; k < at.elements.size(); ++k)
+      {
+        JudgeElement &element = at.elements[k];
+        if (element.has_nonlinear_layer())
+          element.normal_compliance = 1. / cubic_root_tangent(element.normal_compliance,
+                                                              element.layer_thickness,
+                                                              elements[k].closure);
+        element.layer_thickness = 0.;
+      }
+    return search_continuation(
+      at, elements, judge_load(model.bodies, model.loads.history.rates(state.t)));
+  }
+
+  // The lips of closed elements neither part nor close, unless N = 0; those inside the cone do not
+  // slide, those on it slide forward only.
+  bool
+  Examiner::is_mechanism(const JointState &state, const Vector &jumps) const
+  {
+    constexpr double none     = 1e-5;
+    constexpr double free     = 1e-6;
+    const JudgeProblem at     = problem_at(state);
+    const auto elements       = positions(at, state, 1e-9);
+    const Vector x            = judge.coordinates(jumps);
+    const Vector resistance   = multiply(at.S, x);
+    double largest_resistance = 0., largest_stiffness = 0., largest_x = 0.;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        largest_resistance = std::max(largest_resistance, std::abs(resistance[i]));
+        largest_stiffness  = std::max(largest_stiffness, at.S(i, i));
+        largest_x          = std::max(largest_x, std::abs(x[i]));
+      }
+    if (largest_resistance > free * largest_stiffness * largest_x)
+      return false;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const JudgeElement &element = at.elements[k];
+        const RateStatus status     = elements[k].status;
+        const double normal         = jumps[element.normal_bar];
+        const double shear = element.has_tangential_bar() ? jumps[element.tangential_bar] : 0.;
+        if (status == RateStatus::open)
+          continue;
+        if (status == RateStatus::grazing ? normal < -none : std::abs(normal) > none)
+          return false;
+        if ((status == RateStatus::slip_limit && elements[k].sign * shear < -none) ||
+            (status == RateStatus::stick && std::abs(shear) > none))
+          return false;
+      }
+    return true;
+  }
+
+  bool
+  Examiner::finds_step_beyond(const JointState &state, const double part) const
+  {
+    const JudgeProblem at = problem_at(state);
+    const Vector now      = load(state.t),
+                 rate     = judge_load(model.bodies, model.loads.history.rates(state.t));
+    Vector beyond         = now;
+    for (std::size_t i = 0; i < now.size(); ++i)
+      beyond[i] += part * rate[i];
+    const double nearby = 1e3 * part;
+    const auto other    = solve_anew(at, state.slips, now, beyond);
+    return other && distance(*other, solution(at, state, state.slips)) <= nearby;
+  }
+} // namespace fuga::stress

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_stress_examiner_h
+#define fuga_tests_stress_examiner_h
+
+#include "judges/judge_problem.h"
+#include "stress/rate_question.h"
+
+#include <fuga/contact/certificate.h>
+#include <fuga/joint_model.h>
+#include <fuga/model.h>
+
+#include <optional>
+
+namespace fuga::stress
+{
+  /**
+   * Puts states of a path before the independent judges. Of the solver only the numbers of the
+   * states are taken: forces, dislocations, slips, names of states, broken bonds.
+   */
+  class Examiner
+  {
+  public:
+    Examiner(const Model<2> &model, const JointModel &joint);
+
+    /** How far the step from one state to another is from satisfying all conditions, and how far
+     * the solution of another solver is away; nothing if that finds none. */
+    struct StepReport
+    {
+      double residual = 0.;
+      std::optional<double> distance;
+    };
+
+    StepReport
+    examine_step(const JointState &from, const JointState &to) const;
+
+    /** Do the joints go on from here under the loads that follow? */
+    RateSearch
+    search(const JointState &state) const;
+
+    /** Nothing resists these jumps, and they respect the states. */
+    bool
+    is_mechanism(const JointState &state, const Vector &jumps) const;
+
+    /** Another solver finds a step to the load that follows in @p part of a stage, and not far away. */
+    bool
+    finds_step_beyond(const JointState &state, const double part) const;
+
+  private:
+    Vector
+    load(const double t) const;
+    judges::JudgeProblem
+    problem_at(const JointState &state) const;
+    judges::StepSolution
+    solution(const judges::JudgeProblem &at,
+             const JointState &state,
+             const Vector &slip_before) const;
+    std::optional<judges::StepSolution>
+    solve_anew(const judges::JudgeProblem &at,
+               const Vector &slip_before,
+               const Vector &load_before,
+               const Vector &load) const;
+    std::vector<judges::RateElement>
+    positions(const judges::JudgeProblem &at,
+              const JointState &state,
+              const double tolerance) const;
+
+    const Model<2> &model;
+    const LayeredSystem layered;
+    const Judge judge;
+    const judges::JudgeProblem problem;
+  };
+} // namespace fuga::stress
+
+#endif

@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""doc/stability.md and doc/stability.png from the table of the stress campaign.
+
+usage: report.py SCENES.csv STRESS_PROGRAM [--doc DIRECTORY]
+"""
+import argparse
+import pathlib
+import subprocess
+import textwrap
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+BOUND = 1e-8
+# Classes of every axis: lower ends. Zero has a class of its own where it means something special.
+AXES = [("rho_min", "smallest ρ in the scene [m/MPa]", [0, 1e-300, 1e-9, 1e-6, 1e-3, 1]),
+        ("rho_max", "largest ρ [m/MPa]", [0, 1e-300, 1e-9, 1e-6, 1e-3, 1, 1e2]),
+        ("friction", "largest f", [0, 1e-300, .3, .6, 1, 1.5, 2, 2.5]),
+        ("cohesion", "cohesion", [0, 1e-300]),
+        ("poisson", "largest ν", [0, .1, .3, .45, .4999]),
+        ("stiffness_ratio", "ratio of moduli", [1, 10, 1e3, 1e5]),
+        ("aspect", "aspect of elements", [1, 10, 100, 1e3, 1e4, 1e5]),
+        ("size_ratio", "size ratio of elements", [1, 10, 100, 1e4, 1e5]),
+        ("offset", "distance from the origin [m]", [0, 1e3, 1e5]),
+        ("elements", "contact elements", [1, 2, 5, 20, 50, 100, 200]),
+        ("bodies", "bodies", [1, 2, 3, 5, 10]),
+        ("stages", "stages", [1, 2, 5, 60, 120]),
+        ("events", "events", [0, 1, 10, 100, 1000])]
+# Which kinds contain what: the list of the ways in which event-driven contact is known to break.
+DEGENERACIES = [
+    ("Virgin apex: all events of a proportional load at t = 0+", ["virgin", "symmetric", "stack"]),
+    ("Simultaneous events: symmetry, uniform pressure, load reversal", ["symmetric", "reversal", "high friction"]),
+    ("Zero-length steps, chattering", ["symmetric", "virgin", "stages"]),
+    ("Re-stick inside and at the beginning of a segment", ["reversal", "cubic root", "stages"]),
+    ("Order of slip and opening", ["stack", "cohesion", "gap"]),
+    ("Singular scheme: all bars of a body slip or open", ["limit", "tower", "soft", "wedge"]),
+    ("Beyond critical friction", ["high friction", "stiff"]),
+    ("Rigid bodies on rigid joints", ["rigid bodies", "masonry"]),
+    ("Nonlinear layers, to the closure limit", ["cubic root", "cubic root crossing", "hyperbolic", "power", "tabular"]),
+    ("Dependence on the path, cycles", ["reversal", "stages"]),
+    ("Many elements, hundreds of events", ["many elements"]),
+    ("Closing at the apex at high friction", ["high friction", "gap", "reversal"]),
+    ("Very soft joints near collapse", ["soft", "limit"]),
+    ("Detection of limits", ["limit", "soft", "wedge", "tower"]),
+    ("Slip in the very first stage", ["virgin", "stack", "many elements"])]
+
+
+def exponent(value):
+    return "0" if value == 0 else "%.1e" % value
+
+
+def table(header, rows):
+    lines = [header, ["---"] * len(header)] + [[str(cell).replace("|", "\\|") for cell in row] for row in rows]
+    return "\n".join("| %s |" % " | ".join(line) for line in lines) + "\n"
+
+
+def classes(lower_ends):
+    """(low, high, name) of every class."""
+    for low, high in zip(lower_ends, lower_ends[1:] + [np.inf]):
+        if high == 1e-300:
+            yield 0., 1e-300, "0"
+        else:
+            start = "> 0" if low == 1e-300 else "%g" % low
+            yield low, high, start + (" and more" if np.isinf(high) else " … %g" % high)
+
+
+def axis_table(scenes, column, name, lower_ends):
+    rows = []
+    for low, high, text in classes(lower_ends):
+        part = scenes[(scenes[column] >= low) & (scenes[column] < high)]
+        if len(part):
+            rows.append([text, len(part), exponent(part.certificate.max()), int(part.events.sum()),
+                         int((part.verdict == "limit load").sum()), int((part.verdict == "no continuation").sum()),
+                         int(part.failed.sum())])
+    return "### %s\n\n%s" % (name[0].upper() + name[1:], table(
+        ["class", "scenes", "worst certificate", "events", "limit loads", "no continuation", "failures"], rows))
+
+
+def verdict_table(scenes):
+    rows = []
+    for (verdict, by), part in scenes.groupby(["verdict", "confirmed_by"]):
+        rows.append([verdict, by or "not confirmed", len(part), exponent(part.certificate.max())])
+    return table(["verdict", "confirmed by", "scenes", "worst certificate"], rows)
+
+
+def kind_table(scenes, kinds):
+    rows = []
+    for kind, purpose in kinds:
+        part = scenes[scenes.scene == kind]
+        if len(part):
+            rows.append([kind, purpose, len(part), *[int((part.verdict == v).sum()) for v in
+                        ("done", "limit load", "no continuation")], int(part.events.sum()), int(part.zero_steps.sum()),
+                         exponent(part.certificate.max()), "%.2f" % part.seconds.max(), int(part.failed.sum())])
+    return table(["kind", "contains", "scenes", "done", "limit load", "no continuation", "events", "zero-length steps",
+                  "worst certificate", "longest [s]", "failures"], rows)
+
+
+def failure_table(scenes, causes):
+    failed = scenes[scenes.failed]
+    if not len(failed):
+        return "None.\n"
+    return table(["scene", "seed", "verdict", "what", "cause"],
+                 [[row.scene, row.seed, row.verdict, row.failure, causes.get((row.scene, int(row.seed)), "unknown")]
+                  for row in failed.itertuples()])
+
+
+def known_causes():
+    """tests/stress/causes.csv: scene,seed,cause of failures that have been understood."""
+    path = pathlib.Path(__file__).parent / "causes.csv"
+    if not path.is_file():
+        return {}
+    return {(row.scene, int(row.seed)): row.cause for row in pd.read_csv(path).itertuples()}
+
+
+def plot(scenes, path):
+    """Worst certificate over the largest compliance and the largest friction coefficient of a scene."""
+    rho_classes = [0, 1e-300] + [10. ** e for e in range(-11, 4, 2)]
+    f_classes = [0, 1e-300] + [.25 * i for i in range(1, 13)]
+    worst = np.full((len(f_classes), len(rho_classes)), np.nan)
+    column = np.digitize(scenes.rho_max, rho_classes) - 1
+    row = np.digitize(scenes.friction, f_classes) - 1
+    for i, j, value in zip(row, column, scenes.certificate):
+        worst[i, j] = np.fmax(worst[i, j], max(value, 1e-17))
+    figure, axes = plt.subplots(figsize=(8.5, 5.5))
+    image = axes.pcolormesh(np.log10(worst), cmap="viridis", vmin=-17, vmax=-8, edgecolors="white", linewidth=.5)
+    for i in range(worst.shape[0]):
+        for j in range(worst.shape[1]):
+            if np.isfinite(worst[i, j]):
+                axes.text(j + .5, i + .5, "%.0f" % np.log10(worst[i, j]), ha="center", va="center", fontsize=7,
+                          color="white" if worst[i, j] < 1e-12 else "black")
+    axes.set_xticks(np.arange(len(rho_classes)) + .5)
+    axes.set_xticklabels(["0", "to 1e-11"] + ["%.0e" % v for v in rho_classes[2:]], rotation=45, ha="right")
+    axes.set_yticks(np.arange(len(f_classes)) + .5)
+    axes.set_yticklabels(["0", "to 0.25"] + ["from %g" % v for v in f_classes[2:]])
+    axes.set_xlabel("largest compliance ρ of the scene, class from [m/MPa]")
+    axes.set_ylabel("largest friction coefficient f of the scene")
+    figure.colorbar(image, label="log10 of the worst certificate (bound: -8)")
+    axes.set_title("%d scenes: worst certificate in each class" % len(scenes))
+    figure.tight_layout()
+    figure.savefig(path, dpi=110, metadata={"Software": None})
+
+
+def page(scenes, kinds, causes):
+    failed = int(scenes.failed.sum())
+    confirmed = int((scenes.confirmed_by != "").sum())
+    head = """
+    <!-- Generated by `./check stress`. Do not edit: run it again. -->
+    # Stability: random scenes against independent solvers
+
+    `./check stress` draws scenes from %d families, all numbers at random from a kind and a seed, runs each like a
+    user's (parameter file, mesh, bodies, path, results) in a process of its own, and has the outcome examined by
+    the judges of `tests/judges`, which share nothing with the solver. One scene again:
+    `build/release/tests/stress_campaign --kind KIND --seed SEED --seeds 1 --keep DIRECTORY`.
+
+    * **%d scenes, %d failures.** %d verdicts confirmed by an independent solver.
+    * Worst certificate: **%s** (bound %.0e). %d of the scenes are above 1e-10, %d above 1e-12.
+    * %d events, %d steps, %d of them of zero length.
+    * %d contact elements in the largest scene; longest scene %.1f s.
+    """ % (scenes.scene.nunique(), len(scenes), failed, confirmed, exponent(scenes.certificate.max()), BOUND,
+           (scenes.certificate > 1e-10).sum(), (scenes.certificate > 1e-12).sum(), scenes.events.sum(),
+           scenes.steps.sum(), scenes.zero_steps.sum(), scenes.elements.max(), scenes.seconds.max())
+    text = textwrap.dedent(head).lstrip()
+    text += """
+![Worst certificate over compliance and friction](stability.png)
+
+## What confirms a verdict
+
+A **done** needs a certificate below the bound (theory, section 8). In addition up to seven steps of the path, the
+last one among them, are solved anew by a semismooth Newton method, or by lexicographic Lemke, from the slips at
+their beginning: "solved anew" means that all gave the same forces and jumps to 1e-6; "residual" that for some the
+other solver found no solution or another one (with much friction there are several), while the state of the path
+satisfies all conditions of the step, measured by the judges, to 1e-8.
+
+A **limit load** or **no continuation** needs proof that the path cannot go on: "enumeration" means that all
+combinations of states of the elements on a boundary were tried and none satisfies the rate inequalities; "Lemke
+ray" that there are too many to try and lexicographic Lemke, with twelve covering vectors, and an implicit step to a load larger by
+1e-6 of a stage found none. "Mechanism" is a further witness: the motion that the program reports changes no force,
+parts no pressed lips and slides only where the strength is exhausted.
+
+"""
+    text += verdict_table(scenes)
+    text += "\n## Failures\n\n" + failure_table(scenes, causes)
+    text += "\n## Kinds of scenes\n\n" + kind_table(scenes, kinds)
+    text += "\n## Which known weakness is where\n\n" + table(["weakness", "kinds"], [
+        [name, ", ".join(kind for kind in where if (scenes.scene == kind).any())] for name, where in DEGENERACIES])
+    text += "\n## Worst certificates along the axes\n\n"
+    text += "\n".join(axis_table(scenes, *axis) for axis in AXES)
+    law_rows = [[law, len(part), exponent(part.certificate.max()), int(part.failed.sum())]
+                for law, part in scenes.groupby("law")]
+    text += "\n### Laws of the layer\n\n" + table(["law", "scenes", "worst certificate", "failures"], law_rows)
+    entry_rows = [[entry, len(part), exponent(part.certificate.max())] for entry, part in scenes.groupby("worst_entry")]
+    text += "\n### Worst entry of the certificate\n\n" + table(["entry", "scenes", "largest"], entry_rows)
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("table")
+    parser.add_argument("program")
+    parser.add_argument("--doc", default=str(TOP / "doc"))
+    options = parser.parse_args()
+    scenes = pd.read_csv(options.table, keep_default_na=False, na_values={c: [""] for c in
+                         ("certificate", "events", "zero_steps", "seconds", "steps", "elements", "difference", "t")})
+    scenes["failed"] = scenes.failure != ""
+    kinds = [line.split("\t") for line in
+             subprocess.run([options.program, "--list"], capture_output=True, text=True, check=True).stdout.splitlines()]
+    doc = pathlib.Path(options.doc)
+    plot(scenes[~scenes.certificate.isna()], doc / "stability.png")
+    (doc / "stability.md").write_text(page(scenes, kinds, known_causes()), encoding="utf-8")
+    print("%s: %d scenes, %d failures" % (doc / "stability.md", len(scenes), scenes.failed.sum()))
+
+
+main()

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "stress/run_scene.h"
+
+#include "stress/confirm.h"
+
+#include <fuga/io/summary.h>
+#include <fuga/io/threads.h>
+#include <fuga/simulation.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace fuga::stress
+{
+  const std::vector<std::string> &
+  scene_columns()
+  {
+    static const std::vector<std::string> columns = {
+      "scene",         "seed",        "verdict",
+      "confirmed_by",  "certificate", "events",
+      "zero_steps",    "seconds",     "failure",
+      "worst_entry",   "t",           "stages",
+      "elements",      "bodies",      "joints",
+      "rho_min",       "rho_max",     "friction",
+      "cohesion",      "poisson",     "stiffness_ratio",
+      "aspect",        "size_ratio",  "offset",
+      "law",           "steps",       "single_switching",
+      "enumeration",   "lemke",       "checked_equal",
+      "checked_other", "difference",  "message"};
+    return columns;
+  }
+
+  namespace
+  {
+    /** Seconds spent on solving steps of one scene anew. */
+    constexpr double confirmation_time = 4.;
+    constexpr std::size_t n_pieces     = 6;
+    constexpr double certificate_bound = 1e-8;
+
+    void
+    write_text(const std::string &file, const std::string &text)
+    {
+      std::ofstream(file) << text;
+    }
+
+    using Writer = std::function<void(const std::string &)>;
+
+    template <typename Value>
+    void
+    tell(const Writer &write, const std::string &column, const Value &value)
+    {
+      std::string text = fmt::format("{}", value);
+      for (char &c : text)
+        if (c == '\n')
+          c = ' ';
+      write(column + '=' + text + '\n');
+    }
+
+    void
+    tell_axes(const Writer &write, const SceneAxes &axes)
+    {
+      tell(write, "stages", axes.n_stages);
+      tell(write, "bodies", axes.n_bodies);
+      tell(write, "joints", axes.n_joints);
+      tell(write, "rho_min", axes.rho_min);
+      tell(write, "rho_max", axes.rho_max);
+      tell(write, "friction", axes.friction);
+      tell(write, "cohesion", axes.cohesion);
+      tell(write, "poisson", axes.poisson_ratio);
+      tell(write, "stiffness_ratio", axes.stiffness_ratio);
+      tell(write, "aspect", axes.aspect);
+      tell(write, "size_ratio", axes.size_ratio);
+      tell(write, "offset", axes.offset);
+      tell(write, "law", axes.law);
+    }
+
+    /** What the program itself says, from the file that users read. */
+    std::string
+    tell_summary(const Writer &write, const std::string &directory)
+    {
+      std::ifstream file(directory + "/out/summary.json");
+      const nlohmann::json summary = nlohmann::json::parse(file);
+      const auto &events           = summary.at("events");
+      const auto &certificate      = summary.at("certificate");
+      const std::string verdict    = summary.at("verdict");
+      tell(write, "verdict", verdict);
+      std::string worst = "none";
+      double largest    = 0.;
+      for (const auto &[name, value] : certificate.at("entries").items())
+        if (!value.is_number() || value.get<double>() > largest)
+          {
+            worst   = name;
+            largest = value.is_number() ? value.get<double>() : 1e300;
+          }
+      tell(write, "certificate", largest);
+      tell(write, "worst_entry", worst);
+      tell(write, "events", events.at("total").get<std::size_t>());
+      tell(write, "zero_steps", events.at("zero_length_steps").get<std::size_t>());
+      tell(write, "steps", events.at("steps").get<std::size_t>());
+      const auto &decided = events.at("decided_by");
+      tell(write, "single_switching", decided.at("single switching").get<std::size_t>());
+      tell(write, "enumeration", decided.at("enumeration").get<std::size_t>());
+      tell(write, "lemke", decided.at("lemke").get<std::size_t>());
+      tell(write, "elements", summary.at("sizes").at("contact_elements").get<std::size_t>());
+      tell(write, "t", summary.at("t").get<double>());
+      if (summary.contains("message"))
+        tell(write, "message", summary.at("message").get<std::string>());
+      if (largest > certificate_bound)
+        tell(write, "failure", fmt::format("certificate {:.1e} ({})", largest, worst));
+      return verdict;
+    }
+
+    /** The same path again, watched by the independent solvers. */
+    void
+    tell_confirmation(const Writer &write, const Model<2> &model, const std::string &verdict)
+    {
+      const JointModel joint = make_joint_model<2>(
+        model.bodies, model.parameters.joints, model.parameters.model.constants);
+      const LayeredSystem layered(model.bodies, joint.elements);
+      EventPath path(joint.elements, layered, model.loads.history, model.path_options());
+      PieceSample sample(n_pieces);
+      const PathResult result = path.run(model.loads.levels, sample);
+      if (verdict_name(result.verdict) != verdict)
+        {
+          tell(write, "failure", "the verdict is another one when the path is run again");
+          return;
+        }
+      const Confirmation confirmation = confirm(model, joint, result, sample, confirmation_time);
+      tell(write, "confirmed_by", confirmation.by);
+      tell(write, "checked_equal", confirmation.n_equal);
+      tell(write, "checked_other", confirmation.n_other);
+      tell(write, "difference", confirmation.difference);
+      if (!confirmation.objection.empty())
+        tell(write, "failure", confirmation.objection);
+    }
+  } // namespace
+
+  void
+  run_scene(const std::string &kind,
+            const std::uint64_t seed,
+            const std::string &directory,
+            const Writer &write)
+  {
+    set_threads(1);
+    const GridModel scene = draw_scene(kind, seed);
+    tell_axes(write, axes_of(scene));
+    write_text(directory + "/scene.msh", scene.mesh_text());
+    write_text(directory + "/scene.prm", scene.parameter_text("scene.msh"));
+
+    const auto start            = std::chrono::steady_clock::now();
+    Parameters parameters       = read_parameters(directory + "/scene.prm");
+    parameters.output.directory = directory + "/out";
+    const Model<2> model(parameters);
+    Simulation<2>(model).run();
+    tell(write,
+         "seconds",
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    const std::string verdict = tell_summary(write, directory);
+    if (verdict == "numerical failure")
+      tell(write, "failure", "numerical failure");
+    else
+      tell_confirmation(write, model, verdict);
+  }
+} // namespace fuga::stress

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_stress_scene_kinds_h
+#define fuga_tests_stress_scene_kinds_h
+
+#include "stress/draws.h"
+
+namespace fuga::stress
+{
+  /** A family of scenes. What each is good for: the table in scene_kinds.cc. */
+  struct SceneKind
+  {
+    const char *name;
+    /** Which ways to break an event-driven solver it has, in words for the report. */
+    const char *purpose;
+    GridModel (*draw)(Random &random);
+  };
+
+  const std::vector<SceneKind> &
+  scene_kinds();
+
+  /** The scene of a kind and a seed. @throws std::invalid_argument for an unknown kind. */
+  GridModel
+  draw_scene(const std::string &kind, const std::uint64_t seed);
+
+  /** Where a scene lies along the axes of the report. */
+  struct SceneAxes
+  {
+    double rho_min = 0., rho_max = 0.;
+    double friction = 0., cohesion = 0.;
+    double poisson_ratio = 0., stiffness_ratio = 1.;
+    double aspect = 1., size_ratio = 1., offset = 0.;
+    /** Words: linear, or the nonlinear laws. */
+    std::string law      = "linear";
+    std::size_t n_bodies = 0, n_joints = 0, n_stages = 0;
+  };
+
+  SceneAxes
+  axes_of(const GridModel &model);
+} // namespace fuga::stress
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// The stress test: thousands of random scenes of all kinds, each in a process of its own. Every
+// scene must end with a certificate below its bound and a verdict that an independent solver
+// confirms.
+
+#include "campaign/child_process.h"
+#include "stress/run_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <deque>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <list>
+#include <map>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+namespace
+{
+  using namespace fuga::stress;
+  using fuga::campaign::ChildEnd;
+  using fuga::campaign::ChildProcess;
+  using Clock = std::chrono::steady_clock;
+
+  struct Options
+  {
+    std::string kind, table = "scenes.csv", keep;
+    std::uint64_t first_seed = 1, n_seeds = 120;
+    unsigned int n_jobs = 2;
+    double time_limit   = 120.;
+  };
+
+  struct Job
+  {
+    std::string kind;
+    std::uint64_t seed = 0;
+    std::string directory;
+    std::unique_ptr<ChildProcess> child;
+    Clock::time_point start;
+  };
+
+  std::string
+  csv_field(const std::string &text)
+  {
+    if (text.find_first_of(",\"\n\r") == text.npos)
+      return text;
+    std::string result = "\"";
+    for (const char c : text)
+      result += c == '"' ? "\"\"" : std::string(1, c);
+    return result + '"';
+  }
+
+  class Campaign
+  {
+  public:
+    explicit Campaign(const Options &campaign_options) : options(campaign_options)
+    {
+      root = std::filesystem::temp_directory_path() / fmt::format("fuga_stress_{}", getpid());
+      std::filesystem::create_directories(root);
+      if (!std::filesystem::path(options.table).parent_path().empty())
+        std::filesystem::create_directories(std::filesystem::path(options.table).parent_path());
+      table.open(options.table, std::ios::binary);
+      table << fmt::format("{}\r\n", fmt::join(scene_columns(), ","));
+      // Seeds outside, kinds inside: any beginning of the campaign has scenes of all kinds.
+      for (std::uint64_t seed = options.first_seed; seed < options.first_seed + options.n_seeds;
+           ++seed)
+        for (const SceneKind &kind : scene_kinds())
+          if (options.kind.empty() || options.kind == kind.name)
+            waiting.emplace_back(kind.name, seed);
+    }
+
+    ~Campaign()
+    {
+      std::filesystem::remove_all(root);
+    }
+
+    /** Number of failures. */
+    std::size_t
+    run()
+    {
+      while (!waiting.empty() || !running.empty())
+        {
+          while (running.size() < options.n_jobs && !waiting.empty())
+            start_next();
+          for (auto job = running.begin(); job != running.end();)
+            {
+              if (std::chrono::duration<double>(Clock::now() - job->start).count() >
+                  options.time_limit)
+                job->child->kill();
+              const ChildEnd end = job->child->poll();
+              if (end.ended)
+                {
+                  finish(*job, end);
+                  job = running.erase(job);
+                }
+              else
+                ++job;
+            }
+          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+      fmt::print("{} scenes, {} failures; {}\n", n_scenes, n_failures, options.table);
+      return n_failures;
+    }
+
+  private:
+    void
+    start_next()
+    {
+      Job job;
+      std::tie(job.kind, job.seed) = waiting.front();
+      waiting.pop_front();
+      job.directory = root / fmt::format("{}_{}", job.kind, job.seed);
+      std::filesystem::create_directories(job.directory);
+      job.start = Clock::now();
+      job.child = std::make_unique<ChildProcess>(
+        [&](const auto &write) { run_scene(job.kind, job.seed, job.directory, write); },
+        std::size_t(6) << 30);
+      running.push_back(std::move(job));
+    }
+
+    void
+    finish(const Job &job, const ChildEnd &end)
+    {
+      std::map<std::string, std::string> row = {{"scene", job.kind},
+                                                {"seed", std::to_string(job.seed)}};
+      std::istringstream lines(job.child->text());
+      for (std::string line; std::getline(lines, line);)
+        if (const auto place = line.find('=');
+            place != line.npos && line.rfind("exception", 0) != 0)
+          {
+            std::string &entry = row[line.substr(0, place)];
+            entry += (entry.empty() ? "" : "; ") + line.substr(place + 1);
+          }
+        else if (line.rfind("exception", 0) == 0)
+          row["failure"] += line;
+      if (end.timed_out || end.exit_code != 0)
+        row["failure"] += (row["failure"].empty() ? "" : "; ") + end.description();
+      std::string text;
+      for (const std::string &column : scene_columns())
+        text += (text.empty() ? "" : ",") + csv_field(row[column]);
+      table << text << "\r\n" << std::flush;
+      ++n_scenes;
+      const bool failed = !row["failure"].empty();
+      if (failed)
+        {
+          ++n_failures;
+          fmt::print("FAILED {} {}: {} [{}]\n", job.kind, job.seed, row["failure"], row["verdict"]);
+          std::fflush(stdout);
+        }
+      if (!options.keep.empty() && (failed || options.n_seeds == 1))
+        {
+          const std::filesystem::path target =
+            std::filesystem::path(options.keep) / fmt::format("{}_{}", job.kind, job.seed);
+          std::filesystem::remove_all(target);
+          std::filesystem::create_directories(options.keep);
+          std::filesystem::copy(job.directory, target, std::filesystem::copy_options::recursive);
+        }
+      std::filesystem::remove_all(job.directory);
+    }
+
+    const Options options;
+    std::filesystem::path root;
+    std::ofstream table;
+    std::deque<std::pair<std::string, std::uint64_t>> waiting;
+    std::list<Job> running;
+    std::size_t n_scenes = 0, n_failures = 0;
+  };
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Options options;
+  CLI::App app("stress: random scenes of all kinds, each confirmed by independent solvers");
+  app.add_option("--kind", options.kind, "One kind of scenes only");
+  app.add_option("--seed", options.first_seed, "First seed");
+  app.add_option("--seeds", options.n_seeds, "Number of seeds per kind");
+  app.add_option("--jobs", options.n_jobs, "Processes at once")->check(CLI::Range(1, 256));
+  app.add_option("--time-limit", options.time_limit, "Seconds after which a scene has failed");
+  app.add_option("--table", options.table, "Where the table of all scenes is written");
+  app.add_option("--keep", options.keep, "Directory for the files of scenes that failed");
+  bool list_kinds = false;
+  app.add_flag("--list", list_kinds, "Print the kinds of scenes with what they are good for");
+  CLI11_PARSE(app, argc, argv);
+  if (list_kinds)
+    {
+      for (const SceneKind &kind : scene_kinds())
+        fmt::print("{}\t{}\n", kind.name, kind.purpose);
+      return 0;
+    }
+  return Campaign(options).run() == 0 ? 0 : 1;
+}
