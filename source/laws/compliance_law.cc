@@ -217,6 +217,12 @@ namespace fuga
         return thickness;
       }
 
+      double
+      deformation_scale() const override
+      {
+        return thickness;
+      }
+
       std::string
       description() const override
       {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace fuga
 {
@@ -63,6 +64,27 @@ namespace fuga
     deformation_limit() const
     {
       return std::numeric_limits<double>::infinity();
+    }
+
+    /** A deformation of the size the law is made for, from its own data; 0 if these tell none. */
+    virtual double
+    deformation_scale() const
+    {
+      return 0.;
+    }
+
+    /** Where the data of the law end and a continuation begins; infinite if they do not end. */
+    virtual double
+    data_limit() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+
+    /** Deformations where the curve is smooth on both sides only, in increasing order. */
+    virtual std::vector<double>
+    knots() const
+    {
+      return {};
     }
 
     /** One phrase for the log, with numbers. */

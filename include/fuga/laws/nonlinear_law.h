@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_laws_nonlinear_law_h
+#define fuga_laws_nonlinear_law_h
+
+#include <fuga/laws/compliance_law.h>
+
+namespace fuga
+{
+  /** What all laws have in common whose stress is a curve σ(w) with a finite tangent at w = 0. */
+  class NonlinearLaw : public ComplianceLaw
+  {
+  public:
+    ComplianceKind
+    kind() const override;
+
+    /** 1/σ'(0). */
+    double
+    initial_compliance() const override;
+
+    double
+    secant(const double w) const override;
+
+  protected:
+    /**
+     * The deformation in [@p lower, @p upper] whose stress is @p sigma, by Newton's method within a
+     * bracket that shrinks: exact up to rounding wherever the stress is monotone.
+     */
+    double
+    deformation_between(const double sigma, double lower, double upper) const;
+  };
+} // namespace fuga
+
+#endif

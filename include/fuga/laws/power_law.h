@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_laws_power_law_h
+#define fuga_laws_power_law_h
+
+#include <fuga/laws/law_foot.h>
+#include <fuga/laws/nonlinear_law.h>
+
+namespace fuga
+{
+  /**
+   * σ = σ_r (w/w_r)^m. The power itself has the tangent 0 (m > 1) or ∞ (m < 1) at w = 0. Up to
+   *     w1 = w_r max(10⁻³, 10^{-3/(m-1)})   (w1 = 10⁻³ w_r for m ≤ 2)
+   * a polynomial leads from the origin to the curve and meets it with equal value, slope and
+   * curvature. For m > 2 the foot ends where the secant stiffness is a thousandth of σ_r/w_r: the
+   * initial compliance is what the layer has in the linear system, and each digit by which it is
+   * too soft is a digit lost.
+   */
+  class PowerLaw : public NonlinearLaw
+  {
+  public:
+    /** Smallest and largest exponent. */
+    static constexpr double smallest_exponent = 0.2;
+    static constexpr double largest_exponent  = 5.;
+
+    /** @p reference_deformation w_r > 0 [m], @p reference_stress σ_r > 0 [MPa], @p exponent m. */
+    PowerLaw(const double reference_deformation,
+             const double reference_stress,
+             const double exponent);
+
+    double
+    stress(const double w) const override;
+    double
+    tangent(const double w) const override;
+    double
+    energy(const double w) const override;
+    double
+    deformation(const double sigma) const override;
+    double
+    deformation_scale() const override;
+    std::vector<double>
+    knots() const override;
+    std::string
+    description() const override;
+
+  private:
+    const double scale;
+    const double reference;
+    const double exponent;
+    const LawFoot foot;
+  };
+} // namespace fuga
+
+#endif
