@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/io/layer_law.h>
 #include <fuga/joint_model.h>
 
 #include <algorithm>
@@ -13,21 +14,6 @@ namespace fuga
 {
   namespace
   {
-    std::unique_ptr<ComplianceLaw>
-    make_law(const LayerLaw law, const double compliance, const double thickness)
-    {
-      switch (law)
-        {
-          case LayerLaw::rigid:
-            return make_rigid_law();
-          case LayerLaw::linear:
-            return make_linear_law(compliance);
-          case LayerLaw::cubic_root:
-            return make_cubic_root_law(compliance, thickness);
-        }
-      return nullptr;
-    }
-
     /** The coupling of a joint whose laws are the last two of the model; none without one. */
     const ShearCoupling *
     add_coupling(const JointParameters &joint, JointModel &model)
@@ -166,8 +152,8 @@ namespace fuga
     for (unsigned int j = 0; j < joints.size(); ++j)
       {
         const JointParameters &joint = joints[j];
-        model.laws.push_back(make_law(joint.normal_law, joint.normal_compliance, joint.thickness));
-        model.laws.push_back(make_law(joint.shear_law, joint.shear_compliance, joint.thickness));
+        for (const LayerDirection direction : {LayerDirection::normal, LayerDirection::shear})
+          model.laws.push_back(make_layer_law(joint, direction, constants));
         const ShearCoupling *const coupling = add_coupling(joint, model);
         const FieldExpression<dim> gap      = gap_expression<dim>(joint, constants);
         for (ContactElement &element : model.elements)

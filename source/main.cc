@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/io/law_plot.h>
 #include <fuga/io/parameters.h>
 #include <fuga/io/threads.h>
 #include <fuga/io/version.h>
@@ -27,6 +28,7 @@ namespace
     std::string output_directory;
     unsigned int n_threads = 1;
     bool check_only        = false;
+    bool plot_laws         = false;
     bool quiet             = false;
     bool print_parameters  = false;
     bool print_version     = false;
@@ -47,6 +49,10 @@ namespace
       ->type_name("DIR");
     app.add_flag(
       "--check", line.check_only, "Read and check everything, compute and write nothing");
+    app.add_flag("--plot-law",
+                 line.plot_laws,
+                 "Write the laws of all joints as tables and pictures, law_JOINT.csv and .svg; "
+                 "compute nothing");
     app.add_option("--threads", line.n_threads, "Threads of the linear algebra")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -85,6 +91,13 @@ namespace
       parameters.output.directory = line.output_directory;
     if (line.quiet)
       parameters.output.log = LogDetail::quiet;
+    if (line.plot_laws)
+      {
+        for (const std::string &file : write_law_plots(parameters))
+          if (!line.quiet)
+            fmt::print("{}\n", file);
+        return 0;
+      }
     const Model<2> model(parameters);
     if (line.check_only)
       {

@@ -19,6 +19,7 @@ namespace fuga
     , layered(model.bodies, joint.elements)
     , path(joint.elements, layered, model.loads.history, model.path_options())
     , judge(model.bodies, joint.elements, model.loads.history)
+    , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
               model.stage_names,
@@ -67,6 +68,7 @@ namespace fuga
   Simulation<dim>::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
     judge.follow(from, to, length);
+    tables.watch(to.state);
     last_state = to.state;
     log.progress(to.state.t, model.loads.history.end());
   }

@@ -93,14 +93,14 @@ namespace fuga
         double length               = 0.;
         for (const ContactElement &element : joint.elements)
           length += element.joint == j ? element.area / parameters.model.thickness : 0.;
-        std::string text = fmt::format("joint '{}': normal {}, shear {}, {}",
+        std::string text        = fmt::format("joint '{}': normal {}, shear {}, {}",
                                        data.definition.name,
                                        joint.laws[2 * j]->description(),
                                        shear_description(j),
                                        strength_description(data.friction));
-        if (data.normal_compliance > 0.)
-          text +=
-            fmt::format("; rho E / B = {:.3g}", data.normal_compliance * softest_body / length);
+        const double compliance = joint.laws[2 * j]->initial_compliance();
+        if (compliance > 0.)
+          text += fmt::format("; rho E / B = {:.3g}", compliance * softest_body / length);
         if (data.normal_layer_modulus() > 0.)
           text += fmt::format(", layer modulus {:.4g} {}",
                               data.normal_layer_modulus(),
@@ -124,6 +124,9 @@ namespace fuga
   {
     model.timer.finish("path");
     history->publish(true);
+    for (const std::string &text :
+         tables.warnings(model.joint_names, parameters.output.units.stress()))
+      log.warning(text);
     log_closing_table(outcome);
     log.close();
     write_complete_file(parameters.output.directory + "/log.txt", log.text());

@@ -6,6 +6,7 @@
 #include <fuga/io/joint_results.h>
 #include <fuga/io/summary.h>
 #include <fuga/sweep.h>
+#include <fuga/table_range.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +23,8 @@ namespace fuga
     class Observer : public PathObserver
     {
     public:
-      explicit Observer(Judge &judge_of_variant) : judge(judge_of_variant)
+      Observer(Judge &judge_of_variant, const std::vector<ContactElement> &elements)
+        : judge(judge_of_variant), tables(elements)
       {
       }
 
@@ -30,6 +32,7 @@ namespace fuga
       advanced(const PathPoint &from, const PathPoint &to, const double length) override
       {
         judge.follow(from, to, length);
+        tables.watch(to.state);
         last_state = to.state;
       }
 
@@ -60,6 +63,7 @@ namespace fuga
       }
 
       Judge &judge;
+      TableRange tables;
       JointState last_state;
       Certificate worst;
       double first_opening = never, first_slip = never;
@@ -77,6 +81,7 @@ namespace fuga
     double certificate = 0.;
     double seconds     = 0.;
     bool failed        = false;
+    std::vector<std::string> warnings;
   };
 
   template <int dim>
@@ -128,7 +133,7 @@ namespace fuga
     const LoadHistory history   = history_of(variant);
     const LayeredSystem &system = layered_system_of(joint);
     Judge judge(model.bodies, joint.elements, history);
-    Observer observer(judge);
+    Observer observer(judge, joint.elements);
     EventPath path(joint.elements, system, history, model.path_options());
 
     Row row;
@@ -156,6 +161,8 @@ namespace fuga
     row.first_opening = observer.first_opening;
     row.first_slip    = observer.first_slip;
     row.certificate   = observer.worst.worst();
+    row.warnings =
+      observer.tables.warnings(model.joint_names, model.parameters.output.units.stress());
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
   }
@@ -242,6 +249,8 @@ namespace fuga
                    mechanism_name(row.path.mechanism),
                    row.path.t,
                    row.certificate);
+        for (const std::string &warning : row.warnings)
+          fmt::print("       Warning: {}\n", warning);
       }
     table.publish(true);
     model.timer.finish("variants");

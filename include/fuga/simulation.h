@@ -10,6 +10,7 @@
 #include <fuga/io/run_log.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
+#include <fuga/table_range.h>
 
 namespace fuga
 {
@@ -84,6 +85,7 @@ namespace fuga
     const LayeredSystem layered;
     EventPath path;
     Judge judge;
+    TableRange tables;
     const HistoryContext context;
     RunLog log;
     FieldWriter<dim> fields;

@@ -44,6 +44,7 @@ namespace fuga
     {
       return arguments == ExpressionArguments::place            ? "x,y"
              : arguments == ExpressionArguments::place_and_time ? "x,y,t"
+             : arguments == ExpressionArguments::deformation    ? "w"
                                                                 : "t";
     }
 
@@ -132,6 +133,8 @@ namespace fuga
                            constants,
                            {dealii::Point<1>(0.), dealii::Point<1>(0.5), dealii::Point<1>(1.)},
                            true);
+      if (arguments == ExpressionArguments::deformation)
+        return evaluate<1>(expression, variables, constants, {dealii::Point<1>(0.)}, true);
       std::vector<dealii::Point<2>> plane;
       for (const double size : {0., 1., 13.7, 1234.})
         for (const double x : {-size, size})

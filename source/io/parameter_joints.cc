@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/io/parameter_strength.h>
@@ -9,22 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
   namespace
   {
-    void
-    refuse_both(const ParameterSection &section, const std::string &one, const std::string &other)
-    {
-      if (section.given(one) && section.given(other))
-        section.fail(one,
-                     fmt::format("'{}' is given as well, see {}. Keep one of the two.",
-                                 other,
-                                 section.origin(other)));
-    }
-
-
     void
     need(const ParameterSection &section, const std::string &entry, const std::string &because)
     {
@@ -103,88 +94,53 @@ namespace fuga
     }
 
 
-    LayerLaw
-    read_law(const ParameterSection &section, const std::string &entry)
+    /** Laws that section Sweep gives this joint; words it does not know are its own business. */
+    std::vector<LayerLaw>
+    swept_laws(const ParameterSection &sweep, const std::string &joint)
     {
-      const std::string word = section.text(entry);
-      return word == "rigid"    ? LayerLaw::rigid
-             : word == "linear" ? LayerLaw::linear
-                                : LayerLaw::cubic_root;
-    }
-
-
-    /** ρ of one direction ("Normal", "Shear"); a linear law without compliance becomes rigid. */
-    double
-    read_compliance(const ParameterSection &section,
-                    const std::string &direction,
-                    const bool is_needed,
-                    LayerLaw &law)
-    {
-      const std::string law_entry  = direction + " law";
-      const std::string compliance = direction + " compliance";
-      const std::string stiffness  = direction + " stiffness";
-      refuse_both(section, compliance, stiffness);
-      const bool is_given = section.given(compliance) || section.given(stiffness);
-      if (law == LayerLaw::rigid)
+      std::vector<LayerLaw> laws;
+      if (!sweep.given("Normal law"))
+        return laws;
+      if (sweep.given("Joints"))
         {
-          for (const std::string &entry : {compliance, stiffness})
-            if (section.given(entry))
-              section.fail(entry,
-                           fmt::format("'{} = rigid' ({}) has neither compliance nor stiffness. "
-                                       "Remove this entry, or choose another law.",
-                                       law_entry,
-                                       section.origin(law_entry)));
-          return 0.;
+          const std::vector<std::string> joints = sweep.list("Joints");
+          if (std::find(joints.begin(), joints.end(), joint) == joints.end())
+            return laws;
         }
-      if (!is_given && (is_needed || section.given(law_entry)))
-        section.fail(fmt::format("'{}' or '{}' is missing. Give one of the two; compliance 0, or "
-                                 "'{} = rigid', means an exactly rigid joint.",
-                                 compliance,
-                                 stiffness,
-                                 law_entry));
-      const double rho = section.given(compliance)  ? section.number(compliance)
-                         : section.given(stiffness) ? 1. / section.number(stiffness)
-                                                    : 0.;
-      if (law == LayerLaw::cubic_root && rho == 0.)
-        section.fail(compliance,
-                     fmt::format("'{} = cubic root' ({}) needs a compliance > 0. For a rigid joint "
-                                 "choose the law rigid.",
-                                 law_entry,
-                                 section.origin(law_entry)));
-      if (rho == 0.)
-        law = LayerLaw::rigid;
-      return rho;
+      for (const std::string &word : sweep.list("Normal law"))
+        if (const auto law = law_of_word(word, LayerDirection::normal))
+          laws.push_back(*law);
+      return laws;
     }
 
 
+    /** A hundredth of the softest body's modulus: at higher stresses bodies are not elastic. */
     double
-    read_thickness(const ParameterSection &section)
+    largest_stress(const ParameterValues &values)
     {
-      if (section.given("Thickness"))
-        return section.number("Thickness");
-      for (const char *const law : {"Normal law", "Shear law"})
-        if (section.text(law) == "cubic root")
-          section.fail(
-            law, "'Thickness' is missing. The cubic root law needs the thickness of the layer.");
-      return 0.;
+      double softest = std::numeric_limits<double>::infinity();
+      for (const ParameterSection &body : values.subsections("Bodies"))
+        softest = std::min(softest, body.number("Young modulus"));
+      return 0.01 * softest;
     }
 
 
     JointParameters
     read_joint(const ParameterSection &section,
-               const std::vector<std::string> &bodies,
+               const ParameterValues &values,
                const std::map<std::string, double> &constants)
     {
       JointParameters joint;
-      joint.origin            = section.origin();
-      joint.definition        = read_place(section, bodies);
-      joint.friction          = read_strength(section);
-      joint.thickness         = read_thickness(section);
-      joint.normal_law        = read_law(section, "Normal law");
-      joint.shear_law         = read_law(section, "Shear law");
-      joint.normal_compliance = read_compliance(section, "Normal", true, joint.normal_law);
-      joint.shear_compliance =
-        read_compliance(section, "Shear", !joint.friction.is_frictionless(), joint.shear_law);
+      joint.origin     = section.origin();
+      joint.definition = read_place(section, values.subsection_names("Bodies"));
+      joint.friction   = read_strength(section);
+      joint.thickness  = section.given("Thickness") ? section.number("Thickness") : 0.;
+      const LayerSurroundings surroundings = {constants,
+                                              largest_stress(values),
+                                              swept_laws(values.section("Sweep"), section.name()),
+                                              !joint.friction.is_frictionless()};
+      read_layer(section, LayerDirection::normal, surroundings, joint);
+      read_layer(section, LayerDirection::shear, surroundings, joint);
       joint.shear_growth = read_shear_growth(section);
       check_shear_growth(section, joint);
       joint.initial_gap = section.text("Initial gap");
@@ -213,7 +169,7 @@ namespace fuga
   {
     std::vector<JointParameters> joints;
     for (const ParameterSection &section : values.subsections("Joints"))
-      joints.push_back(read_joint(section, values.subsection_names("Bodies"), constants));
+      joints.push_back(read_joint(section, values, constants));
     return joints;
   }
 } // namespace fuga

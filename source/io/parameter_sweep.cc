@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/load_assembly.h>
+#include <fuga/io/layer_law.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/io/parameter_strength.h>
@@ -113,34 +114,34 @@ namespace fuga
     LayerLaw
     law_named(const ParameterSection &section, const std::string &word)
     {
-      if (word == "rigid")
-        return LayerLaw::rigid;
-      if (word == "linear")
-        return LayerLaw::linear;
-      if (word != "cubic root")
-        section.fail(
-          "Normal law",
-          fmt::format("there is no law '{}': rigid, linear and cubic root are known.", word));
-      return LayerLaw::cubic_root;
+      const auto law = law_of_word(word, LayerDirection::normal);
+      if (!law)
+        section.fail("Normal law",
+                     fmt::format("there is no law '{}'. Known are {}.",
+                                 word,
+                                 quoted_list(law_words(LayerDirection::normal))));
+      return *law;
     }
 
     /** Makes laws and compliances of a combination agree, or says why they cannot. */
     void
     reconcile(const ParameterSection &section, JointParameters &joint)
     {
-      if (joint.normal_law == LayerLaw::rigid ||
-          (joint.normal_law == LayerLaw::linear && joint.normal_compliance == 0.))
-        {
-          joint.normal_law        = LayerLaw::rigid;
-          joint.normal_compliance = 0.;
-        }
-      if (joint.normal_law == LayerLaw::cubic_root &&
-          (joint.normal_compliance == 0. || joint.thickness == 0.))
+      if (joint.normal_law == LayerLaw::linear && joint.normal_compliance == 0.)
+        joint.normal_law = LayerLaw::rigid;
+      if (joint.normal_law == LayerLaw::rigid)
+        joint.normal_compliance = 0.;
+      else if (section.given("Normal compliance") && !has_compliance_entry(joint.normal_law))
+        section.fail("Normal compliance",
+                     fmt::format("the {} law of joint '{}' has no compliance that could be varied. "
+                                 "Take the law or the joint out of the sweep, or this entry.",
+                                 law_word(joint.normal_law),
+                                 joint.definition.name));
+      if (const std::string missing = missing_entry(joint, LayerDirection::normal);
+          !missing.empty())
         section.fail(
-          "Normal law",
-          fmt::format(
-            "the cubic root law of joint '{}' needs a normal compliance and a thickness above 0.",
-            joint.definition.name));
+          section.given("Normal law") ? "Normal law" : "Normal compliance",
+          fmt::format("for joint '{}' ({}) {}", joint.definition.name, joint.origin, missing));
       if (joint.shear_law == LayerLaw::linear && joint.shear_compliance == 0.)
         joint.shear_law = LayerLaw::rigid;
     }

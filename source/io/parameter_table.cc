@@ -84,48 +84,13 @@ namespace fuga
                  "Boundary opposite to Plus lip, or the word rigid: a fixed rigid obstacle.")};
     }
 
-    std::vector<EntryDeclaration>
-    joint_layer()
-    {
-      return {
-        defaulted("Normal law",
-                  "linear",
-                  choice("rigid|linear|cubic root"),
-                  "Pressure against closure; cubic root: w/(rho (1 - (w/Thickness)^(1/3)))."),
-        optional("Normal compliance",
-                 number_from(0),
-                 "Closure per pressure [m/MPa]; 0 = exactly rigid. Either this or Normal "
-                 "stiffness; neither for a rigid law.",
-                 {"1.25e-4"}),
-        optional("Normal stiffness",
-                 number_above(0),
-                 "Pressure per closure [MPa/m], in place of the compliance."),
-        defaulted("Shear law",
-                  "linear",
-                  choice("rigid|linear|cubic root"),
-                  "Shear stress against elastic shear jump."),
-        optional("Shear compliance",
-                 number_from(0),
-                 "Shear jump per shear stress [m/MPa]; 0 = exactly rigid. Either this or Shear "
-                 "stiffness; neither for a rigid law or without friction.",
-                 {"1.25e-4"}),
-        optional("Shear stiffness",
-                 number_above(0),
-                 "Shear stress per shear jump [MPa/m], in place of the compliance."),
-        optional("Thickness",
-                 number_above(0),
-                 "Thickness of the layer [m]; the cubic root law needs it, the output shows "
-                 "Thickness/compliance with it.",
-                 {"0.002"})};
-    }
-
     SectionDeclaration
     joints_section()
     {
       SectionDeclaration section{
         "Joints", "One subsection per joint, with a name of your choice.", {}, {"base"}};
       for (const auto &part :
-           {joint_place(), joint_layer(), joint_shear_growth_entries(), joint_strength_entries()})
+           {joint_place(), layer_entries(), joint_shear_growth_entries(), joint_strength_entries()})
         section.entries.insert(section.entries.end(), part.begin(), part.end());
       return section;
     }

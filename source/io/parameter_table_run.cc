@@ -56,7 +56,11 @@ namespace fuga
        optional(
          "Normal compliance", text(), "Values of the normal compliance; 0 is rigid." + values),
        optional("Shear compliance", text(), "Values of the shear compliance; 0 is rigid." + values),
-       optional("Normal law", text(), "List out of rigid, linear, cubic root."),
+       optional(
+         "Normal law",
+         text(),
+         "List out of the words of Joints/NAME/Normal law; the joints have the entries of all of "
+         "these laws."),
        optional("Load sequences",
                 text(),
                 "Sequences of stages separated by ';', each a list of stage names: weight, push; "

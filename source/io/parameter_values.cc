@@ -316,9 +316,14 @@ namespace fuga
         for (const std::string &name :
              section.free_entries ? constant_names : section.entry_names())
           {
-            const std::string value = handler.get(path, name);
-            if (!value.empty())
-              result.emplace_back(ScannedEntry{path, name, "", ""}.full_name(), value);
+            const std::string value     = handler.get(path, name);
+            const std::string full_name = ScannedEntry{path, name, "", ""}.full_name();
+            // The handler has a value for every choice between words, wanted or not.
+            const bool absent = !section.free_entries &&
+                                section.find(name)->presence == Presence::optional &&
+                                entry_origins.count(full_name) == 0;
+            if (!value.empty() && !absent)
+              result.emplace_back(full_name, value);
           }
       }
     return result;

@@ -79,9 +79,6 @@ namespace fuga
   std::string
   ExponentialLaw::description() const
   {
-    return fmt::format(
-      "exponential law, stress {:g} at a closure of {:g}, a hundredth where contact begins",
-      pressure,
-      closure);
+    return fmt::format("exponential law, stress {:g} at a closure of {:g}", pressure, closure);
   }
 } // namespace fuga

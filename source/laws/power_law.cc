@@ -11,8 +11,11 @@ namespace fuga
 {
   namespace
   {
-    /** Length of the foot, or its secant stiffness, relative to the reference point. */
-    constexpr double foot_share = 1e-3;
+    /** Secant stiffness at the end of the foot relative to σ_r/w_r, or its inverse for m < 1. */
+    constexpr double stiffness_share = 1e-3;
+    /** Shortest foot for m > 1 and for m < 1, as share of w_r. */
+    constexpr double shortest_hard = 1e-3;
+    constexpr double shortest_soft = 1e-6;
     /** The cubic foot starts with less than this slope for larger exponents, then falls. */
     constexpr double steepest_cubic = 1.6;
     constexpr double quartic_slope  = 0.28;
@@ -20,7 +23,8 @@ namespace fuga
     LawFoot
     make_foot(const double w_r, const double sigma_r, const double m)
     {
-      const double share     = m > 2. ? std::pow(foot_share, 1. / (m - 1.)) : foot_share;
+      const double share     = std::max(std::pow(stiffness_share, 1. / std::abs(m - 1.)),
+                                    m > 1. ? shortest_hard : shortest_soft);
       const double curvature = m * (m - 1.);
       return {w_r * share,
               sigma_r * std::pow(share, m),

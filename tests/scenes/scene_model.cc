@@ -5,6 +5,7 @@
 
 #include "judges/from_contact.h"
 
+#include <fuga/io/layer_law.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/mesh/joint_splitter.h>
 
@@ -28,14 +29,6 @@ namespace fuga::tests
         definitions.push_back(joint.definition);
       return split_joints(read_gmsh_mesh(parameters.mesh_file), definitions);
     }
-
-    std::unique_ptr<ComplianceLaw>
-    make_law(const LayerLaw law, const double compliance, const double thickness)
-    {
-      return law == LayerLaw::rigid    ? make_rigid_law()
-             : law == LayerLaw::linear ? make_linear_law(compliance)
-                                       : make_cubic_root_law(compliance, thickness);
-    }
   } // namespace
 
   SceneModel::SceneModel(const std::string &file, const std::vector<std::string> &overrides)
@@ -50,8 +43,8 @@ namespace fuga::tests
       {
         if (joint.initial_gap != "0")
           throw std::invalid_argument("SceneModel knows no initial gaps");
-        laws.push_back(make_law(joint.normal_law, joint.normal_compliance, joint.thickness));
-        laws.push_back(make_law(joint.shear_law, joint.shear_compliance, joint.thickness));
+        for (const LayerDirection direction : {LayerDirection::normal, LayerDirection::shear})
+          laws.push_back(make_layer_law(joint, direction, parameters.model.constants));
       }
     for (ContactElement &element : elements)
       {

@@ -42,6 +42,8 @@ namespace fuga
     std::size_t n_solutions  = 0;
     std::size_t n_iterations = 0;
     std::size_t max_in_one   = 0;
+    /** Largest energy the nonlinear layers stored: the scale of what a step may lose of it. */
+    double largest_energy = 0.;
   };
 
   /**

@@ -54,6 +54,9 @@ namespace fuga
               const std::string &documentation,
               const std::vector<std::string> &examples = {});
 
+    /** Law and curve of a joint's layer in both directions. */
+    std::vector<EntryDeclaration>
+    layer_entries();
     /** Entries of a joint. */
     std::vector<EntryDeclaration>
     joint_strength_entries();

@@ -17,14 +17,16 @@ namespace fuga
     /** x, y and the load time t. */
     place_and_time,
     /** The stage fraction t. */
-    stage_fraction
+    stage_fraction,
+    /** The deformation w of a layer. */
+    deformation
   };
 
   /**
    * Parses and evaluates an expression once, before anything is computed with it.
    * @returns "" or a sentence that says what is wrong and what to do. Values which are not finite
    * are wrong at any stage fraction tried, but in the plane only if they are so at all points tried
-   * (a pressure may well be defined at its own boundary only).
+   * (a pressure may well be defined at its own boundary only). Of deformations w = 0 is tried.
    */
   std::string
   expression_problem(const std::string &expression,

@@ -7,6 +7,7 @@
 #include <fuga/bodies/model_definition.h>
 #include <fuga/io/units.h>
 #include <fuga/laws/friction_law.h>
+#include <fuga/laws/tabular_law.h>
 #include <fuga/mesh/joint_splitter.h>
 
 #include <string>
@@ -23,7 +24,34 @@ namespace fuga
     rigid,
     linear,
     /** Law (9) of the paper; needs the thickness of the layer. */
-    cubic_root
+    cubic_root,
+    /** HyperbolicLaw, in the normal direction only. */
+    hyperbolic,
+    /** ExponentialLaw, in the normal direction only. */
+    exponential,
+    /** PowerLaw. */
+    power,
+    /** TabularLaw. */
+    tabular,
+    /** ExpressionLaw. */
+    expression
+  };
+
+  /** What the curve of one direction has besides its compliance; 0 or empty = not given. */
+  struct LayerCurve
+  {
+    /** V_m of the hyperbolic law; the limit of an expression, which may do without [m]. */
+    double closure_limit = 0.;
+    /** A point of the exponential law (c0, p0) and of the power law (w_r, σ_r) [m, MPa]. */
+    double reference_deformation = 0.;
+    double reference_stress      = 0.;
+    /** m of the power law. */
+    double exponent = 0.;
+    std::vector<TabularLaw::Point> table;
+    TableInterpolation interpolation = TableInterpolation::monotone_spline;
+    /** muParser expressions of w. */
+    std::string stress_expression;
+    std::string tangent_expression;
   };
 
   /** How the shear stiffness of a joint grows, see ShearCoupling. */
@@ -49,12 +77,14 @@ namespace fuga
 
     LayerLaw normal_law = LayerLaw::linear;
     LayerLaw shear_law  = LayerLaw::linear;
-    /** ρn at zero deformation [m/MPa]; 0 exactly if, and only if, the law is rigid. */
+    /** ρn at zero deformation [m/MPa] of a linear, cubic root or hyperbolic law; 0 for all others.
+     */
     double normal_compliance = 0.;
     /** ρt, likewise. A joint without friction and without a shear compliance is rigid here. */
     double shear_compliance = 0.;
     /** ζ0 [m]; 0 = not given. Positive for every cubic root law. */
     double thickness = 0.;
+    LayerCurve normal_curve, shear_curve;
 
     ShearGrowth shear_growth;
     FrictionLaw friction;

@@ -11,11 +11,10 @@ namespace fuga
 {
   /**
    * σ = σ_r (w/w_r)^m. The power itself has the tangent 0 (m > 1) or ∞ (m < 1) at w = 0. Up to
-   *     w1 = w_r max(10⁻³, 10^{-3/(m-1)})   (w1 = 10⁻³ w_r for m ≤ 2)
+   *     w1 = w_r max(10^{-3/|m-1|}, 10⁻³ (m > 1) or 10⁻⁶ (m ≤ 1))
    * a polynomial leads from the origin to the curve and meets it with equal value, slope and
-   * curvature. For m > 2 the foot ends where the secant stiffness is a thousandth of σ_r/w_r: the
-   * initial compliance is what the layer has in the linear system, and each digit by which it is
-   * too soft is a digit lost.
+   * curvature. So the first stiffness is within a factor of some thousand of σ_r/w_r: it is what
+   * the layer has in the linear system, and each digit by which it is wrong is a digit lost.
    */
   class PowerLaw : public NonlinearLaw
   {
