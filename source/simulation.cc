@@ -130,7 +130,7 @@ namespace fuga
         write_last_state();
         return;
       }
-    history->set_path_length(length);
+    history.set_path_length(length);
     write_state(state, parameters.output.fields == FieldOutput::levels);
   }
 
@@ -152,7 +152,7 @@ namespace fuga
         certificate.body_equilibrium   = std::max(certificate.body_equilibrium, error.resultant);
         model.timer.finish("recovery of displacements");
         // Beyond a limit load the load time does not grow, but the times of a film must.
-        const double time = state.t + history->path_length();
+        const double time = state.t + history.path_length();
         fields.write_bodies(time, u);
         fields.write_joints(time, joint.elements, results, judge.dissipation());
         model.timer.finish("fields");

@@ -293,13 +293,15 @@ namespace fuga
                                           const Vector &a) const
   {
     timer.restart();
-    const Vector elastic = bodies->forces(by_nodes(u));
+    Vector terms;
+    const Vector elastic = bodies->forces(by_nodes(u), terms);
     Vector loads         = combination(a, &LoadPattern::forces);
     loads.resize(space->n_dofs(), 0.);
     Vector contact(space->n_dofs(), 0.);
     bars->add_forces(1., p, contact);
 
-    const EquilibriumError error = fuga::equilibrium_error(elastic, contact, loads, fixed, *pieces);
+    const EquilibriumError error =
+      fuga::equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
     timer.finish("equilibrium check");
     return error;
   }

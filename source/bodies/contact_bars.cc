@@ -6,6 +6,7 @@
 #include <fuga/bodies/contact_bars.h>
 
 #include <cmath>
+#include <map>
 
 namespace fuga
 {
@@ -13,6 +14,19 @@ namespace fuga
   {
     /** A support counts as aligned with the frame of a joint up to this sine. */
     constexpr double alignment_tolerance = 1e-10;
+
+    /** How many node pairs every node belongs to: more than one where joints cross or touch. */
+    template <int dim>
+    std::map<unsigned int, unsigned int>
+    count_pairs(const std::vector<NodePair<dim>> &pairs)
+    {
+      std::map<unsigned int, unsigned int> result;
+      for (const auto &pair : pairs)
+        for (const unsigned int node : {pair.plus_node, pair.minus_node})
+          ++result[node];
+      result.erase(Discretization<dim>::no_node);
+      return result;
+    }
   } // namespace
 
 
@@ -24,6 +38,7 @@ namespace fuga
     : geometry(joint_geometry), pair_elements(geometry.pairs().size(), no_element)
   {
     std::vector<unsigned int> count(mesh.joints.size(), 0), left_out(mesh.joints.size(), 0);
+    const std::map<unsigned int, unsigned int> n_pairs = count_pairs<dim>(geometry.pairs());
     for (unsigned int i = 0; i < geometry.pairs().size(); ++i)
       {
         const auto &pair = geometry.pairs()[i];
@@ -36,7 +51,12 @@ namespace fuga
             continue;
           }
         no_tangential_jump.push_back(jump == Jump::normal_only);
-        add_element(i, count[pair.joint]++, jump == Jump::free && !frictionless[pair.joint]);
+        // Where joints cross, the jumps of all bars determine the motion: none may be missing.
+        const bool crossing =
+          n_pairs.at(pair.plus_node) > 1 ||
+          (pair.minus_node != Discretization<dim>::no_node && n_pairs.at(pair.minus_node) > 1);
+        add_element(
+          i, count[pair.joint]++, jump == Jump::free && (!frictionless[pair.joint] || crossing));
       }
     for (std::size_t joint = 0; joint < left_out.size(); ++joint)
       if (left_out[joint] > 0)

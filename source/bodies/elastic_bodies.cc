@@ -7,6 +7,8 @@
 #include <fuga/bodies/node_graph.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace fuga
 {
@@ -248,7 +250,7 @@ namespace fuga
         const double *K = stiffness.of(cell);
         for (std::size_t i = 0; i < n_local; ++i)
           force[i] = std::inner_product(local.begin(), local.end(), K + i * n_local, 0.);
-        action(nodes, local, force);
+        action(nodes, local, force, K);
       }
   }
 
@@ -258,10 +260,32 @@ namespace fuga
   ElasticBodies<dim>::forces(const Vector &u) const
   {
     Vector result(discretization.n_dofs(), 0.);
-    for_each_cell_force(u, [&](const unsigned int *nodes, const Vector &, const Vector &force) {
-      for (std::size_t i = 0; i < force.size(); ++i)
-        result[nodes[i / dim] * dim + i % dim] += force[i];
-    });
+    for_each_cell_force(
+      u, [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *) {
+        for (std::size_t i = 0; i < force.size(); ++i)
+          result[nodes[i / dim] * dim + i % dim] += force[i];
+      });
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  ElasticBodies<dim>::forces(const Vector &u, Vector &terms) const
+  {
+    Vector result(discretization.n_dofs(), 0.);
+    terms.assign(discretization.n_dofs(), 0.);
+    for_each_cell_force(
+      u, [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *K) {
+        const std::size_t n = force.size();
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const std::size_t row = nodes[i / dim] * dim + i % dim;
+            result[row] += force[i];
+            for (std::size_t j = 0; j < n; ++j)
+              terms[row] += std::abs(K[i * n + j] * u[nodes[j / dim] * dim + j % dim]);
+          }
+      });
     return result;
   }
 
@@ -271,9 +295,10 @@ namespace fuga
   ElasticBodies<dim>::energy(const Vector &u) const
   {
     double sum = 0.;
-    for_each_cell_force(u, [&](const unsigned int *, const Vector &local, const Vector &force) {
-      sum += std::inner_product(local.begin(), local.end(), force.begin(), 0.);
-    });
+    for_each_cell_force(
+      u, [&](const unsigned int *, const Vector &local, const Vector &force, const double *) {
+        sum += std::inner_product(local.begin(), local.end(), force.begin(), 0.);
+      });
     return sum / 2.;
   }
 

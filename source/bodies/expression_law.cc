@@ -7,9 +7,10 @@
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuga
@@ -72,15 +73,39 @@ namespace fuga
     return parsers->tangent.value(dealii::Point<1>(w));
   }
 
+  namespace
+  {
+    using Rule = boost::math::quadrature::gauss<double, 15>;
+
+    /** Corrects @p whole, one application of the rule to [a, b], until halving no longer changes it. */
+    template <typename Function>
+    double
+    refined(const Function &f,
+            const double a,
+            const double b,
+            const double whole,
+            const double scale,
+            const int depth)
+    {
+      const double tolerance = 1e-14;
+      const double middle    = 0.5 * (a + b);
+      const double left = Rule::integrate(f, a, middle), right = Rule::integrate(f, middle, b);
+      if (depth == 0 || std::abs(left + right - whole) <= tolerance * scale)
+        return left + right;
+      return refined(f, a, middle, left, scale, depth - 1) +
+             refined(f, middle, b, right, scale, depth - 1);
+    }
+  } // namespace
+
   double
   ExpressionLaw::energy(const double w) const
   {
-    const unsigned int max_bisections = 15;
-    const double tolerance            = 1e-13;
+    const int max_halvings = 40;
     if (w <= 0.)
       return 0.;
-    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-      [this](const double x) { return stress(x); }, 0., w, max_bisections, tolerance);
+    const auto f       = [this](const double x) { return stress(x); };
+    const double whole = Rule::integrate(f, 0., w);
+    return refined(f, 0., w, whole, whole, max_halvings);
   }
 
   // A bracket: doubled, or half of the rest of the way to the limit, until the stress is passed.

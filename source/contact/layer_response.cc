@@ -173,7 +173,9 @@ namespace fuga
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    return at.strengths[k].cohesion + std::abs(at.unreleased[element.tangential_bar]);
+    const double unreleased =
+      element.has_tangential_bar() ? std::abs(at.unreleased[element.tangential_bar]) : 0.;
+    return at.strengths[k].cohesion + unreleased;
   }
 
   // Under tension a bond has less strength; without a bond a tension is rounding.

@@ -74,10 +74,11 @@ namespace fuga
       return {
         optional(word + " compliance",
                  number_from(0),
-                 fmt::format("{} [m/MPa] of a linear, cubic root{} law, at w = 0; 0 = exactly "
+                 fmt::format("{} [m/MPa] of a linear{} law, at w = 0; 0 = exactly "
                              "rigid. Either this or {} stiffness; neither for {}.",
                              first,
-                             direction == LayerDirection::normal ? " or hyperbolic" : "",
+                             direction == LayerDirection::normal ? ", cubic root or hyperbolic"
+                                                                 : " or cubic root",
                              word,
                              rigid),
                  {"1.25e-4"}),

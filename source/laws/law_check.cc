@@ -67,7 +67,8 @@ namespace fuga
         {
           result.push_back(w);
           if (limit - w < closest_to_limit * limit ||
-              (!std::isfinite(limit) && w > growth * scale && !(law.stress(w) < largest_stress)))
+              (!std::isfinite(limit) && w > growth * law.deformation_scale() &&
+               !(law.stress(w) < largest_stress)))
             break;
           w = std::min(growth * w, 0.5 * (w + limit));
         }

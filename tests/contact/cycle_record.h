@@ -46,8 +46,7 @@ namespace fuga::tests
     /** Per cycle. */
     std::vector<double> loss;
     std::vector<std::size_t> n_events;
-    /** CPU time at the end of each cycle [s] and memory in use [bytes]. */
-    std::vector<double> seconds;
+    /** Memory in use at the end of each cycle [bytes]. */
     std::vector<std::size_t> memory;
     JointState end_of_second, last;
 

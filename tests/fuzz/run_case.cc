@@ -5,6 +5,7 @@
 
 #include "fuzz/mutator.h"
 
+#include <fuga/base/errors.h>
 #include <fuga/simulation.h>
 #include <fuga/sweep.h>
 

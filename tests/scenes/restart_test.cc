@@ -237,10 +237,10 @@ TEST(Restart, AddedStages)
   for (const char *name : {"/events.csv", "/resultants.csv"})
     {
       Table a = parse_csv(file_text(in_one + name)), b = parse_csv(file_text(in_two + name));
-      EXPECT_EQ(a.header.back(), "certificate");
+      const auto certificate = static_cast<std::ptrdiff_t>(a.column("certificate"));
       for (Table *table : {&a, &b})
         for (auto &row : table->rows)
-          row.pop_back();
+          row.erase(row.begin() + certificate);
       EXPECT_TRUE(a.rows == b.rows) << name;
       EXPECT_GE(a.rows.size(), 10u);
     }

@@ -61,7 +61,9 @@ namespace fuga::stress
           n_bars += element.has_tangential_bar() ? 2 : 1;
           const bool open = element.initial_gap > 0.;
           state.states.push_back(open ? ContactState::open : ContactState::stick);
-          state.broken.push_back(open);
+          state.strengths.push_back(virgin_strength(element.friction, element.area));
+          if (open) // lips that never touched have no bond
+            state.strengths.back().cohesion = 0.;
         }
       state.forces.assign(n_bars, 0.);
       state.dislocations.assign(n_bars, 0.);

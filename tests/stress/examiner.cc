@@ -28,14 +28,16 @@ namespace fuga::stress
     return judge_load(model.bodies, model.loads.history.factors(t));
   }
 
-  // Bonds that are broken are no longer there.
+  // What of the strength is left.
   JudgeProblem
   Examiner::problem_at(const JointState &state) const
   {
     JudgeProblem result = problem;
     for (std::size_t k = 0; k < result.elements.size(); ++k)
-      if (state.broken[k])
-        result.elements[k].cohesion = 0.;
+      {
+        result.elements[k].friction = state.strengths[k].friction;
+        result.elements[k].cohesion = state.strengths[k].cohesion / result.elements[k].area;
+      }
     return result;
   }
 

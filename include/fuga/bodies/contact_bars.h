@@ -41,7 +41,7 @@ namespace fuga
 
     /**
      * @p fixed: held degrees of freedom, node * dim + component; @p frictionless: joints without
-     * tangential bars.
+     * tangential bars, but for the nodes where they cross or touch others.
      * @throws InputError if a support holds both lips in a direction oblique to the joint.
      */
     ContactBars(const JointGeometry<dim> &geometry,

@@ -43,6 +43,11 @@ namespace fuga
     Vector
     forces(const Vector &u) const;
 
+    /** The same; @p terms: Σ|Kᵢⱼuⱼ|, what the rounding errors of forces and displacements are in
+     * proportion to. */
+    Vector
+    forces(const Vector &u, Vector &terms) const;
+
     /** ½ uᵀ K u. */
     double
     energy(const Vector &u) const;
@@ -50,7 +55,8 @@ namespace fuga
   private:
     class CellStiffness;
 
-    /** Calls @p action(nodes, u of the cell relative to its first node, forces) for every cell. */
+    /** Calls @p action(nodes, u of the cell relative to its first node, forces, stiffness) for every
+     * cell. */
     template <typename Action>
     void
     for_each_cell_force(const Vector &u, const Action &action) const;

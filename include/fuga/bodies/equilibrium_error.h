@@ -17,17 +17,19 @@ namespace fuga
    */
   struct EquilibriumError
   {
-    /** Largest entry of K u + Gᵀ p - P a over all free degrees of freedom. */
+    /** Largest entry of K u + Gᵀ p - P a over all free degrees of freedom, less what the rounding
+     * of u explains. */
     double residual = 0.;
     /** Largest resultant (force or moment) on a body without support, and which body. */
     double resultant = 0.;
     std::string body;
   };
 
-  /** From the nodal forces K u, Gᵀ p and P a (entry node * dim + component). */
+  /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim + component). */
   template <int dim>
   EquilibriumError
   equilibrium_error(const Vector &elastic,
+                    const Vector &terms,
                     const Vector &contact,
                     const Vector &loads,
                     const std::vector<bool> &fixed,

@@ -13,7 +13,7 @@ namespace fuga
 {
   /**
    * A law of the user: muParser expressions of the deformation w for the stress and for its
-   * derivative. The energy is the stress integrated by adaptive Gauss-Kronrod quadrature, the
+   * derivative. The energy is the stress integrated by adaptive Gauss quadrature, the
    * inverse Newton's method within a bracket. That the two expressions fit together is for
    * check_law() to find out.
    */
