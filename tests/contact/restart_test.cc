@@ -241,6 +241,18 @@ TEST(Restart, Cohesion)
   EXPECT_GT(check(Scene(Layer::nonlinear, {0.3, 0.02}), {}, 1), 20u);
 }
 
+// Strength that sliding uses up, and lips that rise.
+TEST(Restart, StrengthWithMemory)
+{
+  FrictionLaw law{0.3, 0.02};
+  law.tensile_strength = 0.01;
+  law.bond_loss        = FrictionLaw::BondLoss::slip;
+  law.friction_loss    = 0.1;
+  law.dilatancy        = 0.1;
+  law.dilation_limit   = 0.003;
+  EXPECT_GT(check(Scene(Layer::linear, law), {}, 3), 50u);
+}
+
 TEST(Restart, ImplicitSteps)
 {
   PathOptions options;
