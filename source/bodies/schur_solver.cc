@@ -140,6 +140,18 @@ namespace fuga
     data.a     = matrix.values.data();
 
     DenseMatrix S(n_kept, n_kept);
+    nothing_to_eliminate = static_cast<int>(n_kept) == matrix.size;
+    if (nothing_to_eliminate) // which MUMPS refuses
+      {
+        for (std::size_t k = 0; k < matrix.values.size(); ++k)
+          {
+            const auto [column, row] = std::minmax(matrix.rows[k], matrix.columns[k]);
+            S(static_cast<std::size_t>(row - 1), static_cast<std::size_t>(column - 1)) +=
+              matrix.values[k];
+          }
+        mirror_lower_triangle(S);
+        return S;
+      }
     mumps->kept.resize(n_kept);
     std::iota(mumps->kept.begin(), mumps->kept.end(), matrix.size - static_cast<int>(n_kept) + 1);
     mumps->control(19) = n_kept > 0 ? 3 : 0;
@@ -206,7 +218,9 @@ namespace fuga
   SchurSolver::condense(DenseMatrix &loads)
   {
     DenseMatrix reduced;
-    if (n_kept > 0 && loads.n_columns() > 0)
+    if (nothing_to_eliminate)
+      reduced = loads;
+    else if (n_kept > 0 && loads.n_columns() > 0)
       run_condensation(loads.data(), loads.n_columns(), reduced);
     return reduced;
   }
@@ -215,6 +229,11 @@ namespace fuga
   void
   SchurSolver::solve(Vector &load, const Vector &x)
   {
+    if (nothing_to_eliminate)
+      {
+        load = x;
+        return;
+      }
     DenseMatrix reduced;
     run_condensation(load.data(), 1, reduced);
     if (n_kept == 0)

@@ -161,7 +161,9 @@ TEST_P(LayerLaws, LoadingAndUnloading)
         const double weight  = level == 1 ? 0.05 : 0.3;
         const double closure = level == 1 ? law.light_closure : law.closure;
         if (!std::isnan(closure))
-          EXPECT_NEAR(run.jumps[level][2 * k], -closure, 1e-11 * law.closure) << level;
+          {
+            EXPECT_NEAR(run.jumps[level][2 * k], -closure, 1e-11 * law.closure) << level;
+          }
         EXPECT_NEAR(run.levels[level].forces[2 * k], -weight * (k % 8 == 0 ? 1. : 2.) / 16., 1e-12);
       }
   EXPECT_LE(run.certificate.worst(), 1e-9);

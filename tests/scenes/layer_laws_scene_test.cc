@@ -203,8 +203,8 @@ TEST_P(ColumnScene, TopSinksByTheClosedForm)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ColumnScene, testing::ValuesIn(laws), [](const auto &info) {
-  return info.param.name;
+INSTANTIATE_TEST_SUITE_P(Laws, ColumnScene, testing::ValuesIn(laws), [](const auto &law) {
+  return law.param.name;
 });
 
 namespace
@@ -233,8 +233,8 @@ TEST_P(FloatingBlock, StandsOnEveryLaw)
   RecordProperty("iterations", run.summary.at("iterations").dump());
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, FloatingBlock, testing::ValuesIn(laws), [](const auto &info) {
-  return info.param.name;
+INSTANTIATE_TEST_SUITE_P(Laws, FloatingBlock, testing::ValuesIn(laws), [](const auto &law) {
+  return law.param.name;
 });
 
 // A run beyond the last point of a table says so, once per joint and direction, in the log and in

@@ -108,7 +108,9 @@ TEST(LargeLineContact, NafemsRoller)
                     p0 * roller.p0,
                     p_tolerance * roller.p0);
       if (degree == 2 && level > 4)
-        EXPECT_NEAR(last_error / (p0 - 1.), 4., 0.5);
+        {
+          EXPECT_NEAR(last_error / (p0 - 1.), 4., 0.5);
+        }
       last_error = p0 - 1.;
     }
 }

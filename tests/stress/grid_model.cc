@@ -109,7 +109,8 @@ namespace fuga::stress
         if (body(i, j) != none || body(i - 1, j) != none || body(i, j - 1) != none ||
             body(i - 1, j - 1) != none)
           {
-            const std::array<double, 2> at = map ? map(x[i], y[j]) : std::array{x[i], y[j]};
+            const std::array<double, 2> at =
+              map ? map(x[i], y[j]) : std::array<double, 2>{{x[i], y[j]}};
             vertices += fmt::format("{} {} {} 0\n", i + x.size() * j + 1, at[0], at[1]);
             ++n_vertices;
           }
@@ -225,9 +226,10 @@ namespace fuga::stress
     for (const std::string &boundary : free_boundaries())
       text += fmt::format("subsection {}\nset Fixed = free\nend\n", boundary);
     text += "end\n" + load_text();
-    return text + fmt::format("subsection Solver\nset Certificate bound = {}\nend\n"
-                              "subsection Output\nset Fields = end\nset Log = quiet\nend\n",
-                              certificate_bound);
+    return text + fmt::format(
+                    "subsection Solver\nset Certificate bound = {}\nset Non-unique = first\nend\n"
+                    "subsection Output\nset Fields = end\nset Log = quiet\nend\n",
+                    certificate_bound);
   }
 
   double

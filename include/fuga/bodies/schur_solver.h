@@ -81,7 +81,9 @@ namespace fuga
     run_condensation(double *loads, const std::size_t n_columns, DenseMatrix &reduced);
 
     std::unique_ptr<Instance> mumps;
-    unsigned int n_kept       = 0;
+    unsigned int n_kept = 0;
+    /** All unknowns are kept: small bodies whose every node is in a joint. */
+    bool nothing_to_eliminate = false;
     double analysis_time      = 0.;
     double factorisation_time = 0.;
   };
