@@ -17,7 +17,9 @@ namespace fuga
              parameters.model,
              frictionless_joints(),
              Condensation::with_loads)
+    , monitor_points(find_monitor_points())
     , loads(make_loads())
+    , monitors(make_monitors())
     , joint_names(find_joint_names())
     , stage_names(find_stage_names())
     , normals(find_normals())
@@ -60,6 +62,26 @@ namespace fuga
     LoadProgram program = make_load_program(parameters.model, bodies);
     bodies.set_load_patterns(std::move(program.patterns));
     return program;
+  }
+
+  template <int dim>
+  std::vector<MonitorPoint<dim>>
+  Model<dim>::find_monitor_points() const
+  {
+    std::vector<MonitorPoint<dim>> points;
+    for (const MonitorDefinition &definition : parameters.model.monitors)
+      points.emplace_back(bodies.discretization(), mesh, definition);
+    return points;
+  }
+
+  template <int dim>
+  std::vector<Monitor>
+  Model<dim>::make_monitors() const
+  {
+    std::vector<Monitor> result;
+    for (std::size_t i = 0; i < monitor_points.size(); ++i)
+      result.emplace_back(parameters.model.monitors[i].name, monitor_points[i], bodies);
+    return result;
   }
 
   template <int dim>
@@ -119,6 +141,21 @@ namespace fuga
     options.tolerance      = parameters.solver.iteration_tolerance;
     options.max_iterations = parameters.solver.maximum_iterations;
     return options;
+  }
+
+  template <int dim>
+  std::vector<std::pair<std::string, std::size_t>>
+  Model<dim>::sizes() const
+  {
+    std::size_t n_bars = 0;
+    for (const ContactElement &element : bodies.elements())
+      n_bars += element.has_tangential_bar() ? 2 : 1;
+    return {{"cells", bodies.discretization().n_cells()},
+            {"degrees_of_freedom", bodies.discretization().n_dofs()},
+            {"load_patterns", bodies.load_patterns().n_columns()},
+            {"interface_coordinates", bodies.stiffness().n_rows()},
+            {"contact_elements", bodies.elements().size()},
+            {"bars", n_bars}};
   }
 
   template class Model<2>;

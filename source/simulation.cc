@@ -24,6 +24,7 @@ namespace fuga
               model.joint_names,
               model.stage_names,
               model.normals,
+              model.monitors,
               parameters.output.units}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
@@ -101,6 +102,11 @@ namespace fuga
       ++events_by_kind[fmt::format("{} -> {}", state_name(event.from), state_name(event.to))];
     n_events += events.size();
     history.add_events(events, certificate.worst());
+    if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
+      history.add_monitors(state.t,
+                           "event",
+                           judge.coordinates(layered.jumps(state.dislocations, state.forces)),
+                           model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
     checkpoint_at_event();
@@ -158,10 +164,24 @@ namespace fuga
         model.timer.finish("fields");
       }
     worst.absorb(certificate);
-    history.add_level(state.t, results, judge.energies(), certificate.worst());
+    history.add_level(
+      state.t, results, resultants_of(results), judge.energies(), certificate.worst());
+    history.add_monitors(state.t, "level", x, a);
     log.level(state.t, results, certificate.worst());
     publish(false);
     model.timer.finish("tables");
+  }
+
+  template <int dim>
+  std::vector<JointResultant>
+  Simulation<dim>::resultants_of(const std::vector<ElementResult> &results) const
+  {
+    return joint_resultants(model.joint_names.size(),
+                            joint.elements,
+                            model.normals,
+                            results,
+                            judge.dissipation(),
+                            parameters.model.thickness);
   }
 
   // At a limit load the last state in equilibrium is written like a level.

@@ -122,6 +122,7 @@ namespace fuga
                                   "events.csv",
                                   "joint_history.csv",
                                   "resultants.csv",
+                                  "monitors.csv",
                                   "log.txt",
                                   checkpoint_file_name};
     for_each_field(checkpoint.fields, [&kept](const std::string &name, const auto &collection) {

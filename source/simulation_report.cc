@@ -212,6 +212,7 @@ namespace fuga
     for (const auto &[kind, count] : events_by_kind)
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
+    log_resultants();
     const IterationCount iterations = path.iterations();
     if (iterations.n_solutions > 0)
       log.line(fmt::format("Iterations  {} in {} solutions, at most {} in one",
@@ -239,6 +240,37 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::log_resultants()
+  {
+    if (last_state.states.empty())
+      return;
+    const Units &u                               = parameters.output.units;
+    std::string title                            = "Resultants";
+    const std::vector<JointResultant> resultants = resultants_of(element_results(
+      joint.elements, last_state, layered.jumps(last_state.dislocations, last_state.forces)));
+    for (std::size_t j = 0; j < resultants.size(); ++j)
+      {
+        const JointResultant &r = resultants[j];
+        log.line(
+          fmt::format("{:<11} {}: N {:.6g} {}, T {:.6g} {}, M {:.6g} {}; in compression {:.1f} "
+                      "%; safety: sliding {:.4g}, overturning {:.4g}",
+                      title,
+                      model.joint_names[j],
+                      r.N,
+                      u.force,
+                      r.T,
+                      u.force,
+                      r.M,
+                      u.energy(),
+                      100. * r.share_compression,
+                      r.sliding_safety,
+                      r.overturning_safety));
+        title.clear();
+      }
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::write_summary(const Outcome &outcome)
   {
     Summary summary;
@@ -255,10 +287,8 @@ namespace fuga
                                            joint.elements[k].number,
                                            joint.elements[k].position});
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
-    summary.sizes             = {{"cells", model.bodies.discretization().n_cells()},
-                                 {"degrees_of_freedom", model.bodies.discretization().n_dofs()},
-                                 {"contact_elements", joint.elements.size()},
-                                 {"bars", layered.n_bars()}};
+    summary.sizes             = model.sizes();
+    summary.work              = {model.bodies.work(), 1, path.work()};
     summary.events_by_kind    = events_by_kind;
     summary.n_events          = n_events;
     summary.iterations        = path.iterations();

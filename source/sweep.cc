@@ -3,8 +3,8 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
-#include <fuga/io/joint_results.h>
-#include <fuga/io/summary.h>
+#include <fuga/io/joint_resultant.h>
+#include <fuga/io/process_info.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
 
@@ -76,7 +76,7 @@ namespace fuga
     std::string verdict;
     PathResult path;
     std::vector<JointResultant> resultants;
-    Vector load_factors;
+    std::vector<std::array<double, 3>> displacements;
     double first_opening = never, first_slip = never;
     double certificate = 0.;
     double seconds     = 0.;
@@ -119,7 +119,10 @@ namespace fuga
                            bar_compliance(*element.shear_law, element.area);
       }
     if (!same)
-      layered = std::make_unique<LayeredSystem>(model.bodies, joint.elements);
+      {
+        layered = std::make_unique<LayeredSystem>(model.bodies, joint.elements);
+        ++summary.work.n_layered_systems;
+      }
     return *layered;
   }
 
@@ -153,18 +156,63 @@ namespace fuga
         const Vector jumps =
           system.jumps(observer.last_state.dislocations, observer.last_state.forces);
         const auto results = element_results(joint.elements, observer.last_state, jumps);
-        for (unsigned int j = 0; j < variant.joints.size(); ++j)
-          row.resultants.push_back(joint_resultant(j, joint.elements, model.normals, results));
+        row.resultants     = joint_resultants(variant.joints.size(),
+                                          joint.elements,
+                                          model.normals,
+                                          results,
+                                          judge.dissipation(),
+                                          model.parameters.model.thickness);
+        const Vector x = judge.coordinates(jumps), a = history.factors(observer.last_state.t);
+        for (const Monitor &monitor : model.monitors)
+          row.displacements.push_back(monitor.displacement(x, a));
       }
     row.resultants.resize(variant.joints.size());
-    row.load_factors  = history.factors(row.path.t);
+    row.displacements.resize(model.monitors.size());
     row.first_opening = observer.first_opening;
     row.first_slip    = observer.first_slip;
     row.certificate   = observer.worst.worst();
     row.warnings =
       observer.tables.warnings(model.joint_names, model.parameters.output.units.stress());
+    count(row, path);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::count(const Row &row, const EventPath &path)
+  {
+    ++summary.n_variants;
+    ++summary.verdicts[row.verdict];
+    summary.n_events += row.path.n_events;
+    summary.n_steps += row.path.n_steps;
+    summary.n_jumps += row.path.n_jumps;
+    summary.n_schemes += row.path.n_schemes;
+    summary.n_iterations += path.iterations().n_iterations;
+    // Not a number is worse than any number.
+    if (!(row.certificate <= summary.worst_certificate))
+      summary.worst_certificate = row.certificate;
+    SchemeWork &total        = summary.work.scheme;
+    const SchemeWork &of_one = path.work();
+    total.n_factorisations += of_one.n_factorisations;
+    total.n_updates += of_one.n_updates;
+    total.n_bars_ever_active = std::max(total.n_bars_ever_active, of_one.n_bars_ever_active);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::write_summary(const std::string &verdict, const ExitCode code)
+  {
+    summary.verdict           = verdict;
+    summary.exit_code         = static_cast<int>(code);
+    summary.sizes             = model.sizes();
+    summary.work.bodies       = model.bodies.work();
+    summary.certificate_bound = model.parameters.solver.certificate_bound;
+    summary.phases            = model.timer.seconds();
+    summary.memory_MB         = peak_memory_in_megabytes();
+    summary.split_report      = model.mesh.report;
+    write_complete_file(model.parameters.output.directory + "/summary.json",
+                        summary_json(summary, model.parameters));
   }
 
   template <int dim>
@@ -184,8 +232,13 @@ namespace fuga
                                           std::string("share_open"),
                                           std::string("share_slip"),
                                           fmt::format("largest_pressure[{}]", u.stress()),
-                                          std::string("sliding_safety")})
+                                          std::string("sliding_safety"),
+                                          std::string("overturning_safety"),
+                                          fmt::format("cracked_length[{}]", u.length)})
         columns.push_back(joint + " " + quantity);
+    for (const Monitor &monitor : model.monitors)
+      for (const char *component : {"ux", "uy"})
+        columns.push_back(fmt::format("{} {}[{}]", monitor.name(), component, u.length));
     columns.insert(columns.end(), {"certificate", "seconds"});
     return columns;
   }
@@ -206,9 +259,19 @@ namespace fuga
       table.add(value);
     table.add(row.path.n_events);
     for (const JointResultant &r : row.resultants)
-      for (const double value :
-           {r.N, r.T, r.M, r.share_open, r.share_slip, r.largest_pressure, r.sliding_safety})
+      for (const double value : {r.N,
+                                 r.T,
+                                 r.M,
+                                 r.share_open,
+                                 r.share_slip,
+                                 r.largest_pressure,
+                                 r.sliding_safety,
+                                 r.overturning_safety,
+                                 r.cracked_length})
         table.add(value);
+    for (const auto &u : row.displacements)
+      for (unsigned int c = 0; c < dim; ++c)
+        table.add(u[c]);
     table.add(row.certificate);
     table.add(row.seconds);
     table.end_row();
@@ -220,24 +283,19 @@ namespace fuga
   {
     const Parameters &parameters = model.parameters;
     make_output_directory(parameters.output.directory);
-    remove_earlier_results(parameters.output.directory, {});
+    write_summary("unfinished", ExitCode::done);
+    remove_earlier_results(parameters.output.directory, {"summary.json"});
     CsvFile table(parameters.output.directory + "/sweep.csv", columns());
     table.publish(true);
-    ExitCode code    = ExitCode::done;
     const bool quiet = parameters.output.log == LogDetail::quiet;
-    double worst     = 0.;
+    bool any_failed  = false;
     for (std::size_t i = 0; i < parameters.variants.size(); ++i)
       {
         const Variant &variant = parameters.variants[i];
         const Row row          = run_variant(variant);
         write(table, i + 1, variant, row);
         table.publish(false);
-        worst = std::max(worst, row.certificate);
-        if (row.failed)
-          code = ExitCode::numerical_failure;
-        else if (!(row.certificate <= parameters.solver.certificate_bound) &&
-                 code == ExitCode::done)
-          code = ExitCode::certificate_violated;
+        any_failed = any_failed || row.failed;
         if (quiet)
           continue;
         std::string settings;
@@ -255,11 +313,16 @@ namespace fuga
       }
     table.publish(true);
     model.timer.finish("variants");
+    const ExitCode code = any_failed ? ExitCode::numerical_failure
+                          : summary.worst_certificate <= parameters.solver.certificate_bound
+                            ? ExitCode::done
+                            : ExitCode::certificate_violated;
+    write_summary(any_failed ? "numerical failure" : "done", code);
     if (!quiet)
       fmt::print(
         "{} variants on one condensation, worst certificate {:.1e}. Results {}/sweep.csv\n",
         parameters.variants.size(),
-        worst,
+        summary.worst_certificate,
         parameters.output.directory);
     return code;
   }

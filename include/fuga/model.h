@@ -6,6 +6,7 @@
 
 #include <fuga/base/phase_timer.h>
 #include <fuga/bodies/load_program.h>
+#include <fuga/bodies/monitor.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/parameters.h>
 
@@ -27,20 +28,31 @@ namespace fuga
     mutable PhaseTimer timer;
     const JointedMesh mesh;
     CondensedSystem<dim> bodies;
+    /** Found before the bodies are condensed, as loads and joints are. */
+    const std::vector<MonitorPoint<dim>> monitor_points;
     const LoadProgram loads;
+    const std::vector<Monitor> monitors;
     const std::vector<std::string> joint_names, stage_names;
     const std::vector<std::array<double, 3>> normals;
 
     PathOptions
     path_options() const;
 
+    /** Sizes for the summary. */
+    std::vector<std::pair<std::string, std::size_t>>
+    sizes() const;
+
   private:
     std::vector<JointDefinition>
     joint_definitions() const;
     std::vector<bool>
     frictionless_joints() const;
+    std::vector<MonitorPoint<dim>>
+    find_monitor_points() const;
     LoadProgram
     make_loads();
+    std::vector<Monitor>
+    make_monitors() const;
     std::vector<std::string>
     find_joint_names() const;
     std::vector<std::string>

@@ -103,6 +103,8 @@ namespace fuga
     write_state(const JointState &state, const bool with_fields);
     void
     write_last_state();
+    std::vector<JointResultant>
+    resultants_of(const std::vector<ElementResult> &results) const;
     void
     finish(const Outcome &outcome);
     std::string
@@ -111,6 +113,9 @@ namespace fuga
     reason_of(const PathResult &result) const;
     void
     log_closing_table(const Outcome &outcome);
+    /** Those of the last state. */
+    void
+    log_resultants();
     void
     write_summary(const Outcome &outcome);
 

@@ -6,6 +6,7 @@
 
 #include <fuga/io/history_writer.h>
 #include <fuga/io/output_files.h>
+#include <fuga/io/summary.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
 #include <fuga/simulation.h>
@@ -37,6 +38,11 @@ namespace fuga
     history_of(const Variant &variant) const;
     const LayeredSystem &
     layered_system_of(const JointModel &joint);
+    /** Adds a variant to the summary. */
+    void
+    count(const Row &row, const EventPath &path);
+    void
+    write_summary(const std::string &verdict, const ExitCode code);
     void
     write(CsvFile &table, const std::size_t number, const Variant &variant, const Row &row) const;
     std::vector<std::string>
@@ -44,6 +50,7 @@ namespace fuga
 
     const Model<dim> &model;
     std::unique_ptr<LayeredSystem> layered;
+    SweepSummary summary;
   };
 } // namespace fuga
 

@@ -267,6 +267,7 @@ namespace fuga
     Vector u = coordinates->distribute(y.data(), prescribed);
     add_bonded_response(loads, u);
     add_bonded_response(loads, u); // refines
+    ++n_recovered_fields;
     dealii::Vector<double> result(static_cast<unsigned int>(u.size()));
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)

@@ -185,6 +185,7 @@ namespace fuga
           mumps->control(14) = 2 * mumps->control(14) + 50; // estimates were too low: more room
         }
     factorisation_time = seconds() - analysed;
+    ++its_work.n_factorisations;
 
     data.irn = data.jcn = nullptr;
     data.a              = nullptr;
@@ -221,7 +222,10 @@ namespace fuga
     if (nothing_to_eliminate)
       reduced = loads;
     else if (n_kept > 0 && loads.n_columns() > 0)
-      run_condensation(loads.data(), loads.n_columns(), reduced);
+      {
+        run_condensation(loads.data(), loads.n_columns(), reduced);
+        its_work.n_condensed_loads += loads.n_columns();
+      }
     return reduced;
   }
 
@@ -236,11 +240,21 @@ namespace fuga
       }
     DenseMatrix reduced;
     run_condensation(load.data(), 1, reduced);
+    ++its_work.n_solutions;
     if (n_kept == 0)
       return;
     std::copy(x.begin(), x.end(), reduced.data());
     mumps->control(26) = 2;
     call(3, "expansion of the solution");
+  }
+
+
+  int
+  SchurSolver::n_processes() const
+  {
+    int size = 0;
+    MPI_Comm_size(MPI_Comm_f2c(static_cast<MPI_Fint>(mumps->data.comm_fortran)), &size);
+    return size;
   }
 
 

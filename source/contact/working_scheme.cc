@@ -29,7 +29,10 @@ namespace fuga
 
   WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
                                const LayeredSystem &layered_system)
-    : elements(contact_elements), system(layered_system), position(layered_system.n_bars(), no_row)
+    : elements(contact_elements)
+    , system(layered_system)
+    , position(layered_system.n_bars(), no_row)
+    , ever_active(layered_system.n_bars(), false)
   {
     states.assign(elements.size(), ContactState::stick);
     for (const ContactElement &element : elements)

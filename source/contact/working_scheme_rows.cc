@@ -56,6 +56,7 @@ namespace fuga
   bool
   WorkingScheme::rebuild()
   {
+    its_work.n_factorisations += rows.empty() ? 0 : 1;
     const bool done = inverse.rebuild(active_matrix());
     stale           = false;
     factorised_rows = rows;
@@ -70,7 +71,16 @@ namespace fuga
     std::fill(position.begin(), position.end(), no_row);
     rows = new_rows;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      position[rows[i].bar] = i;
+      note_position(i);
+  }
+
+  void
+  WorkingScheme::note_position(const std::size_t row)
+  {
+    const std::size_t bar = rows[row].bar;
+    position[bar]         = row;
+    its_work.n_bars_ever_active += ever_active[bar] ? 0 : 1;
+    ever_active[bar] = true;
   }
 
   void
@@ -165,6 +175,7 @@ namespace fuga
     rows[i]                   = rows.back();
     rows.pop_back();
     exchanges.push_back({i, {}});
+    ++its_work.n_updates;
     return true;
   }
 
@@ -182,8 +193,9 @@ namespace fuga
     if (std::abs(inverse.append(column, line, entry(row, row.bar), smallest_pivot)) <=
         smallest_pivot)
       return false;
-    position[row.bar] = rows.size();
     rows.push_back(row);
+    note_position(rows.size() - 1);
+    ++its_work.n_updates;
     exchanges.push_back({RowExchange::none, row});
     return true;
   }

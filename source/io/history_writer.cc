@@ -84,7 +84,26 @@ namespace fuga
               fmt::format("energy_layer[{}]", u.energy()),
               fmt::format("dissipation[{}]", u.energy()),
               "certificate",
-              fmt::format("path_length[{}]", u.length)};
+              fmt::format("path_length[{}]", u.length),
+              fmt::format("eccentricity[{}]", u.length),
+              "in_middle_third",
+              "overturning_safety",
+              "share_compression",
+              fmt::format("cracked_length[{}]", u.length),
+              fmt::format("crack_from_first[{}]", u.length),
+              fmt::format("crack_from_last[{}]", u.length),
+              fmt::format("smallest_pressure[{}]", u.stress()),
+              fmt::format("joint_dissipation[{}]", u.energy())};
+    }
+
+    std::vector<std::string>
+    monitor_columns(const Units &u)
+    {
+      std::vector<std::string> columns = {"t", "occasion", "monitor"};
+      for (const char *name : {"x", "y", "z", "ux", "uy", "uz"})
+        columns.push_back(fmt::format("{}[{}]", name, u.length));
+      columns.push_back(fmt::format("path_length[{}]", u.length));
+      return columns;
     }
   } // namespace
 
@@ -94,6 +113,9 @@ namespace fuga
     , history(directory + "/joint_history.csv", history_columns(context.units))
     , resultants(directory + "/resultants.csv", resultant_columns(context.units))
   {
+    if (!context.monitors.empty())
+      monitors =
+        std::make_unique<CsvFile>(directory + "/monitors.csv", monitor_columns(context.units));
   }
 
   void
@@ -123,6 +145,7 @@ namespace fuga
   void
   HistoryWriter::add_level(const double t,
                            const std::vector<ElementResult> &results,
+                           const std::vector<JointResultant> &joint_resultants,
                            const EnergyLedger &energies,
                            const double certificate)
   {
@@ -145,7 +168,7 @@ namespace fuga
       }
     for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
       {
-        const JointResultant r = joint_resultant(joint, context.elements, context.normals, results);
+        const JointResultant &r = joint_resultants[joint];
         resultants.add(t);
         resultants.add(context.joint_names[joint]);
         for (const double value : {r.N,
@@ -165,7 +188,16 @@ namespace fuga
                                    energies.layer,
                                    energies.dissipation,
                                    certificate,
-                                   length_beyond})
+                                   length_beyond,
+                                   r.eccentricity,
+                                   r.in_middle_third ? 1. : 0.,
+                                   r.overturning_safety,
+                                   r.share_compression,
+                                   r.cracked_length,
+                                   r.crack_from_first,
+                                   r.crack_from_last,
+                                   r.smallest_pressure,
+                                   r.dissipation})
           resultants.add(value);
         resultants.end_row();
       }
@@ -174,7 +206,11 @@ namespace fuga
   HistoryMemory
   HistoryWriter::memory() const
   {
-    return {events.memory(), history.memory(), resultants.memory(), n_events};
+    return {events.memory(),
+            history.memory(),
+            resultants.memory(),
+            monitors ? monitors->memory() : TextMemory(),
+            n_events};
   }
 
   void
@@ -183,7 +219,29 @@ namespace fuga
     events.restore(memory.events);
     history.restore(memory.history);
     resultants.restore(memory.resultants);
+    if (monitors)
+      monitors->restore(memory.monitors);
     n_events = memory.n_events;
+  }
+
+  void
+  HistoryWriter::add_monitors(const double t,
+                              const std::string &occasion,
+                              const Vector &coordinates,
+                              const Vector &factors)
+  {
+    for (const Monitor &monitor : context.monitors)
+      {
+        monitors->add(t);
+        monitors->add(occasion);
+        monitors->add(monitor.name());
+        for (const double x : monitor.position())
+          monitors->add(x);
+        for (const double u : monitor.displacement(coordinates, factors))
+          monitors->add(u);
+        monitors->add(length_beyond);
+        monitors->end_row();
+      }
   }
 
   void
@@ -192,5 +250,7 @@ namespace fuga
     events.publish(now);
     history.publish(now);
     resultants.publish(now);
+    if (monitors)
+      monitors->publish(now);
   }
 } // namespace fuga

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fuga
 {
@@ -49,83 +48,5 @@ namespace fuga
           result.utilisation = std::min(1., std::abs(result.T) / result.strength);
       }
     return results;
-  }
-
-  namespace
-  {
-    /** Area-weighted centroid and mean unit normal of a joint. */
-    struct MeanFrame
-    {
-      double area = 0.;
-      double x = 0., y = 0., n_x = 0., n_y = 0.;
-    };
-
-    MeanFrame
-    mean_frame(const unsigned int joint,
-               const std::vector<ContactElement> &elements,
-               const std::vector<std::array<double, 3>> &normals)
-    {
-      MeanFrame frame;
-      for (std::size_t k = 0; k < elements.size(); ++k)
-        if (elements[k].joint == joint)
-          {
-            const double A = elements[k].area;
-            frame.area += A;
-            frame.x += A * elements[k].position[0];
-            frame.y += A * elements[k].position[1];
-            frame.n_x += A * normals[k][0];
-            frame.n_y += A * normals[k][1];
-          }
-      frame.x /= frame.area;
-      frame.y /= frame.area;
-      const double length = std::hypot(frame.n_x, frame.n_y);
-      // A closed ring has no mean normal: its resultant is given in global axes.
-      const double shortest = 1e-9;
-      frame.n_y             = length > shortest * frame.area ? frame.n_y / length : 1.;
-      frame.n_x             = length > shortest * frame.area ? frame.n_x / length : 0.;
-      return frame;
-    }
-  } // namespace
-
-  JointResultant
-  joint_resultant(const unsigned int joint,
-                  const std::vector<ContactElement> &elements,
-                  const std::vector<std::array<double, 3>> &normals,
-                  const std::vector<ElementResult> &results)
-  {
-    const MeanFrame frame = mean_frame(joint, elements, normals);
-    JointResultant resultant;
-    double sum_N = 0., moment_N = 0., strength = 0.;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const ContactElement &element = elements[k];
-        const ElementResult &result   = results[k];
-        if (element.joint != joint)
-          continue;
-        const double n_x = normals[k][0], n_y = normals[k][1], t_x = n_y, t_y = -n_x;
-        const double F_x = result.N * n_x + result.T * t_x, F_y = result.N * n_y + result.T * t_y;
-        const double x = element.position[0] - frame.x, y = element.position[1] - frame.y;
-        resultant.N += F_x * frame.n_x + F_y * frame.n_y;
-        resultant.T += F_x * frame.n_y - F_y * frame.n_x;
-        resultant.M -= x * F_y - y * F_x;
-        sum_N += result.N;
-        moment_N += result.N * (x * frame.n_y - y * frame.n_x);
-        double &share = result.state == ContactState::open    ? resultant.share_open
-                        : result.state == ContactState::stick ? resultant.share_stick
-                                                              : resultant.share_slip;
-        share += element.area / frame.area;
-        strength += result.strength;
-        resultant.largest_pressure = std::max(resultant.largest_pressure, result.pressure);
-        resultant.largest_gap      = std::max(resultant.largest_gap, result.gap);
-        resultant.largest_slip     = std::max(resultant.largest_slip, std::abs(result.slip));
-      }
-    const double arm   = sum_N == 0. ? 0. : moment_N / sum_N;
-    resultant.position = {{frame.x + arm * frame.n_y, frame.y - arm * frame.n_x}};
-    // A shear that is only rounding is none.
-    const double rounding    = 1e-12;
-    resultant.sliding_safety = std::abs(resultant.T) <= rounding * strength
-                                 ? std::numeric_limits<double>::infinity()
-                                 : strength / std::abs(resultant.T);
-    return resultant;
   }
 } // namespace fuga

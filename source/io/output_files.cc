@@ -47,6 +47,7 @@ namespace fuga
       for (const char *known : {"events.csv",
                                 "joint_history.csv",
                                 "resultants.csv",
+                                "monitors.csv",
                                 "summary.json",
                                 "sweep.csv",
                                 "log.txt",

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
@@ -43,43 +42,6 @@ namespace fuga
     }
 
 
-    /** The numbers of "1, 2.5"; none if the text is not a list of numbers only. */
-    std::vector<double>
-    read_coordinates(const std::string &text)
-    {
-      const NumberPattern number(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
-      std::vector<double> coordinates;
-      for (const std::string &piece : split_pieces(text, ','))
-        if (number.match(piece))
-          coordinates.push_back(std::stod(piece));
-        else
-          return {};
-      return coordinates;
-    }
-
-
-    void
-    read_point(const ParameterSection &section, const unsigned int dimension, LoadDefinition &load)
-    {
-      const std::string text                = section.text("Point");
-      const std::vector<double> coordinates = read_coordinates(text);
-      if (coordinates.size() == dimension)
-        {
-          load.has_coordinates = true;
-          std::copy(coordinates.begin(), coordinates.end(), load.coordinates.begin());
-        }
-      else if (!coordinates.empty() || text.find(',') != std::string::npos)
-        section.fail(
-          "Point",
-          fmt::format("this is neither the name of one point nor {} coordinates separated "
-                      "by a comma. Write for example 'Point = crest' or 'Point = 2.5, 10'.",
-                      dimension));
-      else
-        load.targets = {text};
-    }
-
-
     void
     read_targets(const ParameterSection &section,
                  const ModelDefinition &model,
@@ -97,7 +59,13 @@ namespace fuga
         section.fail(
           fmt::format("'{}' is missing: say where this {} acts.", wanted, section.text("Type")));
       if (load.kind == LoadKind::point_force)
-        read_point(section, model.dimension, load);
+        {
+          const PointReference point = read_point(section, model.dimension);
+          load.has_coordinates       = point.name.empty();
+          load.coordinates           = point.coordinates;
+          if (!point.name.empty())
+            load.targets = {point.name};
+        }
       else
         load.targets = section.list(wanted);
     }

@@ -181,6 +181,7 @@ namespace fuga
                                                              constants_section(),
                                                              solver_section(),
                                                              sweep_section(),
+                                                             monitors_section(),
                                                              output_section()};
     return sections;
   }

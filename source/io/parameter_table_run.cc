@@ -86,12 +86,31 @@ namespace fuga
   }
 
   SectionDeclaration
+  parameter_entries::monitors_section()
+  {
+    return {"Monitors",
+            "One subsection per point whose displacement is written to monitors.csv, with a name "
+            "of your choice.",
+            {required("Point",
+                      text(),
+                      "Coordinates x, y of a point in a body, or the name of a point of the mesh.",
+                      {"0, 12"}),
+             optional("Body", text(), "Only for a point on a joint: the body whose lip is meant.")},
+            {"crest"}};
+  }
+
+  SectionDeclaration
   parameter_entries::output_section()
   {
     return {
       "Output",
       "",
       {defaulted("Fields", "levels", choice("levels|end|never"), "When VTU files are written."),
+       defaulted("Monitors",
+                 "levels",
+                 choice("levels|events"),
+                 "When the displacements of the monitors are written; events: at levels and at "
+                 "every event."),
        defaulted("Checkpoint",
                  "levels",
                  choice("levels|events|every event|never"),

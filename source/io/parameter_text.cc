@@ -98,7 +98,8 @@ namespace fuga
     std::string result = comment(
       "Every entry of a parameter file, with its default, or with an example where it has none. "
       "The "
-      "subsections of Bodies, Joints, Boundaries, Loads and Stages are examples, too. A line that "
+      "subsections of Bodies, Joints, Boundaries, Loads, Stages and Monitors are examples, too. A "
+      "line that "
       "begins with '# set' is an entry which is left out here.",
       "");
     for (const SectionDeclaration &section : parameter_declarations())

@@ -97,6 +97,7 @@ namespace fuga
         throw InputError(fmt::format("{}: there are no stages, so that nothing would happen. Add a "
                                      "section Stages with one subsection per load stage.",
                                      values.file()));
+      model.monitors = read_monitors(values, model.dimension);
       check_loads_and_supports(values, model);
       return model;
     }
@@ -141,10 +142,12 @@ namespace fuga
                           : checkpoint == "events"      ? CheckpointOutput::events
                           : checkpoint == "every event" ? CheckpointOutput::every_event
                                                         : CheckpointOutput::never;
-      output.log        = log == "events"   ? LogDetail::events
-                          : log == "levels" ? LogDetail::levels
-                                            : LogDetail::quiet;
-      output.units      = {section.text("Force unit"), section.text("Length unit")};
+      output.monitors =
+        section.text("Monitors") == "events" ? MonitorOutput::events : MonitorOutput::levels;
+      output.log   = log == "events"   ? LogDetail::events
+                     : log == "levels" ? LogDetail::levels
+                                       : LogDetail::quiet;
+      output.units = {section.text("Force unit"), section.text("Length unit")};
       return output;
     }
   } // namespace

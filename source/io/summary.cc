@@ -114,22 +114,56 @@ namespace fuga
                                    {"search", path.n_decided_by[4]}};
       return json;
     }
+
+    Json
+    work_section(const WorkSummary &work)
+    {
+      return {{"processes", work.bodies.n_processes},
+              {"factorisations_of_bodies", work.bodies.n_factorisations},
+              {"condensed_loads", work.bodies.n_condensed_loads},
+              {"solutions_of_bodies", work.bodies.n_solutions},
+              {"recovered_fields", work.bodies.n_recovered_fields},
+              {"layered_systems", work.n_layered_systems},
+              {"bars_ever_active", work.scheme.n_bars_ever_active},
+              {"scheme_factorisations", work.scheme.n_factorisations},
+              {"scheme_updates", work.scheme.n_updates}};
+    }
+
+    Json
+    first_part(const RunSummary &summary, const Parameters &parameters)
+    {
+      Json json;
+      json["program"]        = "fuga";
+      json["title"]          = parameters.title;
+      json["parameter_file"] = parameters.parameter_file;
+      json["verdict"]        = summary.verdict;
+      json["exit_code"]      = summary.exit_code;
+      if (!summary.message.empty())
+        json["message"] = summary.message;
+      return json;
+    }
+
+    std::string
+    with_last_part(Json json, const RunSummary &summary, const Parameters &parameters)
+    {
+      json["work"]       = work_section(summary.work);
+      json["seconds"]    = object(summary.phases);
+      json["memory_MB"]  = summary.memory_MB;
+      json["joints"]     = summary.split_report;
+      json["warnings"]   = summary.warnings;
+      json["versions"]   = {{"fuga", version}, {"deal.II", DEAL_II_PACKAGE_VERSION}};
+      json["parameters"] = Json::parse(echo_json(parameters));
+      return json.dump(2) + "\n";
+    }
   } // namespace
 
   std::string
   summary_json(const Summary &summary, const Parameters &parameters)
   {
-    Json json;
-    json["program"]        = "fuga";
-    json["title"]          = parameters.title;
-    json["parameter_file"] = parameters.parameter_file;
-    json["verdict"]        = summary.verdict;
-    json["exit_code"]      = summary.exit_code;
+    Json json              = first_part(summary, parameters);
     json["t"]              = summary.t;
     json["stage"]          = summary.stage;
     json["stage_fraction"] = summary.stage_fraction;
-    if (!summary.message.empty())
-      json["message"] = summary.message;
     if (summary.path.verdict == Verdict::limit_load)
       json["limit_load"] = {{"t", summary.t},
                             {"stage", summary.stage},
@@ -152,12 +186,23 @@ namespace fuga
     json["certificate"]  = {{"worst", summary.certificate.worst()},
                             {"bound", summary.certificate_bound},
                             {"entries", object(summary.certificate.entries())}};
-    json["seconds"]      = object(summary.phases);
-    json["memory_MB"]    = summary.memory_MB;
-    json["joints"]       = summary.split_report;
-    json["warnings"]     = summary.warnings;
-    json["versions"]     = {{"fuga", version}, {"deal.II", DEAL_II_PACKAGE_VERSION}};
-    json["parameters"]   = Json::parse(echo_json(parameters));
-    return json.dump(2) + "\n";
+    return with_last_part(std::move(json), summary, parameters);
+  }
+
+  std::string
+  summary_json(const SweepSummary &summary, const Parameters &parameters)
+  {
+    Json json           = first_part(summary, parameters);
+    json["variants"]    = summary.n_variants;
+    json["verdicts"]    = object(summary.verdicts);
+    json["sizes"]       = object(summary.sizes);
+    json["events"]      = {{"total", summary.n_events},
+                           {"steps", summary.n_steps},
+                           {"implicit_steps", summary.n_jumps},
+                           {"schemes_tried", summary.n_schemes}};
+    json["iterations"]  = {{"iterations", summary.n_iterations}};
+    json["certificate"] = {{"worst", summary.worst_certificate},
+                           {"bound", summary.certificate_bound}};
+    return with_last_part(std::move(json), summary, parameters);
   }
 } // namespace fuga

@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the Fuga authors
 """Writes doc/input.md, the reference of all entries, from what the program says of itself.
 
-usage: make_input_reference.py [--fuga PROGRAM] [--output FILE]
+usage: make_input_reference.py [--fuga PROGRAM] [--output FILE] [--check]
 """
 
 import argparse
@@ -110,11 +110,17 @@ def main(arguments):
     parser = argparse.ArgumentParser(description="Writes doc/input.md.")
     parser.add_argument("--fuga", default=os.path.join(TOP, "build", "release", "fuga"))
     parser.add_argument("--output", default=os.path.join(TOP, "doc", "input.md"))
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if the file is out of date")
     options = parser.parse_args(arguments)
     printed = subprocess.run([options.fuga, "--print-parameters"], capture_output=True, text=True, check=True).stdout
     text = "\n".join([INTRODUCTION.format(command=COMMAND)] + [one.markdown() for one in sections_of(printed)])
+    text = text.rstrip() + "\n"
+    if options.check:
+        with open(options.output, encoding="utf-8") as file:
+            current = file.read() == text
+        sys.exit(None if current else f"{options.output} is out of date: run {COMMAND} --fuga {options.fuga}")
     with open(options.output, "w", encoding="utf-8") as file:
-        file.write(text.rstrip() + "\n")
+        file.write(text)
     print(options.output)
 
 

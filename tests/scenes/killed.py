@@ -69,7 +69,7 @@ def results(directory):
         content = path.read_bytes()
         if path.name == "summary.json":
             summary = json.loads(content)
-            del summary["seconds"], summary["memory_MB"]
+            del summary["seconds"], summary["memory_MB"], summary["work"]
             content = json.dumps(summary)
         elif path.name == "log.txt":
             content = [line for line in content.splitlines() if not line.startswith((b"Time ", b"Restarted "))]

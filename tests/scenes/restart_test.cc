@@ -23,7 +23,9 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  /** Files of a run by name, without what may differ: times, memory, and that it was restarted. */
+  /** Files of a run by name, without what may differ: times, memory, work, and that it was
+   * restarted.
+   */
   using Results = std::map<std::string, std::string>;
 
   Results
@@ -41,6 +43,7 @@ namespace
             nlohmann::json summary = nlohmann::json::parse(text);
             summary.erase("seconds");
             summary.erase("memory_MB");
+            summary.erase("work"); // of the process, not of the run
             text = summary.dump(1);
           }
         if (name == "log.txt")

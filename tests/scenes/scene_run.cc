@@ -236,7 +236,9 @@ namespace fuga::tests
     run.events     = parse_csv(file_text(directory + "/events.csv"));
     run.history    = parse_csv(file_text(directory + "/joint_history.csv"));
     run.resultants = parse_csv(file_text(directory + "/resultants.csv"));
-    run.summary    = nlohmann::json::parse(file_text(directory + "/summary.json"));
+    if (fs::exists(directory + "/monitors.csv"))
+      run.monitors = parse_csv(file_text(directory + "/monitors.csv"));
+    run.summary = nlohmann::json::parse(file_text(directory + "/summary.json"));
     fs::remove_all(directory);
     return run;
   }

@@ -46,6 +46,8 @@ namespace fuga::tests
   {
     int exit_code = -1;
     Table events, history, resultants;
+    /** Empty if there are no monitors. */
+    Table monitors;
     nlohmann::json summary;
 
     /** A column of joint_history.csv at load time @p t, by growing x (then y). */

@@ -184,7 +184,9 @@ TEST(Skip, WhatNeverLeavesItsFirstState)
       EXPECT_EQ(watch.changing.count(row.element), 1u) << row.element;
   for (const RowExchange &exchange : scheme.exchanges)
     if (exchange.removed == RowExchange::none)
-      EXPECT_EQ(watch.changing.count(exchange.appended.element), 1u);
+      {
+        EXPECT_EQ(watch.changing.count(exchange.appended.element), 1u);
+      }
 }
 
 // A joint that holds costs one scheme for each of the two stages; no row is ever active.

@@ -41,6 +41,30 @@ namespace fuga
     std::vector<std::array<double, 3>> positions;
   };
 
+  /** A linear quantity of the full model in terms of the small one; see
+   * CondensedSystem::response(). */
+  struct LinearResponse
+  {
+    /** Per interface coordinate, and per load pattern at factor one. */
+    Vector coordinates, patterns;
+
+    /** For interface coordinates @p x and load factors @p a. */
+    double
+    value(const Vector &x, const Vector &a) const;
+  };
+
+  /** What was done with the full model so far. */
+  struct BodiesWork
+  {
+    std::size_t n_factorisations  = 0;
+    std::size_t n_condensed_loads = 0;
+    /** Solutions with the factors, one right-hand side each: one per load pattern, two per
+     * recovered field (the second refines), two per LinearResponse. */
+    std::size_t n_solutions        = 0;
+    std::size_t n_recovered_fields = 0;
+    int n_processes                = 0;
+  };
+
   /** When the bodies are factorised: the expensive part. */
   enum class Condensation
   {
@@ -124,6 +148,13 @@ namespace fuga
     dealii::Vector<double>
     recover(const Vector &a, const Vector &x) const;
 
+    /**
+     * The work of the nodal forces @p force (entry node * dim + component) on the displacement, for
+     * any x and a: what recover() would give, without recovering (doc/theory.md, section 1).
+     */
+    LinearResponse
+    response(const Vector &force) const;
+
     /** Errors of the full model for displacement u, bar forces p and load factors a. */
     EquilibriumError
     equilibrium_error(const dealii::Vector<double> &u, const Vector &p, const Vector &a) const;
@@ -154,6 +185,9 @@ namespace fuga
     {
       return fixed;
     }
+
+    BodiesWork
+    work() const;
 
     /** Lines for the log. */
     const std::vector<std::string> &
@@ -222,6 +256,7 @@ namespace fuga
     std::vector<std::string> lines;
 
     mutable PhaseTimer timer;
+    mutable std::size_t n_recovered_fields = 0;
   };
 } // namespace fuga
 

@@ -76,6 +76,19 @@ namespace fuga
     std::string origin;
   };
 
+  /** A point whose displacement is written. */
+  struct MonitorDefinition
+  {
+    std::string name;
+    /** Physical group of one point, or else the coordinates. */
+    std::string point_name;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+    /** On a joint: the body whose lip is meant; may be empty elsewhere. */
+    std::string body;
+    /** file:line of the entry, for messages. */
+    std::string origin;
+  };
+
   /** One load stage: t runs from its number (from 0) to the next one. */
   struct StageDefinition
   {
@@ -112,6 +125,7 @@ namespace fuga
     std::vector<BoundaryCondition> boundary_conditions;
     std::vector<LoadDefinition> loads;
     std::vector<StageDefinition> stages;
+    std::vector<MonitorDefinition> monitors;
     /** Into how many linear pieces a stage is cut if a history, or a load that depends on t, is not
      *  linear in t. */
     unsigned int load_knots = 20;

@@ -19,6 +19,14 @@ namespace fuga
     std::vector<double> values;
   };
 
+  /** What a solver has done so far; loads and solutions count by columns. */
+  struct SolverWork
+  {
+    std::size_t n_factorisations  = 0;
+    std::size_t n_condensed_loads = 0;
+    std::size_t n_solutions       = 0;
+  };
+
   /**
    * Eliminates all unknowns of a symmetric matrix but the last ones by MUMPS' partial
    * factorisation:
@@ -67,6 +75,16 @@ namespace fuga
       return factorisation_time;
     }
 
+    const SolverWork &
+    work() const
+    {
+      return its_work;
+    }
+
+    /** Processes that share the work. */
+    int
+    n_processes() const;
+
     /** Peak memory of the factorisation in megabytes, as MUMPS reports it. */
     int
     memory() const;
@@ -86,6 +104,7 @@ namespace fuga
     bool nothing_to_eliminate = false;
     double analysis_time      = 0.;
     double factorisation_time = 0.;
+    SolverWork its_work;
   };
 } // namespace fuga
 

@@ -218,6 +218,12 @@ namespace fuga
     IterationCount
     iterations() const;
 
+    const SchemeWork &
+    work() const
+    {
+      return scheme.work();
+    }
+
   private:
     JointState
     virgin_state() const;

@@ -78,6 +78,16 @@ namespace fuga
     visit("exchanges", exchanges);
   }
 
+  /** What was done with the active matrix so far, by this object. */
+  struct SchemeWork
+  {
+    /** Matrices factorised, and rows and columns inserted into or removed from an inverse. */
+    std::size_t n_factorisations = 0;
+    std::size_t n_updates        = 0;
+    /** Bars whose dislocation has ever been an unknown, in a scheme that was tried at least. */
+    std::size_t n_bars_ever_active = 0;
+  };
+
   /**
    * The paper's working scheme: the states of all contact elements, and the linear system they
    * leave. A bar is *active* if its dislocation is unknown; its row then reads
@@ -149,6 +159,12 @@ namespace fuga
     JointRates
     mechanism() const;
 
+    const SchemeWork &
+    work() const
+    {
+      return its_work;
+    }
+
     const SchemeMemory &
     memory() const
     {
@@ -190,7 +206,6 @@ namespace fuga
     std::optional<bool>
     is_monotone(const std::vector<SlipDirection> &slips);
 
-
   private:
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
@@ -227,6 +242,8 @@ namespace fuga
     set_rows(const std::vector<SchemeRow> &new_rows);
     bool
     rebuild();
+    void
+    note_position(const std::size_t row);
     std::optional<JointRates>
     solve(const Vector &rhs, Vector force_offset);
     double
@@ -242,6 +259,8 @@ namespace fuga
     UpdatedInverse inverse;
     /** Row of each bar, or no_row. */
     std::vector<std::size_t> position;
+    std::vector<bool> ever_active;
+    SchemeWork its_work;
   };
 } // namespace fuga
 

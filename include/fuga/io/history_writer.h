@@ -4,11 +4,14 @@
 #ifndef fuga_io_history_writer_h
 #define fuga_io_history_writer_h
 
+#include <fuga/bodies/monitor.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
-#include <fuga/io/joint_results.h>
+#include <fuga/io/joint_resultant.h>
 #include <fuga/io/output_files.h>
 #include <fuga/io/units.h>
+
+#include <memory>
 
 namespace fuga
 {
@@ -19,6 +22,7 @@ namespace fuga
     const std::vector<std::string> &joint_names;
     const std::vector<std::string> &stage_names;
     const std::vector<std::array<double, 3>> &normals;
+    const std::vector<Monitor> &monitors;
     Units units;
   };
 
@@ -34,7 +38,7 @@ namespace fuga
   /** What a checkpoint keeps of the tables. */
   struct HistoryMemory
   {
-    TextMemory events, history, resultants;
+    TextMemory events, history, resultants, monitors;
     std::size_t n_events = 0;
   };
 
@@ -42,16 +46,18 @@ namespace fuga
   void
   for_each_field(Memory &memory, Visitor &&visit)
   {
-    auto &[events, history, resultants, n_events] = memory;
+    auto &[events, history, resultants, monitors, n_events] = memory;
     visit("events", events);
     visit("history", history);
     visit("resultants", resultants);
+    visit("monitors", monitors);
     visit("n_events", n_events);
   }
 
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
-   * element and level), resultants.csv (one row per joint and level). Columns: README, "Results".
+   * element and level), resultants.csv (one row per joint and level) and, if there are monitors,
+   * monitors.csv (one row per monitor and level, or event). Columns: README, "Results".
    */
   class HistoryWriter
   {
@@ -71,6 +77,7 @@ namespace fuga
     void
     add_level(const double t,
               const std::vector<ElementResult> &results,
+              const std::vector<JointResultant> &joint_resultants,
               const EnergyLedger &energies,
               const double certificate);
 
@@ -87,6 +94,13 @@ namespace fuga
       return length_beyond;
     }
 
+    /** Displacements of the monitors; @p occasion: "level" or "event". */
+    void
+    add_monitors(const double t,
+                 const std::string &occasion,
+                 const Vector &coordinates,
+                 const Vector &factors);
+
     /** Brings the files on disk up to date. */
     void
     publish(const bool now);
@@ -94,6 +108,8 @@ namespace fuga
   private:
     const HistoryContext context;
     CsvFile events, history, resultants;
+    /** Only if there are monitors. */
+    std::unique_ptr<CsvFile> monitors;
     std::size_t n_events = 0;
     double length_beyond = 0.;
   };

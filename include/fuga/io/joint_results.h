@@ -40,32 +40,6 @@ namespace fuga
   element_results(const std::vector<ContactElement> &elements,
                   const JointState &state,
                   const Vector &jumps);
-
-  /** Resultants of one joint. Forces act on the plus side, in the mean frame of the joint. */
-  struct JointResultant
-  {
-    /** Sums of the bar forces along the mean normal and the mean tangent [force]. */
-    double N = 0.;
-    double T = 0.;
-    /** Moment about the joint's centroid, counter-clockwise, of the forces on the plus side. */
-    double M = 0.;
-    /** Where the resultant of the normal forces crosses the joint. */
-    std::array<double, 2> position = {{0., 0.}};
-    double share_open              = 0.;
-    double share_stick             = 0.;
-    double share_slip              = 0.;
-    double largest_pressure        = 0.;
-    double largest_gap             = 0.;
-    double largest_slip            = 0.;
-    /** Σ(f|N| + cA) / |ΣT| over closed elements; infinity without shear. */
-    double sliding_safety = 0.;
-  };
-
-  JointResultant
-  joint_resultant(const unsigned int joint,
-                  const std::vector<ContactElement> &elements,
-                  const std::vector<std::array<double, 3>> &normals,
-                  const std::vector<ElementResult> &results);
 } // namespace fuga
 
 #endif

@@ -69,6 +69,8 @@ namespace fuga
     SectionDeclaration
     sweep_section();
     SectionDeclaration
+    monitors_section();
+    SectionDeclaration
     output_section();
   } // namespace parameter_entries
 } // namespace fuga

@@ -38,6 +38,21 @@ namespace fuga
   std::vector<StageDefinition>
   read_stages(const ParameterValues &values, const ModelDefinition &model);
 
+  /** What an entry Point says: the name of a point, or the coordinates. */
+  struct PointReference
+  {
+    std::string name;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+  };
+
+  /** Entry Point of a section. @throws InputError */
+  PointReference
+  read_point(const ParameterSection &section, const unsigned int dimension);
+
+  /** Section Monitors. @throws InputError */
+  std::vector<MonitorDefinition>
+  read_monitors(const ParameterValues &values, const unsigned int dimension);
+
   /** All combinations of section Sweep; none without that section. @throws InputError */
   std::vector<Variant>
   read_variants(const ParameterValues &values,

@@ -153,6 +153,14 @@ namespace fuga
     never
   };
 
+  /** When the displacements of the monitors are written. */
+  enum class MonitorOutput
+  {
+    levels,
+    /** At levels and at every event. */
+    events
+  };
+
   /** What gets a line on the screen. */
   enum class LogDetail
   {
@@ -166,6 +174,7 @@ namespace fuga
     /** Never empty; relative names are relative to the current directory of the process. */
     std::string directory;
     FieldOutput fields          = FieldOutput::levels;
+    MonitorOutput monitors      = MonitorOutput::levels;
     CheckpointOutput checkpoint = CheckpointOutput::levels;
     LogDetail log               = LogDetail::events;
     Units units;

@@ -4,6 +4,7 @@
 #ifndef fuga_io_summary_h
 #define fuga_io_summary_h
 
+#include <fuga/bodies/condensed_system.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/parameters.h>
@@ -29,28 +30,25 @@ namespace fuga
     std::array<double, 3> position;
   };
 
-  /** What summary.json says; see README, "Results". */
-  struct Summary
+  /** What was computed, by counts; see README, "Results". */
+  struct WorkSummary
+  {
+    BodiesWork bodies;
+    /** Times bodies and layer were put in series, eq. 4. */
+    std::size_t n_layered_systems = 0;
+    /** Of a sweep: sums over the variants, and the most active bars of one. */
+    SchemeWork scheme;
+  };
+
+  /** What the summaries of a run and of a sweep have in common. */
+  struct RunSummary
   {
     std::string verdict;
     int exit_code = 0;
     /** Reason of a numerical failure. */
     std::string message;
-    /** Name of the stage and its fraction at t. */
-    double t = 0.;
-    std::string stage;
-    double stage_fraction = 0.;
-    /** Factors of the load patterns at t, by load name. */
-    std::map<std::string, double> load_factors;
-
     std::vector<std::pair<std::string, std::size_t>> sizes;
-    std::map<std::string, std::size_t> events_by_kind;
-    std::size_t n_events = 0;
-    PathResult path;
-    /** The elements of PathResult::critical. */
-    std::vector<NamedElement> critical_elements;
-    IterationCount iterations;
-    Certificate certificate;
+    WorkSummary work;
     double certificate_bound = 0.;
     std::vector<std::pair<std::string, double>> phases;
     double memory_MB = 0.;
@@ -58,8 +56,43 @@ namespace fuga
     std::vector<std::string> warnings;
   };
 
+  /** What summary.json says of a run; see README, "Results". */
+  struct Summary : RunSummary
+  {
+    /** Name of the stage and its fraction at t. */
+    double t = 0.;
+    std::string stage;
+    double stage_fraction = 0.;
+    /** Factors of the load patterns at t, by load name. */
+    std::map<std::string, double> load_factors;
+
+    std::map<std::string, std::size_t> events_by_kind;
+    std::size_t n_events = 0;
+    PathResult path;
+    /** The elements of PathResult::critical. */
+    std::vector<NamedElement> critical_elements;
+    IterationCount iterations;
+    Certificate certificate;
+  };
+
+  /** What it says of a sweep. */
+  struct SweepSummary : RunSummary
+  {
+    std::size_t n_variants = 0;
+    /** Variants by verdict. */
+    std::map<std::string, std::size_t> verdicts;
+    std::size_t n_events     = 0;
+    std::size_t n_steps      = 0;
+    std::size_t n_jumps      = 0;
+    std::size_t n_schemes    = 0;
+    std::size_t n_iterations = 0;
+    double worst_certificate = 0.;
+  };
+
   std::string
   summary_json(const Summary &summary, const Parameters &parameters);
+  std::string
+  summary_json(const SweepSummary &summary, const Parameters &parameters);
 } // namespace fuga
 
 #endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_monitor_point_h
+#define fuga_bodies_monitor_point_h
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/bodies/discretization.h>
+
+namespace fuga
+{
+  /** Where a monitor lies in the mesh: its cell and the shape functions there. */
+  template <int dim>
+  class MonitorPoint
+  {
+  public:
+    /**
+     * @throws InputError if the point lies outside of all bodies (or of the one that is named), if
+     * a name stands for no point, and if the point lies on a joint and it is not said on which lip.
+     */
+    MonitorPoint(const Discretization<dim> &discretization,
+                 const JointedMesh &mesh,
+                 const MonitorDefinition &definition);
+
+    const dealii::Point<dim> &
+    position() const
+    {
+      return point;
+    }
+
+    /** The nodal forces of a unit force at the point: their work on u is the displacement of the
+     * point. Entry node * dim + component. */
+    Vector
+    unit_force(const unsigned int component) const;
+
+  private:
+    struct NodeShare
+    {
+      unsigned int node = 0;
+      double share      = 0.;
+    };
+
+    using Shares = std::vector<NodeShare>;
+
+    dealii::Point<dim>
+    find_position(const JointedMesh &mesh, const MonitorDefinition &definition) const;
+    Shares
+    shares_in(const std::size_t cell, const dealii::Point<dim> &in_reference_cell) const;
+    [[noreturn]] void
+    fail_outside(const MonitorDefinition &definition) const;
+
+    const Discretization<dim> &discretization;
+    dealii::Point<dim> point;
+    Shares shares;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_joint_resultant_h
+#define fuga_io_joint_resultant_h
+
+#include <fuga/io/joint_results.h>
+
+namespace fuga
+{
+  /**
+   * What a joint carries as a whole, at one load. The *mean frame* of a joint has its origin in the
+   * area-weighted centroid; n is the area-weighted mean of the normals, t the tangent that goes
+   * with it (doc/notation.md, "Resultants of a joint"). A joint that closes in itself has no mean
+   * normal: its frame is that of the global axes. s counts along t from the centroid; the *edges*
+   * are the smallest and the largest s of the joint's elements, B is the distance between them.
+   *
+   * What needs a normal force is not a number (NaN) in a joint without any.
+   */
+  struct JointResultant
+  {
+    /** Sums of the bar forces along n and t [force]. */
+    double N = 0.;
+    double T = 0.;
+    /** Moment about the centroid, counter-clockwise, of the forces on the plus side. */
+    double M = 0.;
+    /** e = -M/N [length]: s where the line of action cuts the line through the centroid along t. */
+    double eccentricity = 0.;
+    /** This point. */
+    std::array<double, 2> position = {{0., 0.}};
+    /** Shares of the area by state, and with pressure. */
+    double share_open        = 0.;
+    double share_stick       = 0.;
+    double share_slip        = 0.;
+    double share_compression = 0.;
+    /** Length of all open elements, and of those that follow each other from the first and from the
+     * last element on [length]. */
+    double cracked_length   = 0.;
+    double crack_from_first = 0.;
+    double crack_from_last  = 0.;
+    double largest_pressure = 0.;
+    /** Over the whole joint: 0 if any element is open. */
+    double smallest_pressure = 0.;
+    double largest_gap       = 0.;
+    double largest_slip      = 0.;
+    /** Σ(f|N| + cA) / |T| over closed elements; infinity without shear. */
+    double sliding_safety = 0.;
+    /** s of the edge on the side of e, divided by e: the factor by which M may grow until the
+     * resultant stands on the edge. Infinity if it is central. */
+    double overturning_safety = 0.;
+    /** The resultant stands within the middle third of B. */
+    bool in_middle_third = false;
+    /** Work of friction so far [force length]. */
+    double dissipation = 0.;
+  };
+
+  /**
+   * The resultants of all joints. @p normals, @p results and @p dissipation: one entry per element;
+   * @p thickness: extent across the plane, so that area/thickness is the length of an element.
+   */
+  std::vector<JointResultant>
+  joint_resultants(const std::size_t n_joints,
+                   const std::vector<ContactElement> &elements,
+                   const std::vector<std::array<double, 3>> &normals,
+                   const std::vector<ElementResult> &results,
+                   const Vector &dissipation,
+                   const double thickness);
+} // namespace fuga
+
+#endif

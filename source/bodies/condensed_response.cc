@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/rigid_pieces.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  double
+  LinearResponse::value(const Vector &x, const Vector &a) const
+  {
+    return dot(coordinates, x) + dot(patterns, a);
+  }
+
+  // With w the bonded response to the force q and g the prescribed displacements of a pattern,
+  // Maxwell's theorem gives q·u = w·P + (q - K w)·g of the bonded structure; what the interface
+  // coordinates add is the work of the condensed force on them.
+  template <int dim>
+  LinearResponse
+  CondensedSystem<dim>::response(const Vector &force) const
+  {
+    timer.restart();
+    Vector w(space->n_dofs(), 0.);
+    add_bonded_response(force, w);
+    add_bonded_response(force, w); // refines
+    const Vector Kw = bodies->forces(w);
+
+    LinearResponse result;
+    for (const LoadPattern &pattern : patterns)
+      {
+        result.patterns.push_back(dot(w, pattern.forces));
+        if (pattern.prescribed.empty())
+          continue;
+        const Vector g =
+          coordinates->distribute(Vector(coordinates->size(), 0.).data(), pattern.prescribed);
+        result.patterns.back() += dot(force, g) - dot(Kw, g);
+      }
+    if (coordinates->n_interface() > 0)
+      {
+        const Vector residual = out_of_balance(force, w);
+        DenseMatrix column(residual.size(), 1), work(pieces->n_free_motions(), 1);
+        std::copy(residual.begin(), residual.end(), column.data());
+        for (std::size_t k = 0; k < work.n_rows(); ++k)
+          work(k, 0) = dot(pieces->free_motion(k), force);
+        DenseMatrix condensed = solver->condense(column);
+        projection->project_loads(condensed, work);
+        result.coordinates.assign(condensed.data(), condensed.data() + condensed.n_rows());
+      }
+    timer.finish("monitors");
+    return result;
+  }
+
+  template <int dim>
+  BodiesWork
+  CondensedSystem<dim>::work() const
+  {
+    if (!solver)
+      return {};
+    const SolverWork &work = solver->work();
+    return {work.n_factorisations,
+            work.n_condensed_loads,
+            work.n_solutions,
+            n_recovered_fields,
+            solver->n_processes()};
+  }
+
+  template LinearResponse
+  CondensedSystem<2>::response(const Vector &) const;
+  template BodiesWork
+  CondensedSystem<2>::work() const;
+} // namespace fuga

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/grid/tria.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/monitor_point.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Of a cell: a point that lies outside by less, by rounding, lies inside. */
+    constexpr double rounding = 1e-8;
+
+    std::string
+    title(const MonitorDefinition &definition)
+    {
+      return fmt::format("{}: monitor '{}'", definition.origin, definition.name);
+    }
+
+    /** Coordinates in the reference cell, if the point lies in the cell. */
+    template <int dim, typename Cell>
+    std::optional<dealii::Point<dim>>
+    coordinates_in(const Cell &cell,
+                   const dealii::Mapping<dim, dim> &mapping,
+                   const dealii::Point<dim> &point)
+    {
+      if (!cell->bounding_box().point_inside(point, rounding))
+        return {};
+      try
+        {
+          const dealii::Point<dim> inside = mapping.transform_real_to_unit_cell(cell, point);
+          if (cell->reference_cell().contains_point(inside, rounding))
+            return inside;
+        }
+      catch (const typename dealii::Mapping<dim, dim>::ExcTransformationFailed &)
+        {
+          // outside, near a cell that is not a parallelogram
+        }
+      return {};
+    }
+  } // namespace
+
+
+  template <int dim>
+  MonitorPoint<dim>::MonitorPoint(const Discretization<dim> &space,
+                                  const JointedMesh &mesh,
+                                  const MonitorDefinition &definition)
+    : discretization(space), point(find_position(mesh, definition))
+  {
+    const unsigned int body = index_of(mesh.body_names, definition.body);
+    for (const auto &cell : discretization.triangulation().active_cell_iterators())
+      {
+        if (!definition.body.empty() && cell->material_id() != body)
+          continue;
+        const auto inside = coordinates_in<dim>(cell, discretization.mapping(), point);
+        if (!inside)
+          continue;
+        Shares found = shares_in(cell->active_cell_index(), *inside);
+        // Neighbours share the nodes of their face; the lips of a joint do not.
+        if (!shares.empty() &&
+            !std::equal(found.begin(),
+                        found.end(),
+                        shares.begin(),
+                        shares.end(),
+                        [](const NodeShare &a, const NodeShare &b) { return a.node == b.node; }))
+          throw InputError(
+            fmt::format("{}: ({:g}, {:g}) lies on a joint, where each lip moves on its own. {}",
+                        title(definition),
+                        point[0],
+                        point[1],
+                        definition.body.empty()
+                          ? "Say by 'Body' which lip is meant."
+                          : "Both lips belong to this body: put the point a little beside "
+                            "the joint."));
+        shares = std::move(found);
+      }
+    if (shares.empty())
+      fail_outside(definition);
+  }
+
+
+  template <int dim>
+  dealii::Point<dim>
+  MonitorPoint<dim>::find_position(const JointedMesh &mesh,
+                                   const MonitorDefinition &definition) const
+  {
+    dealii::Point<dim> result;
+    std::array<double, 3> coordinates = definition.coordinates;
+    if (!definition.point_name.empty())
+      {
+        const auto vertices = vertices_of_point(mesh, definition.point_name);
+        std::vector<std::string> names;
+        for (const auto &named : mesh.points)
+          names.push_back(named.name);
+        if (vertices.empty())
+          throw InputError(
+            fmt::format("{}: the mesh has no point '{}'. Points: {}.",
+                        title(definition),
+                        definition.point_name,
+                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+        coordinates = mesh.vertices[vertices.front()];
+        for (const unsigned int vertex : vertices)
+          if (mesh.vertices[vertex] != coordinates)
+            throw InputError(fmt::format("{}: there are {} points '{}'. Give coordinates.",
+                                         title(definition),
+                                         vertices.size(),
+                                         definition.point_name));
+      }
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] = coordinates[c];
+    return result;
+  }
+
+
+  template <int dim>
+  typename MonitorPoint<dim>::Shares
+  MonitorPoint<dim>::shares_in(const std::size_t cell,
+                               const dealii::Point<dim> &in_reference_cell) const
+  {
+    const auto &element = discretization.reference_element().scalar_element();
+    Shares result;
+    for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+      {
+        const double share = element.shape_value(i, in_reference_cell);
+        // On a face or at a corner the other nodes have no share but rounding.
+        if (std::abs(share) > 10. * rounding)
+          result.push_back({discretization.cell_nodes(cell)[i], share});
+      }
+    std::sort(result.begin(), result.end(), [](const NodeShare &a, const NodeShare &b) {
+      return a.node < b.node;
+    });
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  MonitorPoint<dim>::unit_force(const unsigned int component) const
+  {
+    Vector force(discretization.n_dofs(), 0.);
+    for (const NodeShare &node : shares)
+      force[node.node * dim + component] = node.share;
+    return force;
+  }
+
+
+  template <int dim>
+  void
+  MonitorPoint<dim>::fail_outside(const MonitorDefinition &definition) const
+  {
+    unsigned int nearest = 0;
+    for (unsigned int node = 1; node < discretization.n_nodes(); ++node)
+      if (discretization.position(node).distance(point) <
+          discretization.position(nearest).distance(point))
+        nearest = node;
+    const auto &at = discretization.position(nearest);
+    throw InputError(
+      fmt::format("{}: ({:g}, {:g}) lies outside of {}; the nearest node of the mesh is at "
+                  "({:.9g}, {:.9g}). Move the point into the mesh.",
+                  title(definition),
+                  point[0],
+                  point[1],
+                  definition.body.empty() ? "all bodies" : "body '" + definition.body + "'",
+                  at[0],
+                  at[1]));
+  }
+
+
+  template class MonitorPoint<2>;
+} // namespace fuga

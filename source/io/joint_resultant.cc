@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/joint_resultant.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    constexpr double infinity     = std::numeric_limits<double>::infinity();
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    /** A shear or an eccentricity that is only rounding is none. */
+    constexpr double rounding = 1e-12;
+
+    /** Centroid, mean normal and edges of a joint. */
+    struct MeanFrame
+    {
+      double area = 0.;
+      double x = 0., y = 0., n_x = 0., n_y = 0.;
+      double first_edge = infinity, last_edge = -infinity;
+
+      double
+      along(const std::array<double, 3> &position) const
+      {
+        return (position[0] - x) * n_y - (position[1] - y) * n_x;
+      }
+    };
+
+    MeanFrame
+    mean_frame(const std::vector<std::size_t> &members,
+               const std::vector<ContactElement> &elements,
+               const std::vector<std::array<double, 3>> &normals)
+    {
+      MeanFrame frame;
+      for (const std::size_t k : members)
+        {
+          const double A = elements[k].area;
+          frame.area += A;
+          frame.x += A * elements[k].position[0];
+          frame.y += A * elements[k].position[1];
+          frame.n_x += A * normals[k][0];
+          frame.n_y += A * normals[k][1];
+        }
+      frame.x /= frame.area;
+      frame.y /= frame.area;
+      const double length = std::hypot(frame.n_x, frame.n_y);
+      // A closed ring has no mean normal: its resultant is given in global axes.
+      const double shortest = 1e-9;
+      frame.n_y             = length > shortest * frame.area ? frame.n_y / length : 1.;
+      frame.n_x             = length > shortest * frame.area ? frame.n_x / length : 0.;
+      for (const std::size_t k : members)
+        {
+          const double s   = frame.along(elements[k].position);
+          frame.first_edge = std::min(frame.first_edge, s);
+          frame.last_edge  = std::max(frame.last_edge, s);
+        }
+      return frame;
+    }
+
+    void
+    add_extremes(const ElementResult &result, JointResultant &resultant)
+    {
+      resultant.largest_pressure  = std::max(resultant.largest_pressure, result.pressure);
+      resultant.smallest_pressure = std::min(resultant.smallest_pressure, result.pressure);
+      resultant.largest_gap       = std::max(resultant.largest_gap, result.gap);
+      resultant.largest_slip      = std::max(resultant.largest_slip, std::abs(result.slip));
+    }
+
+    /** Lengths of the open parts; @p members in the order along the joint. */
+    void
+    measure_cracks(const std::vector<std::size_t> &members,
+                   const std::vector<ContactElement> &elements,
+                   const std::vector<ElementResult> &results,
+                   const double thickness,
+                   JointResultant &resultant)
+    {
+      const auto is_open = [&](const std::size_t k) {
+        return results[k].state == ContactState::open;
+      };
+      const auto add = [&](double &length, const std::size_t k) {
+        length += elements[k].area / thickness;
+      };
+      for (const std::size_t k : members)
+        if (is_open(k))
+          add(resultant.cracked_length, k);
+      for (auto k = members.begin(); k != members.end() && is_open(*k); ++k)
+        add(resultant.crack_from_first, *k);
+      for (auto k = members.rbegin(); k != members.rend() && is_open(*k); ++k)
+        add(resultant.crack_from_last, *k);
+    }
+
+    /** Where the resultant stands, from N and M. */
+    void
+    locate(const MeanFrame &frame, JointResultant &resultant)
+    {
+      const double e            = resultant.N == 0. ? not_a_number : -resultant.M / resultant.N;
+      const double B            = frame.last_edge - frame.first_edge;
+      resultant.eccentricity    = e;
+      resultant.position        = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x}};
+      resultant.in_middle_third = e >= frame.first_edge + B * (1. / 3. - rounding) &&
+                                  e <= frame.last_edge - B * (1. / 3. - rounding);
+      resultant.overturning_safety = std::abs(e) <= rounding * B ? infinity
+                                     : e > 0.                    ? frame.last_edge / e
+                                                                 : frame.first_edge / e;
+    }
+
+    JointResultant
+    joint_resultant(const std::vector<std::size_t> &members,
+                    const std::vector<ContactElement> &elements,
+                    const std::vector<std::array<double, 3>> &normals,
+                    const std::vector<ElementResult> &results,
+                    const Vector &dissipation,
+                    const double thickness)
+    {
+      const MeanFrame frame = mean_frame(members, elements, normals);
+      JointResultant resultant;
+      resultant.smallest_pressure = members.empty() ? 0. : infinity;
+      double strength             = 0.;
+      for (const std::size_t k : members)
+        {
+          const ContactElement &element = elements[k];
+          const ElementResult &result   = results[k];
+          const double n_x = normals[k][0], n_y = normals[k][1], t_x = n_y, t_y = -n_x;
+          const double F_x = result.N * n_x + result.T * t_x;
+          const double F_y = result.N * n_y + result.T * t_y;
+          resultant.N += F_x * frame.n_x + F_y * frame.n_y;
+          resultant.T += F_x * frame.n_y - F_y * frame.n_x;
+          resultant.M -=
+            (element.position[0] - frame.x) * F_y - (element.position[1] - frame.y) * F_x;
+          const double share = element.area / frame.area;
+          (result.state == ContactState::open    ? resultant.share_open
+           : result.state == ContactState::stick ? resultant.share_stick
+                                                 : resultant.share_slip) += share;
+          resultant.share_compression += result.pressure > 0. ? share : 0.;
+          strength += result.strength;
+          resultant.dissipation += dissipation[k];
+          add_extremes(result, resultant);
+        }
+      measure_cracks(members, elements, results, thickness, resultant);
+      locate(frame, resultant);
+      resultant.sliding_safety =
+        std::abs(resultant.T) <= rounding * strength ? infinity : strength / std::abs(resultant.T);
+      return resultant;
+    }
+  } // namespace
+
+  std::vector<JointResultant>
+  joint_resultants(const std::size_t n_joints,
+                   const std::vector<ContactElement> &elements,
+                   const std::vector<std::array<double, 3>> &normals,
+                   const std::vector<ElementResult> &results,
+                   const Vector &dissipation,
+                   const double thickness)
+  {
+    std::vector<std::vector<std::size_t>> members(n_joints);
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      members[elements[k].joint].push_back(k);
+    std::vector<JointResultant> resultants;
+    for (const auto &joint : members)
+      resultants.push_back(
+        joint_resultant(joint, elements, normals, results, dissipation, thickness));
+    return resultants;
+  }
+} // namespace fuga
