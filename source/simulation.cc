@@ -159,7 +159,10 @@ namespace fuga
         model.timer.finish("recovery of displacements");
         // Beyond a limit load the load time does not grow, but the times of a film must.
         const double time = state.t + history.path_length();
-        fields.write_bodies(time, u);
+        fields.write_bodies(
+          time,
+          u,
+          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, state.t));
         fields.write_joints(time, joint.elements, results, judge.dissipation());
         model.timer.finish("fields");
       }

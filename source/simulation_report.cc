@@ -9,6 +9,7 @@
 #include <fuga/simulation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace fuga
@@ -93,8 +94,10 @@ namespace fuga
       {
         const JointParameters &data = parameters.joints[j];
         double length               = 0.;
-        for (const ContactElement &element : joint.elements)
-          length += element.joint == j ? element.area / parameters.model.thickness : 0.;
+        for (const JointFace &face : model.bodies.joint_faces())
+          if (face.joint == j)
+            length += std::hypot(face.positions.back()[0] - face.positions.front()[0],
+                                 face.positions.back()[1] - face.positions.front()[1]);
         std::string text        = fmt::format("joint '{}': normal {}, shear {}, {}",
                                        data.definition.name,
                                        joint.laws[2 * j]->description(),

@@ -121,7 +121,7 @@ namespace fuga
                       const std::string &target)
     {
       const std::string start = fmt::format("{}Load '{}': ", where(load.origin), load.name);
-      if (load.kind == LoadKind::weight)
+      if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
         {
           if (index_of(mesh.body_names, target) == mesh.body_names.size())
             throw InputError(fmt::format(
@@ -177,7 +177,8 @@ namespace fuga
               name));
           used[label] = used[label] || condition;
           for (const auto &load : model.loads)
-            if (load.kind == LoadKind::pressure || load.kind == LoadKind::traction)
+            if (load.kind == LoadKind::pressure || load.kind == LoadKind::depth_pressure ||
+                load.kind == LoadKind::traction)
               used[label] = used[label] || index_of(load.targets, name) < load.targets.size();
           if (!used[label])
             throw InputError(fmt::format(
@@ -193,6 +194,17 @@ namespace fuga
   index_of(const std::vector<std::string> &names, const std::string &name)
   {
     return static_cast<unsigned int>(std::find(names.begin(), names.end(), name) - names.begin());
+  }
+
+
+  std::vector<bool>
+  selection(const std::vector<std::string> &names, const std::vector<std::string> &targets)
+  {
+    std::vector<bool> selected(names.size(), false);
+    for (const auto &target : targets)
+      if (const unsigned int i = index_of(names, target); i < names.size())
+        selected[i] = true;
+    return selected;
   }
 
 
@@ -276,6 +288,9 @@ namespace fuga
           for (unsigned int c = 0; c < dim; ++c)
             if (condition.fixed[c])
               fixed[node * dim + c] = true;
+    for (std::size_t node = 0; node < discretization.n_nodes(); ++node)
+      if (discretization.is_on_axis(node))
+        fixed[node * dim] = true;
     return fixed;
   }
 

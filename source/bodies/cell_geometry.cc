@@ -39,7 +39,7 @@ namespace fuga
   bool
   CellGeometry<dim>::is_translated_copy() const
   {
-    if (edges.empty())
+    if (edges.empty() || (discretization.is_axisymmetric() && corners[0][0] != radius))
       return false;
     // Coordinates carry rounding errors; a stiffness that is off by so little does no harm.
     const double tolerance = 1e-13 * edges[1].norm();
@@ -56,6 +56,7 @@ namespace fuga
   CellGeometry<dim>::compute()
   {
     const auto &table = reference.quadrature();
+    radius            = corners[0][0];
     for (std::size_t q = 0; q < volumes.size(); ++q)
       {
         dealii::Tensor<2, dim> jacobian;
@@ -67,7 +68,7 @@ namespace fuga
             fmt::format("A cell at ({:g}, {:g}) is folded over. Mend the mesh there.",
                         corners[0][0],
                         corners[0][1]));
-        volumes[q]         = table.weight[q] * volume;
+        volumes[q]         = table.weight[q] * volume * discretization.extent_across(point(q));
         const auto inverse = transpose(invert(jacobian));
         for (std::size_t i = 0; i < all_gradients[q].size(); ++i)
           all_gradients[q][i] = inverse * table.gradients[q][i];

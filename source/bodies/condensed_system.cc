@@ -52,7 +52,7 @@ namespace fuga
   {
     fixed    = find_fixed_dofs(*space, mesh, model);
     pieces   = std::make_unique<RigidPieces<dim>>(*space, mesh, fixed);
-    geometry = std::make_unique<JointGeometry<dim>>(*space, mesh, model.thickness);
+    geometry = std::make_unique<JointGeometry<dim>>(*space, mesh);
     bars     = std::make_unique<ContactBars<dim>>(*geometry, mesh, fixed, frictionless);
     if (std::find(frictionless.begin(), frictionless.end(), true) != frictionless.end() &&
         !pieces->are_held_by(*bars))
@@ -63,6 +63,8 @@ namespace fuga
           *geometry, mesh, fixed, std::vector<bool>(mesh.joints.size(), false));
       }
     pieces->require_held_by(*bars);
+    if (space->is_axisymmetric())
+      lines.push_back("axisymmetric: areas and forces of the full circle; the axis is held in x");
     lines.insert(lines.end(), bars->report().begin(), bars->report().end());
     coordinates = std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed);
   }

@@ -44,6 +44,14 @@ namespace fuga
         const auto &pair = geometry.pairs()[i];
         if (pair.plus_node == pair.minus_node)
           continue; // the tip of a joint inside a body
+        if (pair.area == 0.)
+          {
+            lines.push_back(
+              fmt::format("joint '{}': the node pair on the axis has no area and carries "
+                          "no element",
+                          mesh.joints[pair.joint].name));
+            continue;
+          }
         const Jump jump = possible_jump(pair, mesh.joints[pair.joint].name, fixed);
         if (jump == Jump::none)
           {

@@ -74,12 +74,35 @@ namespace fuga
       data.material_id = cell.body;
       return data;
     }
+
+    /** Makes r = 0 exact where it is meant. */
+    template <int dim>
+    void
+    put_on_axis(std::vector<dealii::Point<dim>> &vertices)
+    {
+      double radius = 0.;
+      for (const auto &vertex : vertices)
+        radius = std::max(radius, std::abs(vertex[0]));
+      const double tolerance = 1e-10 * radius;
+      for (auto &vertex : vertices)
+        if (vertex[0] < -tolerance)
+          throw InputError(fmt::format(
+            "The mesh has a point at ({:g}, {:g}), beyond the axis of revolution x = 0. An "
+            "axisymmetric model is the half with x >= 0 of a section: move or cut the "
+            "mesh, or set Mesh/Assumption to plane strain.",
+            vertex[0],
+            vertex[1]));
+        else if (vertex[0] <= tolerance)
+          vertex[0] = 0.;
+    }
   } // namespace
 
 
   template <int dim>
   Discretization<dim>::Discretization(const JointedMesh &jointed, const ModelDefinition &model)
-    : reference(shape_of_cells(jointed), model.polynomial_degree)
+    : axisymmetric(model.assumption == PlaneAssumption::axisymmetric)
+    , thickness(model.thickness)
+    , reference(shape_of_cells(jointed), model.polynomial_degree, axisymmetric)
     , cell_mapping(reference.make_mapping())
     , mesh(std::make_unique<dealii::Triangulation<dim>>())
     , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
@@ -106,6 +129,9 @@ namespace fuga
     for (std::size_t i = 0; i < vertices.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         vertices[i][c] = jointed.vertices[i][c];
+
+    if (axisymmetric)
+      put_on_axis(vertices);
 
     std::vector<dealii::CellData<dim>> cells;
     cells.reserve(jointed.cells.size());

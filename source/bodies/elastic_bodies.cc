@@ -25,6 +25,16 @@ namespace fuga
   }
 
 
+  // What is held across the plane presses too: 3λ + 2μ of space. In plane stress the plane alone.
+  double
+  thermal_modulus(const Material &material, const PlaneAssumption assumption)
+  {
+    const double nu = material.poisson_ratio;
+    return material.young_modulus /
+           (assumption == PlaneAssumption::plane_stress ? 1. - nu : 1. - 2. * nu);
+  }
+
+
   /** Stiffness matrices of one cell after the other; entry (node * dim + component). */
   template <int dim>
   class ElasticBodies<dim>::CellStiffness
@@ -64,23 +74,53 @@ namespace fuga
             for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
               product += outer_product(geometry.volume(q) * geometry.gradients(q)[a],
                                        geometry.gradients(q)[b]);
-            set_block(a, b, product * bodies.thickness);
+            dealii::Tensor<2, dim> block = plane_block(product);
+            if (bodies.discretization.is_axisymmetric())
+              add_hoop(a, b, block);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  matrix[(a * dim + c) * n_nodes * dim + b * dim + d] = block[c][d];
+                  matrix[(b * dim + d) * n_nodes * dim + a * dim + c] = block[c][d];
+                }
           }
     }
 
-    void
-    set_block(const std::size_t a, const std::size_t b, const dealii::Tensor<2, dim> &product)
+    /** From ∫ ∇N_a ⊗ ∇N_b. */
+    dealii::Tensor<2, dim>
+    plane_block(const dealii::Tensor<2, dim> &product) const
     {
       const LameConstants &material = bodies.materials[body];
       const double diagonal         = material.mu * trace(product);
+      dealii::Tensor<2, dim> block;
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double value = material.lambda * product[c][d] + material.mu * product[d][c] +
-                                 (c == d ? diagonal : 0.);
-            matrix[(a * dim + c) * n_nodes * dim + b * dim + d] = value;
-            matrix[(b * dim + d) * n_nodes * dim + a * dim + c] = value;
-          }
+          block[c][d] = material.lambda * product[c][d] + material.mu * product[d][c] +
+                        (c == d ? diagonal : 0.);
+      return block;
+    }
+
+    /** What the hoop strain u_r / r adds. */
+    void
+    add_hoop(const std::size_t a, const std::size_t b, dealii::Tensor<2, dim> &block) const
+    {
+      const LameConstants &material = bodies.materials[body];
+      const auto &quadrature        = bodies.discretization.reference_element().quadrature();
+      for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+        {
+          const double radius = geometry.point(q)[0];
+          const double hoop_a = quadrature.values[q][a] / radius,
+                       hoop_b = quadrature.values[q][b] / radius;
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              block[c][0] +=
+                material.lambda * geometry.volume(q) * geometry.gradients(q)[a][c] * hoop_b;
+              block[0][c] +=
+                material.lambda * geometry.volume(q) * hoop_a * geometry.gradients(q)[b][c];
+            }
+          block[0][0] +=
+            (material.lambda + 2. * material.mu) * geometry.volume(q) * hoop_a * hoop_b;
+        }
     }
 
     const ElasticBodies<dim> &bodies;
@@ -95,9 +135,7 @@ namespace fuga
   ElasticBodies<dim>::ElasticBodies(const Discretization<dim> &space,
                                     const JointedMesh &mesh,
                                     const ModelDefinition &model)
-    : discretization(space)
-    , materials(mesh.body_names.size())
-    , thickness(dim == 2 ? model.thickness : 1.)
+    : discretization(space), materials(mesh.body_names.size())
   {
     for (const Material &material : model.materials)
       materials.at(index_of(mesh.body_names, material.body)) =
@@ -244,9 +282,12 @@ namespace fuga
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
         const unsigned int *nodes = discretization.cell_nodes(cell);
-        // A shift of the whole cell causes no force, and no rounding error either.
+        // A shift of the whole cell causes no force, and no rounding error either; but a growing
+        // radius does cause forces.
         for (std::size_t i = 0; i < n_local; ++i)
-          local[i] = u[nodes[i / dim] * dim + i % dim] - u[nodes[0] * dim + i % dim];
+          local[i] =
+            u[nodes[i / dim] * dim + i % dim] -
+            (i % dim == 0 && discretization.is_axisymmetric() ? 0. : u[nodes[0] * dim + i % dim]);
         const double *K = stiffness.of(cell);
         for (std::size_t i = 0; i < n_local; ++i)
           force[i] = std::inner_product(local.begin(), local.end(), K + i * n_local, 0.);

@@ -127,13 +127,11 @@ namespace fuga
 
 
   template <int dim>
-  JointGeometry<dim>::JointGeometry(const Discretization<dim> &space,
-                                    const JointedMesh &mesh,
-                                    const double thickness)
+  JointGeometry<dim>::JointGeometry(const Discretization<dim> &space, const JointedMesh &mesh)
     : discretization(space)
   {
     for (unsigned int joint = 0; joint < mesh.joints.size(); ++joint)
-      add_pairs(joint, walk(match_lips(mesh.joints[joint])), thickness);
+      add_pairs(joint, walk(match_lips(mesh.joints[joint])));
   }
 
 
@@ -227,18 +225,44 @@ namespace fuga
   }
 
 
+  // In axisymmetry the integral is exact as well: positive at every node but the one on the axis,
+  // where it vanishes for degrees above 1 (Gauss-Lobatto's rule integrates N r exactly).
+  template <int dim>
+  Vector
+  JointGeometry<dim>::node_areas(const MatchedFace &face) const
+  {
+    const auto &table   = discretization.reference_element().face(face.plus->number);
+    const auto first    = discretization.position(face.plus_nodes.front());
+    const auto along    = discretization.position(face.plus_nodes.back()) - first;
+    const double length = discretization.face_length(*face.plus);
+    Vector areas(face.plus_nodes.size(), 0.);
+    // Nodes and points lie symmetrically: the direction of the walk does not matter.
+    for (std::size_t k = 0; k < areas.size(); ++k)
+      if (!discretization.is_axisymmetric())
+        areas[k] = discretization.extent_across(first) * length * table.node_weights[k];
+      else if (areas.size() == 2 || !discretization.is_on_axis(face.plus_nodes[k]))
+        for (std::size_t q = 0; q < table.weight.size(); ++q)
+          areas[k] += length * table.weight[q] * table.values[q][k] *
+                      discretization.extent_across(first + table.position[q] * along);
+    return areas;
+  }
+
+
   template <int dim>
   void
-  JointGeometry<dim>::add_pairs(const unsigned int joint,
-                                const std::vector<MatchedFace> &faces,
-                                const double thickness)
+  JointGeometry<dim>::add_pairs(const unsigned int joint, const std::vector<MatchedFace> &faces)
   {
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> known;
     for (const auto &face : faces)
       {
-        const auto &table = discretization.reference_element().face(face.plus->number);
-        const auto normal = -discretization.outer_normal(*face.plus);
-        const double area = thickness * discretization.face_length(*face.plus);
+        const auto normal  = -discretization.outer_normal(*face.plus);
+        const Vector areas = node_areas(face);
+        if (discretization.is_on_axis(face.plus_nodes.front()) &&
+            discretization.is_on_axis(face.plus_nodes.back()))
+          throw InputError(fmt::format(
+            "A joint runs along the axis of revolution at y = {:g}, where it has no area. End it "
+            "there.",
+            discretization.position(face.plus_nodes.front())[1]));
         Face joint_face;
         joint_face.joint = joint;
         for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
@@ -254,10 +278,8 @@ namespace fuga
                 pair.position   = discretization.position(pair.plus_node);
                 all_pairs.push_back(pair);
               }
-            // Node weights are symmetric: the direction of the walk does not matter.
-            const double share = area * table.node_weights[k];
-            all_pairs[entry->second].area += share;
-            all_pairs[entry->second].normal += share * normal;
+            all_pairs[entry->second].area += areas[k];
+            all_pairs[entry->second].normal += (areas[k] > 0. ? areas[k] : 1.) * normal;
             joint_face.pairs.push_back(entry->second);
           }
         all_faces.push_back(std::move(joint_face));
@@ -265,6 +287,9 @@ namespace fuga
     for (const auto &entry : known)
       {
         auto &pair = all_pairs[entry.second];
+        // On the axis the mirror image of the line counts too.
+        if (discretization.is_on_axis(pair.plus_node))
+          pair.normal[0] = 0.;
         if (pair.normal.norm() < 1e-3 * pair.area)
           throw InputError(fmt::format(
             "A joint turns back on itself at ({:g}, {:g}); it has no normal there. Mend the line.",

@@ -5,8 +5,11 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/cell_geometry.h>
-#include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/depth_pressure.h>
+#include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/level_history.h>
 #include <fuga/bodies/load_assembly.h>
+#include <fuga/bodies/temperature_field.h>
 
 #include <limits>
 
@@ -14,12 +17,6 @@ namespace fuga
 {
   namespace
   {
-    std::string
-    title(const LoadDefinition &load)
-    {
-      return fmt::format("{}Load '{}'", load.origin.empty() ? "" : load.origin + ": ", load.name);
-    }
-
     /** The expressions with their defaults; checks their number. */
     std::vector<std::string>
     checked_expressions(const LoadDefinition &load, const unsigned int dim)
@@ -27,27 +24,26 @@ namespace fuga
       if (load.kind == LoadKind::weight && load.expressions.empty())
         return dim == 2 ? std::vector<std::string>{"0", "-1"}
                         : std::vector<std::string>{"0", "0", "-1"};
-      const std::size_t expected = load.kind == LoadKind::pressure ? 1 : dim;
+      const bool is_scalar = load.kind == LoadKind::pressure || load.kind == LoadKind::temperature;
+      const std::size_t expected = load.kind == LoadKind::depth_pressure ? 0 : is_scalar ? 1 : dim;
       if (load.expressions.size() != expected)
         throw InputError(fmt::format("{}: it has {} expressions and needs {}.",
-                                     title(load),
+                                     load_title(load),
                                      load.expressions.size(),
                                      expected));
-      if (load.targets.empty() && load.kind != LoadKind::weight && !load.has_coordinates)
-        throw InputError(fmt::format("{}: it acts nowhere; name its targets.", title(load)));
+      const bool on_bodies = load.kind == LoadKind::weight || load.kind == LoadKind::temperature;
+      if (load.targets.empty() && !on_bodies && !load.has_coordinates)
+        throw InputError(fmt::format("{}: it acts nowhere; name its targets.", load_title(load)));
       return load.expressions;
     }
-
-    std::vector<bool>
-    selection(const std::vector<std::string> &names, const std::vector<std::string> &targets)
-    {
-      std::vector<bool> selected(names.size(), false);
-      for (const auto &target : targets)
-        if (const unsigned int i = index_of(names, target); i < names.size())
-          selected[i] = true;
-      return selected;
-    }
   } // namespace
+
+
+  std::string
+  load_title(const LoadDefinition &load)
+  {
+    return fmt::format("{}Load '{}'", load.origin.empty() ? "" : load.origin + ": ", load.name);
+  }
 
 
   bool
@@ -56,7 +52,7 @@ namespace fuga
     for (const auto &expression : load.expressions)
       if (expression_uses(expression, "t"))
         return true;
-    return false;
+    return load.kind == LoadKind::depth_pressure && level_changes(load.depth);
   }
 
 
@@ -74,7 +70,7 @@ namespace fuga
   LoadPattern
   LoadAssembly<dim>::assemble(const LoadDefinition &load, const double t) const
   {
-    FieldExpression<dim> field(checked_expressions(load, dim), model.constants, title(load));
+    FieldExpression<dim> field(checked_expressions(load, dim), model.constants, load_title(load));
     field.set_time(t);
     LoadPattern pattern;
     pattern.forces.assign(discretization.n_dofs(), 0.);
@@ -82,6 +78,16 @@ namespace fuga
       {
         case LoadKind::weight:
           add_weight(load, field, pattern.forces);
+          break;
+        case LoadKind::temperature:
+          add_temperature(load, t, pattern.forces);
+          break;
+        case LoadKind::depth_pressure:
+          add_depth_pressure(discretization,
+                             load.depth,
+                             LevelHistory(load, model.constants)(t),
+                             selection(mesh.label_names, load.targets),
+                             pattern.forces);
           break;
         case LoadKind::pressure:
         case LoadKind::traction:
@@ -121,7 +127,7 @@ namespace fuga
     Vector share(n_local);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
-        const double specific = density[discretization.cell_body(cell)] * model.thickness;
+        const double specific = density[discretization.cell_body(cell)];
         if (specific == 0.)
           continue;
         const unsigned int *nodes = discretization.cell_nodes(cell);
@@ -151,6 +157,42 @@ namespace fuga
 
   template <int dim>
   void
+  LoadAssembly<dim>::add_temperature(const LoadDefinition &load,
+                                     const double t,
+                                     Vector &forces) const
+  {
+    TemperatureField<dim> temperature;
+    temperature.add(model, mesh.body_names, load, t, 1.);
+    Vector modulus(mesh.body_names.size(), 0.);
+    for (const Material &material : model.materials)
+      modulus[index_of(mesh.body_names, material.body)] =
+        thermal_modulus(material, model.assumption);
+
+    const auto &quadrature = discretization.reference_element().quadrature();
+    CellGeometry<dim> geometry(discretization);
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        const unsigned int body   = discretization.cell_body(cell);
+        geometry.move_to(cell);
+        for (std::size_t q = 0; q < geometry.n_points(); ++q)
+          {
+            const double stress =
+              modulus[body] * temperature.strain(geometry.point(q), body) * geometry.volume(q);
+            for (std::size_t i = 0; i < geometry.gradients(q).size(); ++i)
+              {
+                for (unsigned int c = 0; c < dim; ++c)
+                  forces[nodes[i] * dim + c] += stress * geometry.gradients(q)[i][c];
+                if (discretization.is_axisymmetric())
+                  forces[nodes[i] * dim] += stress * quadrature.values[q][i] / geometry.point(q)[0];
+              }
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
   LoadAssembly<dim>::add_surface_load(const LoadDefinition &load,
                                       const FieldExpression<dim> &intensity,
                                       Vector &forces) const
@@ -161,7 +203,7 @@ namespace fuga
         if (face.label == JointedMesh::no_label || !loaded[face.label])
           continue;
         const auto &table   = discretization.reference_element().face(face.number);
-        const double area   = discretization.face_length(face) * model.thickness;
+        const double length = discretization.face_length(face);
         const auto normal   = discretization.outer_normal(face);
         const std::size_t n = table.nodes.size();
         const auto first    = discretization.position(discretization.face_node(face, 0));
@@ -169,6 +211,7 @@ namespace fuga
         for (std::size_t q = 0; q < table.weight.size(); ++q)
           {
             const dealii::Point<dim> point = first + table.position[q] * (last - first);
+            const double area = length * table.weight[q] * discretization.extent_across(point);
             dealii::Tensor<1, dim> traction;
             if (load.kind == LoadKind::pressure)
               traction = -intensity.value(point, 0) * normal;
@@ -178,7 +221,7 @@ namespace fuga
             for (std::size_t k = 0; k < n; ++k)
               for (unsigned int c = 0; c < dim; ++c)
                 forces[discretization.face_node(face, k) * dim + c] +=
-                  area * table.weight[q] * table.values[q][k] * traction[c];
+                  area * table.values[q][k] * traction[c];
           }
       }
   }
@@ -234,7 +277,7 @@ namespace fuga
     if (count == 0)
       throw InputError(fmt::format("{}: there is no node at ({:g}, {:g}); the nearest one is at "
                                    "({:.9g}, {:.9g}). Put a point of the geometry there.",
-                                   title(load),
+                                   load_title(load),
                                    point[0],
                                    point[1],
                                    at[0],
@@ -243,7 +286,7 @@ namespace fuga
       throw InputError(
         fmt::format("{}: at ({:g}, {:g}) the lips of a joint have {} nodes. Apply the "
                     "force a little beside the joint, or use a traction.",
-                    title(load),
+                    load_title(load),
                     point[0],
                     point[1],
                     count));

@@ -35,13 +35,14 @@ namespace fuga
       return std::make_unique<dealii::FE_Q<dim>>(degree);
     }
 
-    /** Exact for the stiffness of affine cells and for constant loads. */
+    /** Exact for the stiffness of affine cells and for constant loads; with a radius as factor for
+     *  constant loads and for what a constant stress does. */
     template <int dim>
     dealii::Quadrature<dim>
-    make_quadrature(const ReferenceShape shape, const unsigned int degree)
+    make_quadrature(const ReferenceShape shape, const unsigned int degree, const bool with_radius)
     {
       if (shape == ReferenceShape::simplex)
-        return dealii::QGaussSimplex<dim>(degree);
+        return dealii::QGaussSimplex<dim>(degree + (with_radius ? 1 : 0));
       return dealii::QGauss<dim>(degree + 1);
     }
 
@@ -69,14 +70,15 @@ namespace fuga
 
   template <int dim>
   ReferenceElement<dim>::ReferenceElement(const ReferenceShape reference_shape,
-                                          const unsigned int degree)
+                                          const unsigned int degree,
+                                          const bool with_radius)
     : shape(reference_shape)
     , element(make_element<dim>(shape, degree))
     , geometry(make_element<dim>(shape, 1))
   {
     for (const auto &point : element->get_unit_support_points())
       node_geometry.push_back(values_at(*geometry, point));
-    tabulate_cell(degree);
+    tabulate_cell(degree, with_radius);
     faces.resize(element->reference_cell().n_faces());
     for (unsigned int f = 0; f < faces.size(); ++f)
       tabulate_face(f, degree);
@@ -99,9 +101,9 @@ namespace fuga
 
   template <int dim>
   void
-  ReferenceElement<dim>::tabulate_cell(const unsigned int degree)
+  ReferenceElement<dim>::tabulate_cell(const unsigned int degree, const bool with_radius)
   {
-    const auto points = make_quadrature<dim>(shape, degree);
+    const auto points = make_quadrature<dim>(shape, degree, with_radius);
     cell.weight       = points.get_weights();
     for (const auto &point : points.get_points())
       {
@@ -114,8 +116,8 @@ namespace fuga
 
 
   template <int dim>
-  void
-  ReferenceElement<dim>::tabulate_face(const unsigned int number, const unsigned int degree)
+  std::pair<dealii::Point<dim>, dealii::Tensor<1, dim>>
+  ReferenceElement<dim>::face_line(const unsigned int number) const
   {
     static_assert(dim == 2, "faces are lines");
     const auto reference = element->reference_cell();
@@ -123,7 +125,27 @@ namespace fuga
       reference.template vertex<dim>(reference.face_to_cell_vertices(number, 0, 1));
     const auto second =
       reference.template vertex<dim>(reference.face_to_cell_vertices(number, 1, 1));
-    const dealii::Tensor<1, dim> along = second - first;
+    return {first, second - first};
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  ReferenceElement<dim>::face_values(const unsigned int number, const double position) const
+  {
+    const auto [first, along] = face_line(number);
+    std::vector<double> values;
+    for (const unsigned int i : faces[number].nodes)
+      values.push_back(element->shape_value(i, first + position * along));
+    return values;
+  }
+
+
+  template <int dim>
+  void
+  ReferenceElement<dim>::tabulate_face(const unsigned int number, const unsigned int degree)
+  {
+    const auto [first, along] = face_line(number);
 
     Face &face = faces[number];
     std::vector<std::pair<double, unsigned int>> on_face;
@@ -144,9 +166,7 @@ namespace fuga
       {
         const double s = points.point(q)[0];
         face.position.push_back(s);
-        std::vector<double> values;
-        for (const unsigned int i : face.nodes)
-          values.push_back(element->shape_value(i, first + s * along));
+        std::vector<double> values = face_values(number, s);
         for (std::size_t k = 0; k < values.size(); ++k)
           face.node_weights[k] += points.weight(q) * values[k];
         face.values.push_back(std::move(values));

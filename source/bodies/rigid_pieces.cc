@@ -32,13 +32,20 @@ namespace fuga
   RigidPieces<dim>::RigidPieces(const Discretization<dim> &space,
                                 const JointedMesh &jointed,
                                 const std::vector<bool> &fixed)
-    : discretization(space), mesh(jointed)
+    : discretization(space)
+    , mesh(jointed)
+    , motions(space.is_axisymmetric() ? std::vector<unsigned int>{1}
+                                      : std::vector<unsigned int>{0, 1, 2})
   {
     static_assert(dim == 2, "three motions per piece");
     find_nodes(discretization);
     find_floating(fixed);
 
     supports = DenseMatrix(3 * centers.size(), 3 * centers.size());
+    for (unsigned int motion = 0; motion < 3; ++motion)
+      if (std::find(motions.begin(), motions.end(), motion) == motions.end())
+        for (unsigned int piece = 0; piece < centers.size(); ++piece)
+          add_square(supports, {{3 * piece + motion, 1.}});
     for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         if (fixed[node * dim + c])
@@ -120,7 +127,7 @@ namespace fuga
         middle[group] += discretization.position(node);
         ++count[group];
         for (unsigned int c = 0; c < dim; ++c)
-          if (fixed[node * dim + c])
+          if (fixed[node * dim + c] && (c == 1 || motions.size() == 3))
             held[group] = true;
       }
     for (unsigned int group = 0; group < n_groups; ++group)
@@ -192,17 +199,17 @@ namespace fuga
   void
   RigidPieces<dim>::require_held_by(const ContactBars<dim> &bars) const
   {
-    const DenseMatrix motions = null_space(bars);
-    if (motions.n_columns() == 0)
+    const DenseMatrix free = null_space(bars);
+    if (free.n_columns() == 0)
       return;
     unsigned int worst = 0;
     double largest     = -1.;
     for (unsigned int piece = 0; piece < centers.size(); ++piece)
       {
         double sum = 0.;
-        for (std::size_t j = 0; j < motions.n_columns(); ++j)
+        for (std::size_t j = 0; j < free.n_columns(); ++j)
           for (unsigned int i = 0; i < 3; ++i)
-            sum += motions(3 * piece + i, j) * motions(3 * piece + i, j);
+            sum += free(3 * piece + i, j) * free(3 * piece + i, j);
         if (sum > largest * (1. + 1e-6))
           {
             largest = sum;
@@ -217,13 +224,13 @@ namespace fuga
       mesh.body_names[body_of_piece[worst]],
       centers[worst][0],
       centers[worst][1],
-      describe(motions, worst)));
+      describe(free, worst)));
   }
 
 
   template <int dim>
   std::string
-  RigidPieces<dim>::describe(const DenseMatrix &motions, const unsigned int piece) const
+  RigidPieces<dim>::describe(const DenseMatrix &free, const unsigned int piece) const
   {
     // Orthonormal basis of the motions of this piece: shifts first, then what is left.
     std::vector<std::array<double, 3>> span, found;
@@ -248,8 +255,8 @@ namespace fuga
           basis.push_back(w);
         }
     };
-    for (std::size_t j = 0; j < motions.n_columns(); ++j)
-      add({{motions(3 * piece, j), motions(3 * piece + 1, j), motions(3 * piece + 2, j)}}, span);
+    for (std::size_t j = 0; j < free.n_columns(); ++j)
+      add({{free(3 * piece, j), free(3 * piece + 1, j), free(3 * piece + 2, j)}}, span);
     for (unsigned int c = 0; c < 3; ++c)
       {
         std::array<double, 3> unit{};
@@ -288,14 +295,15 @@ namespace fuga
   Vector
   RigidPieces<dim>::free_motion(const std::size_t number) const
   {
-    const unsigned int group         = floating[number / 3];
-    const dealii::Point<dim> &center = floating_centers[number / 3];
+    const unsigned int group         = floating[number / motions.size()];
+    const unsigned int motion        = motions[number % motions.size()];
+    const dealii::Point<dim> &center = floating_centers[number / motions.size()];
     Vector u(discretization.n_dofs(), 0.);
     for (std::size_t node = 0; node < piece_of_node.size(); ++node)
       if (group_of_piece[piece_of_node[node]] == group)
         {
-          if (number % 3 < 2)
-            u[node * dim + number % 3] = 1.;
+          if (motion < 2)
+            u[node * dim + motion] = 1.;
           else
             {
               const auto arm    = discretization.position(node) - center;
@@ -312,7 +320,7 @@ namespace fuga
   RigidPieces<dim>::moving_body(const std::size_t number) const
   {
     const auto piece =
-      std::find(group_of_piece.begin(), group_of_piece.end(), floating[number / 3]) -
+      std::find(group_of_piece.begin(), group_of_piece.end(), floating[number / motions.size()]) -
       group_of_piece.begin();
     return mesh.body_names[body_of_piece[static_cast<std::size_t>(piece)]];
   }

@@ -89,10 +89,12 @@ namespace fuga
 
   template <int dim>
   void
-  FieldWriter<dim>::write_bodies(const double t, const dealii::Vector<double> &displacement)
+  FieldWriter<dim>::write_bodies(const double t,
+                                 const dealii::Vector<double> &displacement,
+                                 const TemperatureField<dim> &temperature)
   {
     const Discretization<dim> &space = system.discretization();
-    const StressPostprocessor<dim> stresses(model, body_names);
+    const StressPostprocessor<dim> stresses(model, body_names, temperature);
     const DisplacementOutput<dim> displacements;
     dealii::DataOut<dim> output;
     dealii::Vector<float> body(static_cast<unsigned int>(space.n_cells()));

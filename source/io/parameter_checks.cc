@@ -62,7 +62,7 @@ namespace fuga
                           const LoadDefinition &load,
                           const ModelDefinition &model)
     {
-      if (load.kind == LoadKind::weight)
+      if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
         return;
       for (const std::string &target : load.targets)
         if (const BoundaryCondition *condition = find_condition(model, target);

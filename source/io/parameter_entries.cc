@@ -28,6 +28,17 @@ namespace fuga
     }
 
     Pattern
+    any_number()
+    {
+      return std::make_shared<NumberPattern>(NumberPattern::Kind::real,
+                                             -NumberPattern::infinity,
+                                             false,
+                                             NumberPattern::infinity,
+                                             false,
+                                             true);
+    }
+
+    Pattern
     number_above(const double lower)
     {
       return std::make_shared<NumberPattern>(

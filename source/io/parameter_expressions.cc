@@ -135,6 +135,12 @@ namespace fuga
                            true);
       if (arguments == ExpressionArguments::deformation)
         return evaluate<1>(expression, variables, constants, {dealii::Point<1>(0.)}, true);
+      if (arguments == ExpressionArguments::load_time)
+        return evaluate<1>(expression,
+                           variables,
+                           constants,
+                           {dealii::Point<1>(0.), dealii::Point<1>(0.5), dealii::Point<1>(1.5)},
+                           false);
       std::vector<dealii::Point<2>> plane;
       for (const double size : {0., 1., 13.7, 1234.})
         for (const double x : {-size, size})

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_declarations.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <cctype>
 
 namespace fuga
 {
@@ -20,25 +21,76 @@ namespace fuga
     }
 
 
-    LoadKind
-    read_kind(const ParameterSection &section)
+    std::string
+    lower_case(std::string word)
     {
-      const std::string type = section.text("Type");
-      return type == "weight"        ? LoadKind::weight
-             : type == "pressure"    ? LoadKind::pressure
-             : type == "traction"    ? LoadKind::traction
-             : type == "point force" ? LoadKind::point_force
-                                     : LoadKind::displacement;
+      word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
+      return word;
     }
 
 
-    /** The entry that says where a load acts. */
-    std::string
-    target_entry(const LoadKind kind)
+    /** A word of Type with the entries that belong to it. */
+    struct LoadType
     {
-      return kind == LoadKind::weight        ? "Bodies"
-             : kind == LoadKind::point_force ? "Point"
-                                             : "Boundaries";
+      std::string name;
+      LoadKind kind;
+      std::vector<std::string> required, optional;
+    };
+
+
+    const std::vector<LoadType> &
+    load_types()
+    {
+      static const std::vector<LoadType> types = {
+        {"weight", LoadKind::weight, {}, {"Bodies", "Value"}},
+        {"seismic",
+         LoadKind::weight,
+         {},
+         {"Bodies", "Horizontal coefficient", "Vertical coefficient"}},
+        {"temperature", LoadKind::temperature, {"Value"}, {"Bodies"}},
+        {"pressure", LoadKind::pressure, {"Boundaries", "Value"}, {}},
+        {"hydrostatic", LoadKind::depth_pressure, {"Boundaries", "Level", "Unit weight"}, {}},
+        {"earth pressure",
+         LoadKind::depth_pressure,
+         {"Boundaries", "Level", "Unit weight", "Earth pressure coefficient"},
+         {"Surcharge"}},
+        {"westergaard",
+         LoadKind::depth_pressure,
+         {"Boundaries", "Level", "Unit weight", "Horizontal coefficient", "Bottom level"},
+         {}},
+        {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
+        {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
+        {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}}};
+      return types;
+    }
+
+
+    /** The type of a load, whose entries are all there, and no others. */
+    const LoadType &
+    read_type(const ParameterSection &section)
+    {
+      const std::string name         = section.text("Type");
+      const LoadType &type           = *std::find_if(load_types().begin(),
+                                           load_types().end(),
+                                           [&](const LoadType &t) { return t.name == name; });
+      std::vector<std::string> known = type.required;
+      known.insert(known.end(), type.optional.begin(), type.optional.end());
+      const SectionDeclaration &declared = *find_section("Loads");
+      for (const std::string &entry : declared.entry_names())
+        if (entry != "Type" && section.given(entry) && !contains(known, entry))
+          section.fail(entry,
+                       fmt::format("a load of type {} ({}) has no such entry; it has {}. Remove "
+                                   "this line, or correct the type.",
+                                   name,
+                                   section.origin("Type"),
+                                   quoted_list(known)));
+      for (const std::string &entry : type.required)
+        if (!section.given(entry))
+          section.fail(fmt::format("'{}' is missing, which a load of type {} needs. {}",
+                                   entry,
+                                   name,
+                                   declared.find(entry)->documentation));
+      return type;
     }
 
 
@@ -47,17 +99,6 @@ namespace fuga
                  const ModelDefinition &model,
                  LoadDefinition &load)
     {
-      const std::string wanted = target_entry(load.kind);
-      for (const char *const entry : {"Bodies", "Boundaries", "Point"})
-        if (section.given(entry) && entry != wanted)
-          section.fail(entry,
-                       fmt::format("a load of type {} ({}) has no such entry. {}",
-                                   section.text("Type"),
-                                   section.origin("Type"),
-                                   "It acts on what '" + wanted + "' says; remove this line."));
-      if (load.kind != LoadKind::weight && !section.given(wanted))
-        section.fail(
-          fmt::format("'{}' is missing: say where this {} acts.", wanted, section.text("Type")));
       if (load.kind == LoadKind::point_force)
         {
           const PointReference point = read_point(section, model.dimension);
@@ -67,30 +108,37 @@ namespace fuga
             load.targets = {point.name};
         }
       else
-        load.targets = section.list(wanted);
+        load.targets = section.list(
+          load.kind == LoadKind::weight || load.kind == LoadKind::temperature ? "Bodies"
+                                                                              : "Boundaries");
     }
 
 
-    /** Whether Bodies are known and weigh anything. */
+    /** Whether Bodies are known, and have the property (of that entry) through which they are
+     * loaded.
+     */
     void
-    check_weight(const ParameterSection &section,
+    check_bodies(const ParameterSection &section,
                  const ModelDefinition &model,
-                 const LoadDefinition &load)
+                 const LoadDefinition &load,
+                 const std::string &entry,
+                 double Material::*property)
     {
       std::vector<std::string> bodies;
-      bool has_weight = false;
+      bool any               = false;
+      const std::string word = lower_case(entry);
       for (const Material &material : model.materials)
         {
           bodies.push_back(material.body);
-          has_weight = has_weight || material.weight_density > 0.;
-          if (contains(load.targets, material.body) && material.weight_density == 0.)
-            section.fail(
-              "Bodies",
-              fmt::format("body '{}' has weight density 0, so that this load does nothing to "
-                          "it. Set Bodies/{}/Weight density, or take the body out of the "
-                          "list.",
-                          material.body,
-                          material.body));
+          any = any || material.*property > 0.;
+          if (contains(load.targets, material.body) && material.*property == 0.)
+            section.fail("Bodies",
+                         fmt::format("body '{}' has {} 0, so that this load does nothing to it. "
+                                     "Set Bodies/{}/{}, or take the body out of the list.",
+                                     material.body,
+                                     word,
+                                     material.body,
+                                     entry));
         }
       for (const std::string &body : load.targets)
         if (!contains(bodies, body))
@@ -98,9 +146,12 @@ namespace fuga
                        fmt::format("there is no body '{}' in section Bodies. {}",
                                    body,
                                    name_hint(body, bodies, "bodies")));
-      if (!has_weight)
-        section.fail("no body has a weight density, so that this load does nothing. Set 'Weight "
-                     "density' of the bodies, or remove the load.");
+      if (!any)
+        section.fail(
+          fmt::format("no body has a {}, so that this load does nothing. Set '{}' of the "
+                      "bodies, or remove the load.",
+                      word,
+                      entry));
     }
 
 
@@ -110,14 +161,10 @@ namespace fuga
                      const LoadKind kind)
     {
       if (!section.given("Value"))
-        {
-          if (kind != LoadKind::weight)
-            section.fail(
-              fmt::format("'Value' is missing: say how large this {} is.", section.text("Type")));
-          return {"0", "-1"};
-        }
+        return {"0", "-1"}; // a weight: all other types need it
       const std::vector<std::string> expressions = split_pieces(section.text("Value"), ';');
-      const std::size_t n                        = kind == LoadKind::pressure ? 1 : model.dimension;
+      const bool is_scalar = kind == LoadKind::pressure || kind == LoadKind::temperature;
+      const std::size_t n  = is_scalar ? 1 : model.dimension;
       if (expressions.size() != n)
         section.fail(
           "Value",
@@ -144,17 +191,43 @@ namespace fuga
     }
 
 
+    /** Seismic coefficients are the direction, and size, of a weight. */
+    std::vector<std::string>
+    read_seismic_coefficients(const ParameterSection &section)
+    {
+      std::vector<std::string> direction;
+      bool any = false;
+      for (const char *const entry : {"Horizontal coefficient", "Vertical coefficient"})
+        {
+          direction.push_back(section.given(entry) ? section.text(entry) : "0");
+          any = any || (section.given(entry) && section.number(entry) != 0.);
+        }
+      if (!any)
+        section.fail("no coefficient is given, or all are 0, so that this load does nothing. Set "
+                     "'Horizontal coefficient' or 'Vertical coefficient'.");
+      return direction;
+    }
+
+
     LoadDefinition
     read_load(const ParameterSection &section, const ModelDefinition &model)
     {
+      const LoadType &type = read_type(section);
       LoadDefinition load;
       load.name   = section.name();
-      load.kind   = read_kind(section);
+      load.kind   = type.kind;
       load.origin = section.origin();
       read_targets(section, model, load);
       if (load.kind == LoadKind::weight)
-        check_weight(section, model, load);
-      load.expressions = read_expressions(section, model, load.kind);
+        check_bodies(section, model, load, "Weight density", &Material::weight_density);
+      if (load.kind == LoadKind::temperature)
+        check_bodies(section, model, load, "Thermal expansion", &Material::thermal_expansion);
+      if (load.kind == LoadKind::depth_pressure)
+        load.depth = read_depth_pressure(section, model.constants);
+      else if (type.name == "seismic")
+        load.expressions = read_seismic_coefficients(section);
+      else
+        load.expressions = read_expressions(section, model, load.kind);
       return load;
     }
 

@@ -40,11 +40,17 @@ namespace fuga
                   {"mesh.msh"}),
          defaulted("Polynomial degree", "1", integer(1, 3), "Degree of the elements."),
          defaulted("Refinements", "0", integer(0, 8), "Global refinements of the mesh."),
-         defaulted("Assumption",
-                   "plane strain",
-                   choice("plane strain|plane stress"),
-                   "What is assumed across the plane."),
-         defaulted("Thickness", "1", number_above(0), "Extent across the plane [m].")},
+         defaulted(
+           "Assumption",
+           "plane strain",
+           choice("plane strain|plane stress|axisymmetric"),
+           "What is assumed across the plane. Axisymmetric: x is the radius, y the axis; "
+           "areas, forces and resultants are those of the full circle, and the axis is held "
+           "in x."),
+         defaulted("Thickness",
+                   "1",
+                   number_above(0),
+                   "Extent across the plane [m]; not for axisymmetric.")},
         {}};
     }
 
@@ -62,8 +68,14 @@ namespace fuga
          defaulted("Weight density",
                    "0",
                    number_from(0),
-                   "Weight per volume [MN/m^3]; acts only through a load of type weight.",
-                   {"0.024", "0"})},
+                   "Weight per volume [MN/m^3]; acts only through a load of type weight or "
+                   "seismic.",
+                   {"0.024", "0"}),
+         defaulted("Thermal expansion",
+                   "0",
+                   number_from(0),
+                   "Strain per change of temperature [1/K]; acts only through a load of type "
+                   "temperature.")},
         {"structure", "foundation"}};
     }
 
@@ -110,30 +122,82 @@ namespace fuga
         {"bottom", "sides", "crest"}};
     }
 
+    std::vector<EntryDeclaration>
+    load_place()
+    {
+      return {
+        required(
+          "Type",
+          choice("weight|seismic|temperature|pressure|hydrostatic|earth pressure|westergaard|"
+                 "traction|point force|displacement"),
+          "Weight of bodies, weight times seismic coefficients, change of temperature, "
+          "pressure towards the body, pressure of still water, of earth, of water moved by "
+          "an earthquake, traction vector, force at a point, displacement of fixed "
+          "components.",
+          {"weight", "pressure"}),
+        optional("Bodies",
+                 text(),
+                 "For weight, seismic, temperature: list of bodies; without it all of them."),
+        optional("Boundaries",
+                 text(),
+                 "For all other types but point force: list of boundaries.",
+                 {"", "upstream"}),
+        optional("Point", text(), "For a point force: named point, or coordinates: x, y."),
+        optional("Value",
+                 text(),
+                 "For weight, temperature, pressure, traction, point force, displacement: "
+                 "expressions of x, y and the load time t, separated by ';': one for a "
+                 "pressure [MPa] or temperature [K], else one per component [MPa, MN, m] (an empty "
+                 "one leaves a displacement free); the direction of a weight is 0; -1 without this "
+                 "entry.",
+                 {"0; -1", "0.0144"})};
+    }
+
+    std::vector<EntryDeclaration>
+    load_depth_and_shaking()
+    {
+      return {
+        optional("Level",
+                 text(),
+                 "For hydrostatic, earth pressure, westergaard: y of the surface of the water or "
+                 "the ground [m]. A number, an expression of the load time t, or a table "
+                 "'t: level; t: level', linear in between and constant outside. Nothing above the "
+                 "level is loaded."),
+        optional("Unit weight",
+                 number_above(0),
+                 "For hydrostatic, earth pressure, westergaard: weight per volume of the water or "
+                 "the ground [MN/m^3]; the pressure of still water is this times the depth."),
+        optional("Earth pressure coefficient",
+                 number_above(0),
+                 "For earth pressure: K0, Ka or Kp; the pressure, normal to the boundary, is K "
+                 "(unit weight times depth + surcharge)."),
+        optional("Surcharge",
+                 number_from(0),
+                 "For earth pressure: load on the surface of the ground [MPa]; 0 without this "
+                 "entry."),
+        optional("Horizontal coefficient",
+                 any_number(),
+                 "For seismic: force per weight of the bodies in x, negative against x. For "
+                 "westergaard: the pressure is 7/8 of this times unit weight times sqrt(depth of "
+                 "the water at its bottom times depth), positive towards the body."),
+        optional("Vertical coefficient",
+                 any_number(),
+                 "For seismic: force per weight of the bodies in y, upwards positive."),
+        optional(
+          "Bottom level", any_number(), "For westergaard: y of the bottom of the water [m].")};
+    }
+
     SectionDeclaration
     loads_section()
     {
-      return {
+      SectionDeclaration section{
         "Loads",
         "One subsection per load pattern, with a name of your choice; stages make it act.",
-        {required("Type",
-                  choice("weight|pressure|traction|point force|displacement"),
-                  "Weight of bodies, pressure towards the body, traction vector, force at a "
-                  "point, displacement of fixed components.",
-                  {"weight", "pressure"}),
-         optional("Bodies", text(), "For weight: list of bodies; without it all of them."),
-         optional("Boundaries",
-                  text(),
-                  "For pressure, traction, displacement: list of boundaries.",
-                  {"", "upstream"}),
-         optional("Point", text(), "For a point force: named point, or coordinates: x, y."),
-         optional("Value",
-                  text(),
-                  "Expressions of x, y and the load time t, separated by ';': one for a "
-                  "pressure [MPa], else one per component [MPa, MN, m] (an empty one leaves a "
-                  "displacement free); the direction of a weight is 0; -1 without this entry.",
-                  {"0; -1", "0.0144"})},
+        load_place(),
         {"weight", "water"}};
+      for (const EntryDeclaration &entry : load_depth_and_shaking())
+        section.entries.push_back(entry);
+      return section;
     }
 
     SectionDeclaration

@@ -47,10 +47,13 @@ namespace fuga
                  number_above(0),
                  "Relative change at which an iteration ends."),
        defaulted("Maximum iterations", "200", integer(1, 1e6), "Of one step."),
-       defaulted("Load knots",
-                 "20",
-                 integer(1, 1e6),
-                 "Linear pieces per stage for factors that are not linear in t."),
+       defaulted(
+         "Load knots",
+         "20",
+         integer(1, 1e6),
+         "Linear pieces per stage for factors and loads that are not linear in t. Between knots "
+         "loads are interpolated; the log says how well. Corners of a level, and levels at "
+         "which horizontal boundaries get wet, are knots as well."),
        defaulted("Certificate bound",
                  "1e-9",
                  number_above(0),

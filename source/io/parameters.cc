@@ -54,7 +54,8 @@ namespace fuga
         materials.push_back({section.name(),
                              section.number("Young modulus"),
                              section.number("Poisson ratio"),
-                             section.number("Weight density")});
+                             section.number("Weight density"),
+                             section.number("Thermal expansion")});
       if (materials.empty())
         throw InputError(
           fmt::format("{}: there are no bodies. Add a section Bodies with one subsection "
@@ -79,14 +80,21 @@ namespace fuga
     {
       const ParameterSection mesh = values.section("Mesh");
       ModelDefinition model;
-      model.dimension         = read_dimension(values.section(""));
-      model.polynomial_degree = mesh.integer("Polynomial degree");
-      model.refinements       = mesh.integer("Refinements");
-      model.assumption = mesh.text("Assumption") == "plane stress" ? PlaneAssumption::plane_stress
-                                                                   : PlaneAssumption::plane_strain;
-      model.thickness  = mesh.number("Thickness");
-      model.load_knots = values.section("Solver").integer("Load knots");
-      model.constants  = values.constants();
+      model.dimension              = read_dimension(values.section(""));
+      model.polynomial_degree      = mesh.integer("Polynomial degree");
+      model.refinements            = mesh.integer("Refinements");
+      const std::string assumption = mesh.text("Assumption");
+      model.assumption             = assumption == "plane stress"   ? PlaneAssumption::plane_stress
+                                     : assumption == "axisymmetric" ? PlaneAssumption::axisymmetric
+                                                                    : PlaneAssumption::plane_strain;
+      if (model.assumption == PlaneAssumption::axisymmetric && mesh.given("Thickness"))
+        mesh.fail("Thickness",
+                  fmt::format("an axisymmetric model ({}) has no thickness: areas and forces are "
+                              "those of the full circle. Remove this entry.",
+                              mesh.origin("Assumption")));
+      model.thickness       = mesh.number("Thickness");
+      model.load_knots      = values.section("Solver").integer("Load knots");
+      model.constants       = values.constants();
       model.constants["pi"] = std::acos(-1.);
 
       model.materials           = read_materials(values);

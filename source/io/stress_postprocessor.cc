@@ -9,15 +9,16 @@ namespace fuga
 {
   template <int dim>
   StressPostprocessor<dim>::StressPostprocessor(const ModelDefinition &model_definition,
-                                                const std::vector<std::string> &body_names)
-    : model(model_definition)
+                                                const std::vector<std::string> &body_names,
+                                                const TemperatureField<dim> &temperature_field)
+    : model(model_definition), temperature(temperature_field)
   {
     for (const std::string &name : body_names)
       for (const Material &material : model.materials)
         if (material.body == name)
           {
-            materials.push_back(lame_constants(material, model.assumption));
-            poisson_ratios.push_back(material.poisson_ratio);
+            lame.push_back(lame_constants(material, model.assumption));
+            materials.push_back(material);
           }
   }
 
@@ -27,6 +28,8 @@ namespace fuga
   {
     std::vector<std::string> names(dim * dim, "stress");
     names.insert(names.end(), {"principal_stress_1", "principal_stress_2", "von_mises_stress"});
+    if (model.assumption == PlaneAssumption::axisymmetric)
+      names.emplace_back("hoop_stress");
     return names;
   }
 
@@ -36,7 +39,8 @@ namespace fuga
   {
     using namespace dealii::DataComponentInterpretation;
     std::vector<DataComponentInterpretation> interpretation(dim * dim, component_is_part_of_tensor);
-    interpretation.insert(interpretation.end(), 3, component_is_scalar);
+    interpretation.insert(
+      interpretation.end(), get_names().size() - dim * dim, component_is_scalar);
     return interpretation;
   }
 
@@ -44,8 +48,26 @@ namespace fuga
   dealii::UpdateFlags
   StressPostprocessor<dim>::get_needed_update_flags() const
   {
-    return dealii::update_gradients;
+    dealii::UpdateFlags flags = dealii::update_gradients;
+    if (model.assumption == PlaneAssumption::axisymmetric)
+      flags |= dealii::update_values | dealii::update_quadrature_points;
+    if (!temperature.empty())
+      flags |= dealii::update_quadrature_points;
+    return flags;
   }
+
+  namespace
+  {
+    /** u_r / r, and its limit on the axis. */
+    template <int dim>
+    double
+    hoop_strain(const dealii::DataPostprocessorInputs::Vector<dim> &inputs, const std::size_t q)
+    {
+      const double radius = inputs.evaluation_points[q][0];
+      return radius == 0. ? inputs.solution_gradients[q][0][0]
+                          : inputs.solution_values[q](0) / radius;
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -53,9 +75,11 @@ namespace fuga
     const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
     std::vector<dealii::Vector<double>> &computed) const
   {
-    const auto body           = inputs.template get_cell<dim>()->material_id();
-    const LameConstants &lame = materials[body];
-    const bool strain         = model.assumption == PlaneAssumption::plane_strain;
+    const auto body            = inputs.template get_cell<dim>()->material_id();
+    const Material &material   = materials[body];
+    const bool is_axisymmetric = model.assumption == PlaneAssumption::axisymmetric;
+    const bool is_thick        = model.assumption == PlaneAssumption::plane_strain;
+    const double thermal       = thermal_modulus(material, model.assumption);
     for (std::size_t q = 0; q < computed.size(); ++q)
       {
         dealii::SymmetricTensor<2, dim> epsilon;
@@ -63,19 +87,28 @@ namespace fuga
           for (unsigned int j = 0; j <= i; ++j)
             epsilon[i][j] =
               0.5 * (inputs.solution_gradients[q][i][j] + inputs.solution_gradients[q][j][i]);
+        const double hoop = is_axisymmetric ? hoop_strain(inputs, q) : 0.;
+        const double thermal_strain =
+          temperature.empty() ? 0. : temperature.strain(inputs.evaluation_points[q], body);
+        const double isotropic =
+          lame[body].lambda * (trace(epsilon) + hoop) - thermal * thermal_strain;
         const dealii::SymmetricTensor<2, dim> sigma =
-          lame.lambda * trace(epsilon) * dealii::unit_symmetric_tensor<dim>() +
-          2. * lame.mu * epsilon;
+          isotropic * dealii::unit_symmetric_tensor<dim>() + 2. * lame[body].mu * epsilon;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             computed[q](i * dim + j) = sigma[i][j];
         const auto principal = eigenvalues(sigma);
-        const double across  = strain ? poisson_ratios[body] * trace(sigma) : 0.;
+        const double across  = is_axisymmetric ? isotropic + 2. * lame[body].mu * hoop
+                               : is_thick      ? material.poisson_ratio * trace(sigma) -
+                                             material.young_modulus * thermal_strain
+                                          : 0.;
         const double a = principal[0], b = principal[dim - 1];
         computed[q](dim * dim)     = a;
         computed[q](dim * dim + 1) = b;
         computed[q](dim * dim + 2) = std::sqrt(
           0.5 * ((a - b) * (a - b) + (b - across) * (b - across) + (across - a) * (across - a)));
+        if (is_axisymmetric)
+          computed[q](dim * dim + 3) = across;
       }
   }
 

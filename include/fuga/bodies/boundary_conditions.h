@@ -26,7 +26,8 @@ namespace fuga
   void
   check_outer_faces(const Discretization<dim> &discretization);
 
-  /** Which degrees of freedom the supports hold: entry node * dim + direction. */
+  /** Which degrees of freedom the supports, and the axis of revolution, hold: entry node * dim +
+   *  direction. */
   template <int dim>
   std::vector<bool>
   find_fixed_dofs(const Discretization<dim> &discretization,
@@ -36,6 +37,10 @@ namespace fuga
   /** Index of @p name in @p names, or their number if it is not there. */
   unsigned int
   index_of(const std::vector<std::string> &names, const std::string &name);
+
+  /** For every one of @p names whether it is among @p targets. */
+  std::vector<bool>
+  selection(const std::vector<std::string> &names, const std::vector<std::string> &targets);
 
   /** Vertices of the points that are called @p name. */
   std::vector<unsigned int>

@@ -26,7 +26,13 @@ namespace fuga
     bool
     move_to(const std::size_t cell);
 
-    /** Quadrature weight times the volume of point @p q. */
+    std::size_t
+    n_points() const
+    {
+      return volumes.size();
+    }
+
+    /** Quadrature weight times the volume of point @p q, with the extent across the plane. */
     double
     volume(const std::size_t q) const
     {
@@ -54,6 +60,8 @@ namespace fuga
     const ReferenceElement<dim> &reference;
     std::vector<dealii::Point<dim>> corners;
     std::vector<dealii::Tensor<1, dim>> edges;
+    /** Of the first corner, when edges and volumes were computed. */
+    double radius = 0.;
     std::vector<double> volumes;
     std::vector<std::vector<dealii::Tensor<1, dim>>> all_gradients;
   };

@@ -179,6 +179,12 @@ namespace fuga
       return *space;
     }
 
+    const JointedMesh &
+    jointed_mesh() const
+    {
+      return mesh;
+    }
+
     /** Whether the component of a node (entry node * dim + component) is held. */
     const std::vector<bool> &
     fixed_dofs() const

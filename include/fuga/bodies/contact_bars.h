@@ -15,7 +15,7 @@ namespace fuga
   /**
    * The contact elements of all joints and their bars. A bar whose jump the supports exclude does
    * not exist; an element without normal bar does not exist either; nor does one at a tip inside a
-   * body.
+   * body, nor one without area, on the axis of revolution.
    */
   template <int dim>
   class ContactBars

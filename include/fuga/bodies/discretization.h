@@ -4,6 +4,8 @@
 #ifndef fuga_bodies_discretization_h
 #define fuga_bodies_discretization_h
 
+#include <deal.II/base/numbers.h>
+
 #include <fuga/bodies/model_definition.h>
 #include <fuga/bodies/reference_element.h>
 #include <fuga/mesh/joint_splitter.h>
@@ -37,7 +39,8 @@ namespace fuga
       unsigned int label = 0;
     };
 
-    /** @throws InputError for mixed or degenerate cells and for elements that do not exist. */
+    /** @throws InputError for mixed or degenerate cells, for elements that do not exist, and for
+     *  places beyond the axis of an axisymmetric model. */
     Discretization(const JointedMesh &mesh, const ModelDefinition &model);
 
     ~Discretization();
@@ -111,6 +114,27 @@ namespace fuga
       return positions[node];
     }
 
+    bool
+    is_axisymmetric() const
+    {
+      return axisymmetric;
+    }
+
+    /** By what lengths in the plane have to be multiplied to become areas: the thickness, or the
+     *  circumference 2πr. */
+    double
+    extent_across(const dealii::Point<dim> &point) const
+    {
+      return axisymmetric ? 2. * dealii::numbers::PI * point[0] : thickness;
+    }
+
+    /** Whether a node lies on the axis of revolution; exactly: x = 0. */
+    bool
+    is_on_axis(const std::size_t node) const
+    {
+      return axisymmetric && positions[node][0] == 0.;
+    }
+
     /** The node at a vertex of the JointedMesh; no_node for a vertex that no cell uses. */
     unsigned int
     node_at_vertex(const unsigned int vertex) const
@@ -169,6 +193,8 @@ namespace fuga
     void
     find_pieces();
 
+    bool axisymmetric;
+    double thickness;
     ReferenceElement<dim> reference;
     std::unique_ptr<dealii::Mapping<dim, dim>> cell_mapping;
     std::unique_ptr<dealii::Triangulation<dim, dim>> mesh;

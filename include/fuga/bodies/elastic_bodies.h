@@ -22,6 +22,10 @@ namespace fuga
   LameConstants
   lame_constants(const Material &material, const PlaneAssumption assumption);
 
+  /** Stress that holds back a thermal strain αΔT in the plane, per strain: σ = C ε - this · αΔT. */
+  double
+  thermal_modulus(const Material &material, const PlaneAssumption assumption);
+
   /**
    * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
    * the matrix in the coordinates goes straight into MUMPS' triplets, and products with it
@@ -74,7 +78,6 @@ namespace fuga
 
     const Discretization<dim> &discretization;
     std::vector<LameConstants> materials;
-    double thickness;
   };
 } // namespace fuga
 

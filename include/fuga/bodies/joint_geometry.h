@@ -4,6 +4,7 @@
 #ifndef fuga_bodies_joint_geometry_h
 #define fuga_bodies_joint_geometry_h
 
+#include <fuga/base/dense_matrix.h>
 #include <fuga/bodies/discretization.h>
 
 namespace fuga
@@ -19,7 +20,8 @@ namespace fuga
     /** Unit vector from the minus to the plus side. */
     dealii::Tensor<1, dim> normal;
     dealii::Point<dim> position;
-    /** Tributary area, thickness included. */
+    /** Tributary area, with the extent across the plane; 0 on the axis of revolution for degrees
+     *  above 1. */
     double area = 0.;
   };
 
@@ -50,9 +52,7 @@ namespace fuga
     };
 
     /** @throws InputError with coordinates where the lips do not match. */
-    JointGeometry(const Discretization<dim> &discretization,
-                  const JointedMesh &mesh,
-                  const double thickness);
+    JointGeometry(const Discretization<dim> &discretization, const JointedMesh &mesh);
 
     /** By joints, and from one end of each to the other: the one with the smaller x, then y, first.
      */
@@ -89,9 +89,11 @@ namespace fuga
     walk(const std::vector<MatchedFace> &faces) const;
 
     void
-    add_pairs(const unsigned int joint,
-              const std::vector<MatchedFace> &faces,
-              const double thickness);
+    add_pairs(const unsigned int joint, const std::vector<MatchedFace> &faces);
+
+    /** ∫ N over the area of a face, for all its nodes. */
+    Vector
+    node_areas(const MatchedFace &face) const;
 
     const Discretization<dim> &discretization;
     std::vector<NodePair<dim>> all_pairs;

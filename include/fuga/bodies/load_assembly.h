@@ -21,6 +21,10 @@ namespace fuga
     Vector prescribed;
   };
 
+  /** "file:line: Load 'name'", for messages. */
+  std::string
+  load_title(const LoadDefinition &load);
+
   /** Whether the pattern of a load changes with the load time. */
   bool
   depends_on_time(const LoadDefinition &load);
@@ -48,6 +52,11 @@ namespace fuga
     add_weight(const LoadDefinition &load,
                const FieldExpression<dim> &direction,
                Vector &forces) const;
+
+    /** ∫ ∇N (3λ + 2μ) αΔT (and N/r of it around the axis): the forces that would hold the bodies
+     * back, with the other sign. */
+    void
+    add_temperature(const LoadDefinition &load, const double t, Vector &forces) const;
 
     /** Pressure (one component, against the outer normal) or traction. */
     void

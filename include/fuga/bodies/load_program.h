@@ -5,6 +5,7 @@
 #define fuga_bodies_load_program_h
 
 #include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/temperature_field.h>
 #include <fuga/contact/load_history.h>
 
 namespace fuga
@@ -13,12 +14,21 @@ namespace fuga
    * The stages of the model as the contact layer needs them: load patterns fixed in space, and
    * their factors, piecewise linear in the load time. A stage whose histories are linear in its
    * fraction, and whose loads do not depend on time otherwise, is one segment and exact; any other
-   * is cut into ModelDefinition::load_knots segments, between which the load is interpolated (and
-   * says so in report).
+   * is cut by LoadKnots into segments, between which the load is interpolated (report says so, and
+   * how well a load that changes with time is met half-way).
    */
   struct LoadProgram
   {
+    /** Where a pattern comes from: a load at one load time. */
+    struct Source
+    {
+      unsigned int load;
+      double t;
+    };
+
     std::vector<LoadPattern> patterns;
+    /** Of every pattern. */
+    std::vector<Source> sources;
     LoadHistory history;
     /** Load times to report at, the levels of all stages. */
     std::vector<double> levels;
@@ -30,6 +40,13 @@ namespace fuga
     /** Factors of the loads at a load time, by name. */
     std::map<std::string, double>
     factors_by_name(const ModelDefinition &model, const double t) const;
+
+    /** The temperature at a load time, interpolated between knots as the loads are. */
+    template <int dim>
+    TemperatureField<dim>
+    temperature(const ModelDefinition &model,
+                const std::vector<std::string> &body_names,
+                const double t) const;
   };
 
   /**

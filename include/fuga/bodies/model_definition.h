@@ -21,6 +21,8 @@ namespace fuga
     double poisson_ratio = 0.;
     /** Weight per volume, ≥ 0 [MN/m³]; acts only through a load of kind weight. */
     double weight_density = 0.;
+    /** α ≥ 0 [1/K]; acts only through a load of kind temperature. */
+    double thermal_expansion = 0.;
   };
 
   /** What is assumed of the direction across the plane; without meaning in 3D. */
@@ -30,7 +32,10 @@ namespace fuga
      */
     plane_strain,
     /** No stress across the plane: thin walls, plates in their plane. */
-    plane_stress
+    plane_stress,
+    /** The plane is half a section through a body of revolution: x = r ≥ 0, y the axis. Areas,
+       volumes and forces are those of the full circle. */
+    axisymmetric
   };
 
   /** What holds for a named part of the outer boundary (or a named point). */
@@ -48,10 +53,15 @@ namespace fuga
 
   enum class LoadKind
   {
-    /** Own weight of the named bodies; expression = direction (0,-1 by default). */
+    /** Own weight of the named bodies; expression = direction (0,-1 by default). Seismic
+       coefficients are such a direction. */
     weight,
     /** Pressure on the named boundaries, positive towards the body [MPa]. */
     pressure,
+    /** Pressure on the named boundaries below a level: DepthPressure. */
+    depth_pressure,
+    /** Change of temperature of the named bodies [K]. */
+    temperature,
     /** Traction vector on the named boundaries [MPa]. */
     traction,
     /** Force at a named point or at the vertex at given coordinates [MN]. */
@@ -60,20 +70,48 @@ namespace fuga
     displacement
   };
 
+  /**
+   * Pressure of water or earth, normal to the boundary and towards the body:
+   *
+   *   p = p₀ + γ d + r √(H d) at the depth d = level - y > 0, and 0 above the level,
+   *
+   * with H = level - bottom (> 0, else r counts for nothing). Still water has γ only; earth K γ and
+   * p₀ = K q with the surcharge q; the water that an earthquake moves r = 7/8 k γ (H. M.
+   * Westergaard, Water pressures on dams during earthquakes, Trans. ASCE 98, 1933).
+   */
+  struct DepthPressure
+  {
+    /** Points (load time, level), linear in between and constant outside; times increase. */
+    std::vector<std::array<double, 2>> level_table;
+    /** If the table is empty: muParser expression of the load time t. */
+    std::string level;
+    /** p₀ [MPa]. */
+    double surcharge = 0.;
+    /** γ [MN/m³]. */
+    double gradient = 0.;
+    /** r [MN/m³]. */
+    double root = 0.;
+    /** Where the depth H is counted from [m]. */
+    double bottom = 0.;
+  };
+
   /** One load pattern: a field in space, multiplied in every stage by a history. */
   struct LoadDefinition
   {
     std::string name;
     LoadKind kind = LoadKind::weight;
-    /** Bodies (weight), boundaries (pressure, traction, displacement) or points (point_force). */
+    /** Bodies (weight, temperature), points (point_force) or, else, boundaries. */
     std::vector<std::string> targets;
-    /** muParser expressions of x, y (, z), t: one for a pressure, else one per component; an empty
-     *  expression of a displacement load leaves that component alone. t is the load time. */
+    /** muParser expressions of x, y (, z), t: one for a pressure or temperature, none for a depth
+     *  pressure, else one per component; an empty expression of a displacement load leaves that
+     *  component alone. t is the load time. */
     std::vector<std::string> expressions;
     /** For a point force without target: the coordinates. */
     bool has_coordinates              = false;
     std::array<double, 3> coordinates = {{0., 0., 0.}};
     std::string origin;
+    /** For a depth pressure. */
+    DepthPressure depth = {};
   };
 
   /** A point whose displacement is written. */
@@ -118,7 +156,7 @@ namespace fuga
     unsigned int polynomial_degree = 1;
     unsigned int refinements       = 0;
     PlaneAssumption assumption     = PlaneAssumption::plane_strain;
-    /** Extent across the plane in 2D [m]. */
+    /** Extent across the plane in 2D [m]; without meaning in axisymmetry. */
     double thickness = 1.;
 
     std::vector<Material> materials;

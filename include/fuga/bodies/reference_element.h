@@ -64,8 +64,13 @@ namespace fuga
       std::vector<std::vector<dealii::Tensor<1, dim>>> geometry_gradients;
     };
 
-    /** @throws InputError when there is no such element, with the degrees that exist. */
-    ReferenceElement(const ReferenceShape shape, const unsigned int degree);
+    /**
+     * @p with_radius: integrands have a radius as factor.
+     * @throws InputError when there is no such element, with the degrees that exist.
+     */
+    ReferenceElement(const ReferenceShape shape,
+                     const unsigned int degree,
+                     const bool with_radius = false);
 
     ~ReferenceElement();
 
@@ -109,12 +114,21 @@ namespace fuga
       return faces[number];
     }
 
+    /** Values of the shape functions of face(number).nodes at @p position of a mix of its corners.
+     */
+    std::vector<double>
+    face_values(const unsigned int number, const double position) const;
+
   private:
     void
-    tabulate_cell(const unsigned int degree);
+    tabulate_cell(const unsigned int degree, const bool with_radius);
 
     void
     tabulate_face(const unsigned int number, const unsigned int degree);
+
+    /** First corner of a face, and the vector from it to the second one. */
+    std::pair<dealii::Point<dim>, dealii::Tensor<1, dim>>
+    face_line(const unsigned int number) const;
 
     ReferenceShape shape;
     std::unique_ptr<dealii::FiniteElement<dim, dim>> element;

@@ -11,7 +11,8 @@ namespace fuga
   /**
    * The connected pieces of the open mesh as rigid bodies. Before anything is factorised they tell
    * whether supports and closed joints hold the structure, and if not, what moves and how. A piece
-   * is connected through faces; pieces that share a single vertex are hinged there.
+   * is connected through faces; pieces that share a single vertex are hinged there. In axisymmetry
+   * the shift along the axis is the only rigid motion.
    */
   template <int dim>
   class RigidPieces
@@ -33,7 +34,7 @@ namespace fuga
     std::size_t
     n_free_motions() const
     {
-      return 3 * floating.size();
+      return motions.size() * floating.size();
     }
 
     /** Displacement of all nodes (entry node * dim + component) in one of these motions. */
@@ -67,13 +68,15 @@ namespace fuga
     null_space(const ContactBars<dim> &bars) const;
 
     std::string
-    describe(const DenseMatrix &motions, const unsigned int piece) const;
+    describe(const DenseMatrix &free, const unsigned int piece) const;
 
     std::string
     describe(const std::array<double, 3> &motion, const unsigned int piece) const;
 
     const Discretization<dim> &discretization;
     const JointedMesh &mesh;
+    /** Which of the three motions of a piece are rigid. */
+    std::vector<unsigned int> motions;
     std::vector<unsigned int> piece_of_node;
     std::vector<unsigned int> body_of_piece;
     std::vector<dealii::Point<dim>> centers;

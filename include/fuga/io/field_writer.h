@@ -6,6 +6,7 @@
 
 #include <fuga/base/fields.h>
 #include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/temperature_field.h>
 #include <fuga/io/joint_results.h>
 
 namespace fuga
@@ -48,7 +49,9 @@ namespace fuga
                 const std::vector<std::string> &body_names);
 
     void
-    write_bodies(const double t, const dealii::Vector<double> &displacement);
+    write_bodies(const double t,
+                 const dealii::Vector<double> &displacement,
+                 const TemperatureField<dim> &temperature);
 
     void
     write_joints(const double t,

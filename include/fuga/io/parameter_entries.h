@@ -23,6 +23,9 @@ namespace fuga
     integer(const double lower, const double upper);
 
     Pattern
+    any_number();
+
+    Pattern
     number_above(const double lower);
 
     Pattern

@@ -19,7 +19,9 @@ namespace fuga
     /** The stage fraction t. */
     stage_fraction,
     /** The deformation w of a layer. */
-    deformation
+    deformation,
+    /** The load time t. */
+    load_time
   };
 
   /**

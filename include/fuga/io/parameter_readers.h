@@ -30,6 +30,11 @@ namespace fuga
   std::vector<BoundaryCondition>
   read_boundaries(const ParameterValues &values);
 
+  /** The entries of a load that depends on the depth below a level. @throws InputError */
+  DepthPressure
+  read_depth_pressure(const ParameterSection &section,
+                      const std::map<std::string, double> &constants);
+
   /** Section Loads, each load for itself. @throws InputError */
   std::vector<LoadDefinition>
   read_loads(const ParameterValues &values, const ModelDefinition &model);

@@ -5,6 +5,7 @@
 #define fuga_io_stress_postprocessor_h
 
 #include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/temperature_field.h>
 
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -13,13 +14,18 @@ namespace fuga
   /**
    * Stresses of the bodies at the corners of every cell (not averaged between cells): the tensor
    * "stress", "principal_stress_1" ≥ "principal_stress_2" in the plane, and "von_mises_stress",
-   * which includes the stress across the plane in plane strain. Tension positive.
+   * which includes the stress across the plane in plane strain; in axisymmetry "hoop_stress" as
+   * well. Tension positive.
    */
   template <int dim>
   class StressPostprocessor : public dealii::DataPostprocessor<dim>
   {
   public:
-    StressPostprocessor(const ModelDefinition &model, const std::vector<std::string> &body_names);
+    /** Stresses are those of the strain less the thermal strain. All arguments must outlive this
+     *  object. */
+    StressPostprocessor(const ModelDefinition &model,
+                        const std::vector<std::string> &body_names,
+                        const TemperatureField<dim> &temperature);
 
     void
     evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
@@ -36,8 +42,9 @@ namespace fuga
 
   private:
     const ModelDefinition &model;
-    std::vector<LameConstants> materials;
-    std::vector<double> poisson_ratios;
+    const TemperatureField<dim> &temperature;
+    std::vector<LameConstants> lame;
+    std::vector<Material> materials;
   };
 
   /** The displacement as one vector. */

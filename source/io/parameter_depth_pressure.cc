@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_number_pattern.h>
+#include <fuga/io/parameter_readers.h>
+
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    double
+    read_number(const ParameterSection &section, const std::string &point, const std::string &text)
+    {
+      const NumberPattern number(
+        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
+      if (!number.match(text))
+        section.fail("Level",
+                     fmt::format("'{}' is no point of a table: '{}' {}. Write 't: level' with two "
+                                 "numbers, and ';' between the points.",
+                                 point,
+                                 text,
+                                 text.empty() ? "is empty" : "is not a number"));
+      return std::stod(text);
+    }
+
+
+    std::vector<std::array<double, 2>>
+    read_level_table(const ParameterSection &section)
+    {
+      std::vector<std::array<double, 2>> table;
+      for (const std::string &point : split_pieces(section.text("Level"), ';'))
+        {
+          const std::vector<std::string> numbers = split_pieces(point, ':');
+          if (numbers.size() != 2)
+            section.fail("Level",
+                         fmt::format("'{}' is no point of a table. Write 't: level' with two "
+                                     "numbers, and ';' between the points.",
+                                     point));
+          const double t     = read_number(section, point, numbers[0]);
+          const double level = read_number(section, point, numbers[1]);
+          if (!table.empty() && t <= table.back()[0])
+            section.fail("Level",
+                         fmt::format("the times of the table do not increase: {:g} comes after "
+                                     "{:g}. t is the load time: it runs from 0 to 1 in the first "
+                                     "stage, from 1 to 2 in the second one.",
+                                     t,
+                                     table.back()[0]));
+          table.push_back({{t, level}});
+        }
+      return table;
+    }
+  } // namespace
+
+
+  DepthPressure
+  read_depth_pressure(const ParameterSection &section,
+                      const std::map<std::string, double> &constants)
+  {
+    DepthPressure depth;
+    const std::string level  = section.text("Level");
+    const std::string type   = section.text("Type");
+    const double unit_weight = section.number("Unit weight");
+    // A ':' may also be that of 'a ? b : c'.
+    if (level.find(':') != std::string::npos && level.find('?') == std::string::npos)
+      depth.level_table = read_level_table(section);
+    else
+      {
+        if (level.empty())
+          section.fail("Level", "the level is empty. Write a number, an expression or a table.");
+        check_expression(section, "Level", level, ExpressionArguments::load_time, constants);
+        depth.level = level;
+      }
+    if (type == "westergaard")
+      {
+        depth.root   = 7. / 8. * section.number("Horizontal coefficient") * unit_weight;
+        depth.bottom = section.number("Bottom level");
+        if (depth.root == 0.)
+          section.fail("Horizontal coefficient",
+                       "the coefficient is 0, so that this load does nothing. Set it, or remove "
+                       "the load.");
+        return depth;
+      }
+    const double coefficient =
+      type == "earth pressure" ? section.number("Earth pressure coefficient") : 1.;
+    depth.gradient = coefficient * unit_weight;
+    if (section.given("Surcharge"))
+      depth.surcharge = coefficient * section.number("Surcharge");
+    return depth;
+  }
+} // namespace fuga
