@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/io/law_plot.h>
 #include <fuga/io/parameters.h>
+#include <fuga/io/report.h>
 #include <fuga/io/threads.h>
 #include <fuga/io/version.h>
 #include <fuga/simulation.h>
@@ -16,17 +17,31 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <unistd.h>
 
 namespace
 {
   using namespace fuga;
+
+  constexpr const char *first_steps =
+    "no parameter file. What to type:\n\n"
+    "  fuga my.prm                        compute; the results go to results/my\n"
+    "  fuga --check my.prm                read and check everything, compute nothing\n"
+    "  fuga report results/my             make results/my/report.html: tables, diagrams, pictures\n"
+    "  fuga --print-parameters > my.prm   a file with all entries and their meanings to begin "
+    "with\n"
+    "  fuga --help                        all options\n\n"
+    "A mesh comes from Gmsh, with named physical groups. README.md leads from nothing to a first "
+    "result; parameters/ has examples.";
 
   struct CommandLine
   {
     std::string file;
     std::vector<std::string> overrides;
     std::string output_directory;
+    std::string reported_directory;
     unsigned int n_threads = 1;
     bool check_only        = false;
     bool plot_laws         = false;
@@ -34,6 +49,38 @@ namespace
     bool quiet             = false;
     bool print_parameters  = false;
     bool print_version     = false;
+  };
+
+  /** A line on a terminal that is gone when this object ends. */
+  class PassingLine
+  {
+  public:
+    PassingLine(const std::string &text, const bool is_wanted)
+      : width(is_wanted && isatty(STDOUT_FILENO) != 0 ? text.size() : 0)
+    {
+      show(text);
+    }
+
+    ~PassingLine()
+    {
+      show(std::string(width, ' '));
+    }
+
+    PassingLine(const PassingLine &) = delete;
+    PassingLine &
+    operator=(const PassingLine &) = delete;
+
+  private:
+    void
+    show(const std::string &text) const
+    {
+      if (width == 0)
+        return;
+      fmt::print("\r{}\r", text);
+      std::fflush(stdout);
+    }
+
+    const std::size_t width;
   };
 
   void
@@ -66,11 +113,14 @@ namespace
                  line.print_parameters,
                  "Print every entry with its meaning and default");
     app.add_flag("--version", line.print_version, "Print versions");
+    app
+      .add_subcommand("report",
+                      "Makes DIR/report.html: tables, diagrams and pictures of a finished run")
+      ->add_option("DIR", line.reported_directory, "Directory of the results")
+      ->required();
     app.footer("Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
                "(results up to there are "
-               "complete), 4 certificate above its bound.\nFirst steps: fuga --print-parameters > "
-               "my.prm; fuga --check my.prm; "
-               "fuga my.prm");
+               "complete), 4 certificate above its bound.");
   }
 
   Checkpoint
@@ -98,6 +148,20 @@ namespace
     return checkpoint.exit_code;
   }
 
+  // Without a report the results and the verdict are what they are.
+  void
+  report_after_run(const OutputSettings &output)
+  {
+    try
+      {
+        make_report(output.directory, output.log == LogDetail::quiet);
+      }
+    catch (const std::exception &error)
+      {
+        fmt::print(stderr, "No report: {}\n", error.what());
+      }
+  }
+
   int
   execute(const CommandLine &line)
   {
@@ -111,10 +175,10 @@ namespace
         fmt::print("{}", default_parameter_text());
         return 0;
       }
+    if (!line.reported_directory.empty())
+      return make_report(line.reported_directory, line.quiet);
     if (line.file.empty())
-      throw InputError("No parameter file. Type: fuga RUN.prm   (fuga --help lists all options, "
-                       "fuga --print-parameters "
-                       "prints a parameter file to begin with)");
+      throw InputError(first_steps);
     set_threads(line.n_threads);
     Parameters parameters = read_parameters(line.file, line.overrides);
     if (!line.output_directory.empty())
@@ -135,16 +199,25 @@ namespace
         if (is_complete(*checkpoint, parameters))
           return report_complete_run(*checkpoint, parameters);
       }
+    auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
+                                                 parameters.output.log != LogDetail::quiet);
     const Model<2> model(parameters);
+    waiting.reset();
     if (line.check_only)
       {
         fmt::print("{}: no errors found.\n", line.file);
         return 0;
       }
-    if (!parameters.variants.empty())
-      return static_cast<int>(Sweep<2>(model).run());
-    Simulation<2> simulation(model);
-    return static_cast<int>(checkpoint ? simulation.resume(*checkpoint) : simulation.run());
+    const auto run = [&] {
+      if (!parameters.variants.empty())
+        return Sweep<2>(model).run();
+      Simulation<2> simulation(model);
+      return checkpoint ? simulation.resume(*checkpoint) : simulation.run();
+    };
+    const ExitCode code = run();
+    if (parameters.output.report && code != ExitCode::input_error)
+      report_after_run(parameters.output);
+    return static_cast<int>(code);
   }
 } // namespace
 

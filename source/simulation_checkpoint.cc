@@ -127,7 +127,7 @@ namespace fuga
                                   checkpoint_file_name};
     for_each_field(checkpoint.fields, [&kept](const std::string &name, const auto &collection) {
       for (const auto &[t, file] : collection)
-        kept.insert({name + ".pvd", file});
+        kept.insert({name + ".pvd", file, paraview_script_name});
     });
     remove_earlier_results(parameters.output.directory, kept);
     publish(true);

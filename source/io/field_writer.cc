@@ -6,6 +6,7 @@
 #include <fuga/io/field_writer.h>
 #include <fuga/io/joint_patches.h>
 #include <fuga/io/output_files.h>
+#include <fuga/io/paraview_script.h>
 #include <fuga/io/stress_postprocessor.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -78,9 +79,18 @@ namespace fuga
 
   template <int dim>
   void
+  FieldWriter<dim>::write_script() const
+  {
+    write_complete_file(directory + "/" + paraview_script_name, paraview_script);
+  }
+
+  template <int dim>
+  void
   FieldWriter<dim>::restore(const FieldCollections &collections)
   {
     static_cast<FieldCollections &>(*this) = collections;
+    if (!bodies.empty())
+      write_script();
     for_each_field(collections, [this](const char *name, const Collection &collection) {
       if (!collection.empty())
         write_collection(name, collection);
@@ -93,6 +103,8 @@ namespace fuga
                                  const dealii::Vector<double> &displacement,
                                  const TemperatureField<dim> &temperature)
   {
+    if (bodies.empty())
+      write_script();
     const Discretization<dim> &space = system.discretization();
     const StressPostprocessor<dim> stresses(model, body_names, temperature);
     const DisplacementOutput<dim> displacements;

@@ -50,6 +50,8 @@ namespace fuga
                                 "monitors.csv",
                                 "summary.json",
                                 "sweep.csv",
+                                "report.html",
+                                paraview_script_name,
                                 "log.txt",
                                 checkpoint_file_name})
         if (name == known)

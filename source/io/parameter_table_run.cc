@@ -123,6 +123,11 @@ namespace fuga
                  "events",
                  choice("events|levels|quiet"),
                  "What gets a line on the screen; quiet: nothing."),
+       defaulted("Report",
+                 "false",
+                 choice("true|false"),
+                 "True: at the end report.html is made, with tables, diagrams and pictures, as by "
+                 "'fuga report DIR'."),
        defaulted("Force unit",
                  "MN",
                  text(),

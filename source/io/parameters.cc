@@ -152,10 +152,11 @@ namespace fuga
                                                         : CheckpointOutput::never;
       output.monitors =
         section.text("Monitors") == "events" ? MonitorOutput::events : MonitorOutput::levels;
-      output.log   = log == "events"   ? LogDetail::events
-                     : log == "levels" ? LogDetail::levels
-                                       : LogDetail::quiet;
-      output.units = {section.text("Force unit"), section.text("Length unit")};
+      output.log    = log == "events"   ? LogDetail::events
+                      : log == "levels" ? LogDetail::levels
+                                        : LogDetail::quiet;
+      output.report = section.text("Report") == "true";
+      output.units  = {section.text("Force unit"), section.text("Length unit")};
       return output;
     }
   } // namespace

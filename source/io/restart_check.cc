@@ -24,7 +24,8 @@ namespace fuga
                                                 "Solver/Certificate bound",
                                                 "Output/Fields",
                                                 "Output/Checkpoint",
-                                                "Output/Log"};
+                                                "Output/Log",
+                                                "Output/Report"};
 
     /** The stage that an entry belongs to, or nothing. */
     std::string
@@ -130,7 +131,8 @@ namespace fuga
     throw InputError(fmt::format(
       "The run in {} cannot be restarted with another problem. Changed since its checkpoint:{}\n"
       "Take these changes back, or run without --restart, which computes everything anew. (Title, "
-      "Output/Fields, Output/Log, Output/Checkpoint and the certificate's bound may change, and "
+      "Output/Fields, Output/Log, Output/Report, Output/Checkpoint and the certificate's bound may "
+      "change, and "
       "stages may be added behind the last one.)",
       parameters.output.directory,
       list));

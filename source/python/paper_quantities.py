@@ -23,8 +23,8 @@ class PaperQuantities:
         self.largest_jump = MILLIMETRES * max(abs(jump) for jump in end["jump_t1"])
         self.mean_jump_added = MILLIMETRES * sum(
             after - first for after, first in zip(end["jump_t1"], before["jump_t1"])) / len(end)
-        self.first_opening = next((row["t"] - END_OF_FIRST_STAGE for row in results.events.rows
-                                   if row["to"] == OPEN), None)
+        openings = results.events.frame.query("to == @OPEN")["t"]
+        self.first_opening = None if openings.empty else openings.iloc[0] - END_OF_FIRST_STAGE
 
     @property
     def closure_unevenness(self):

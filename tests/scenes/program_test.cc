@@ -56,7 +56,10 @@ TEST(Program, ExitCodes)
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.err.find("Friction coefficient"), std::string::npos) << wrong.err;
   EXPECT_EQ(run_program({"no_such_file.prm"}).exit_code, 1);
-  EXPECT_EQ(run_program({}).exit_code, 1);
+  const ProgramRun alone = run_program({}); // says what to type
+  EXPECT_EQ(alone.exit_code, 1);
+  for (const char *word : {"fuga my.prm", "--check", "report", "--print-parameters", "--help"})
+    EXPECT_NE(alone.err.find(word), std::string::npos) << alone.err;
   EXPECT_EQ(run_program({file, "--no-such-option"}).exit_code, 1);
 }
 

@@ -36,8 +36,9 @@ namespace fuga
    *  - joints.pvd: one line cell per joint face with gap, closure, slip, ... at its contact
    * elements;
    *  - joints_exploded.pvd: the same on both lips, moved apart along the normal so that they can be
-   * seen. Every file appears complete. Values are rounded to single precision; for numbers see the
-   * CSV files.
+   * seen;
+   *  - view_in_paraview.py, which shows all of them. Every file appears complete. Values are
+   * rounded to single precision; for numbers see the CSV files.
    */
   template <int dim>
   class FieldWriter : private FieldCollections
@@ -75,6 +76,8 @@ namespace fuga
         Collection &collection,
         const double t,
         const std::string &content);
+    void
+    write_script() const;
     void
     write_collection(const std::string &name, const Collection &collection) const;
 

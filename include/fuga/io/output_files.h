@@ -22,6 +22,7 @@ namespace fuga
   write_complete_file(const std::string &path, const std::string &content);
 
   constexpr const char *checkpoint_file_name = "checkpoint.cbor";
+  constexpr const char *paraview_script_name = "view_in_paraview.py";
 
   /** The content of a file. @throws InputError if it cannot be read. */
   std::string

@@ -177,6 +177,8 @@ namespace fuga
     MonitorOutput monitors      = MonitorOutput::levels;
     CheckpointOutput checkpoint = CheckpointOutput::levels;
     LogDetail log               = LogDetail::events;
+    /** Whether report.html is made at the end. */
+    bool report = false;
     Units units;
   };
 

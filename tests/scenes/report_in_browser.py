@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""Opens a report in Chromium without a network, and prints it. Skipped (exit code 77) if there is no Chromium.
+
+usage: report_in_browser.py FUGA
+
+A script in a copy of the page measures it: nothing may be wider than the window, every drawing has a height, every
+picture of the bodies is decoded, and errors are heard of. The print is a PDF of A4 pages that has the collapsed
+tables too.
+"""
+import html
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MEASURE = """<script>
+const errors = []; addEventListener("error", e => errors.push(e.message), true);
+addEventListener("load", async () => {
+  const pictures = [...document.querySelectorAll("image")].map(i => { const p = new Image(); p.src = i.href.baseVal; return p; });
+  await Promise.all(pictures.map(p => p.decode().catch(e => errors.push("picture: " + e))));
+  document.title = JSON.stringify({errors, width: document.documentElement.scrollWidth, window: innerWidth,
+    drawings: [...document.querySelectorAll("figure svg")].map(s => Math.round(s.getBoundingClientRect().height)),
+    pictures: pictures.map(p => p.naturalWidth)});
+});
+</script></body>"""
+complaints = []
+
+
+def check(condition, text):
+    if not condition:
+        complaints.append(text)
+
+
+def chromium(program, folder, *arguments):
+    return subprocess.run([program, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
+                           "--host-resolver-rules=MAP * ~NOTFOUND", "--no-pdf-header-footer", "--virtual-time-budget=20000",
+                           *arguments], capture_output=True, text=True, timeout=120)
+
+
+def measure(program, folder, page, width):
+    dump = chromium(program, folder, f"--window-size={width},1200", "--dump-dom", page.as_uri())
+    title = re.search(r"<title>(.*?)</title>", dump.stdout, re.DOTALL)
+    check(dump.returncode == 0 and title is not None, f"Chromium: {dump.returncode} {dump.stderr[-300:]}")
+    found = json.loads(html.unescape(title[1])) if title and title[1].startswith("{") else None
+    check(found is not None, "the page was not measured")
+    return found
+
+
+def check_page(program, folder, report):
+    text = report.read_text(encoding="utf-8")
+    copy = folder / "measured.html"
+    copy.write_text(text.replace("</body>", MEASURE), encoding="utf-8")
+    for width in (1100, 700):
+        found = measure(program, folder, copy, width)
+        if not found:
+            return
+        check(not found["errors"], f"errors: {found['errors']}")
+        check(found["width"] <= found["window"], f"{found['width']} wide in a window of {found['window']}")
+        check(len(found["drawings"]) == text.count("<figure") and min(found["drawings"]) > 50, f"drawings {found['drawings']}")
+        check(len(found["pictures"]) >= 2 and min(found["pictures"]) > 0, f"pictures {found['pictures']}")
+
+
+def check_print(program, folder, report):
+    pdf = folder / "report.pdf"
+    run = chromium(program, folder, f"--print-to-pdf={pdf}", report.as_uri())
+    check(run.returncode == 0 and pdf.exists(), f"print: {run.returncode} {run.stderr[-300:]}")
+    content = pdf.read_bytes() if pdf.exists() else b""
+    boxes = re.findall(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)", content)
+    check(len(boxes) >= 6, f"{len(boxes)} printed pages")
+    # A4 is 595.3 x 841.9 points.
+    check(all(abs(float(w) - 595.3) < 1.5 and abs(float(h) - 841.9) < 1.5 for w, h in boxes), f"pages of {set(boxes)}")
+
+
+def main():
+    program = shutil.which("chromium")
+    if program is None:
+        print("no Chromium: skipped")
+        sys.exit(SKIPPED)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        run = subprocess.run([sys.argv[1], ROOT / "parameters/paper_3_cubic_root.prm", "--quiet", "--output-dir", folder / "run",
+                              "--set", "Output/Report=true", "--set", "Output/Fields=end"], capture_output=True, text=True)
+        check(run.returncode == 0, f"the run: {run.stderr}")
+        report = folder / "run/report.html"
+        check_page(program, folder, report)
+        check_print(program, folder, report)
+    print("\n".join(complaints) or "the report can be seen and printed")
+    sys.exit(1 if complaints else 0)
+
+
+main()
