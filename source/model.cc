@@ -80,7 +80,8 @@ namespace fuga
   {
     std::vector<Monitor> result;
     for (std::size_t i = 0; i < monitor_points.size(); ++i)
-      result.emplace_back(parameters.model.monitors[i].name, monitor_points[i], bodies);
+      result.emplace_back(
+        parameters.model.monitors[i], monitor_points[i], parameters.model, bodies);
     return result;
   }
 

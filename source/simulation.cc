@@ -7,6 +7,7 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace fuga
@@ -103,10 +104,10 @@ namespace fuga
     n_events += events.size();
     history.add_events(events, certificate.worst());
     if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
-      history.add_monitors(state.t,
-                           "event",
-                           judge.coordinates(layered.jumps(state.dislocations, state.forces)),
-                           model.loads.history.factors(state.t));
+      write_monitors(state.t,
+                     "event",
+                     judge.coordinates(layered.jumps(state.dislocations, state.forces)),
+                     model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
     checkpoint_at_event();
@@ -169,22 +170,44 @@ namespace fuga
     worst.absorb(certificate);
     history.add_level(
       state.t, results, resultants_of(results), judge.energies(), certificate.worst());
-    history.add_monitors(state.t, "level", x, a);
+    write_monitors(state.t, "level", x, a);
     log.level(state.t, results, certificate.worst());
     publish(false);
     model.timer.finish("tables");
   }
 
   template <int dim>
+  void
+  Simulation<dim>::write_monitors(const double t,
+                                  const std::string &occasion,
+                                  const Vector &coordinates,
+                                  const Vector &factors)
+  {
+    Vector thermal_strains(model.monitors.size(), 0.);
+    if (std::any_of(model.monitors.begin(), model.monitors.end(), [](const Monitor &monitor) {
+          return monitor.has_stress();
+        }))
+      {
+        const TemperatureField<dim> temperature =
+          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, t);
+        for (std::size_t i = 0; i < model.monitors.size(); ++i)
+          thermal_strains[i] =
+            temperature.strain(model.monitor_points[i].position(), model.monitors[i].body());
+      }
+    history.add_monitors(t, occasion, coordinates, factors, thermal_strains);
+  }
+
+  template <int dim>
   std::vector<JointResultant>
   Simulation<dim>::resultants_of(const std::vector<ElementResult> &results) const
   {
-    return joint_resultants(model.joint_names.size(),
-                            joint.elements,
-                            model.normals,
-                            results,
-                            judge.dissipation(),
-                            parameters.model.thickness);
+    return joint_resultants(
+      model.joint_names.size(),
+      joint.elements,
+      model.normals,
+      results,
+      judge.dissipation(),
+      {parameters.model.thickness, parameters.model.assumption == PlaneAssumption::axisymmetric});
   }
 
   // At a limit load the last state in equilibrium is written like a level.

@@ -254,20 +254,19 @@ namespace fuga
     for (std::size_t j = 0; j < resultants.size(); ++j)
       {
         const JointResultant &r = resultants[j];
-        log.line(
-          fmt::format("{:<11} {}: N {:.6g} {}, T {:.6g} {}, M {:.6g} {}; in compression {:.1f} "
-                      "%; safety: sliding {:.4g}, overturning {:.4g}",
-                      title,
-                      model.joint_names[j],
-                      r.N,
-                      u.force,
-                      r.T,
-                      u.force,
-                      r.M,
-                      u.energy(),
-                      100. * r.share_compression,
-                      r.sliding_safety,
-                      r.overturning_safety));
+        std::string text        = "no force";
+        if (r.share_stick + r.share_slip > 0.)
+          {
+            text = fmt::format("N {:.6g} {}, T {:.6g} {}", r.N, u.force, r.T, u.force);
+            if (std::isfinite(r.M))
+              text += fmt::format(", M {:.6g} {}", r.M, u.energy());
+            text += fmt::format("; in compression {:.1f} %", 100. * r.share_compression);
+            if (std::isfinite(r.sliding_safety))
+              text += fmt::format("; sliding safety {:.4g}", r.sliding_safety);
+            if (std::isfinite(r.overturning_safety))
+              text += fmt::format("; overturning safety {:.4g}", r.overturning_safety);
+          }
+        log.line(fmt::format("{:<11} {}: {}", title, model.joint_names[j], text));
         title.clear();
       }
   }

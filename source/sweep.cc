@@ -156,12 +156,14 @@ namespace fuga
         const Vector jumps =
           system.jumps(observer.last_state.dislocations, observer.last_state.forces);
         const auto results = element_results(joint.elements, observer.last_state, jumps);
-        row.resultants     = joint_resultants(variant.joints.size(),
-                                          joint.elements,
-                                          model.normals,
-                                          results,
-                                          judge.dissipation(),
-                                          model.parameters.model.thickness);
+        row.resultants =
+          joint_resultants(variant.joints.size(),
+                           joint.elements,
+                           model.normals,
+                           results,
+                           judge.dissipation(),
+                           {model.parameters.model.thickness,
+                            model.parameters.model.assumption == PlaneAssumption::axisymmetric});
         const Vector x = judge.coordinates(jumps), a = history.factors(observer.last_state.t);
         for (const Monitor &monitor : model.monitors)
           row.displacements.push_back(monitor.displacement(x, a));

@@ -103,6 +103,11 @@ namespace fuga
     write_state(const JointState &state, const bool with_fields);
     void
     write_last_state();
+    void
+    write_monitors(const double t,
+                   const std::string &occasion,
+                   const Vector &coordinates,
+                   const Vector &factors);
     std::vector<JointResultant>
     resultants_of(const std::vector<ElementResult> &results) const;
     void

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/elastic_stress.h>
 #include <fuga/bodies/monitor.h>
+
+#include <limits>
 
 namespace fuga
 {
   template <int dim>
-  Monitor::Monitor(const std::string &name,
+  Monitor::Monitor(const MonitorDefinition &definition,
                    const MonitorPoint<dim> &point,
+                   const ModelDefinition &model,
                    const CondensedSystem<dim> &system)
-    : its_name(name)
+    : its_name(definition.name), its_body(point.body()), assumption(model.assumption)
   {
-    for (unsigned int c = 0; c < dim; ++c)
+    for (const Material &candidate : model.materials)
+      if (index_of(system.jointed_mesh().body_names, candidate.body) == its_body)
+        material = candidate;
+    for (unsigned int i = 0; i < dim; ++i)
       {
-        its_position[c] = point.position()[c];
-        components.push_back(system.response(point.unit_force(c)));
+        its_position[i] = point.position()[i];
+        components.push_back(system.response(point.unit_force(i)));
+        for (unsigned int j = 0; definition.stress && j < dim; ++j)
+          gradient.push_back(system.response(point.gradient_force(i, j)));
       }
   }
 
@@ -27,7 +37,27 @@ namespace fuga
     return u;
   }
 
-  template Monitor::Monitor(const std::string &,
+  std::array<double, 4>
+  Monitor::stress(const Vector &x, const Vector &a, const double thermal_strain) const
+  {
+    if (gradient.empty())
+      {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {{none, none, none, none}};
+      }
+    dealii::Tensor<2, 2> du;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        du[i][j] = gradient[2 * i + j].value(x, a);
+    double hoop = 0.;
+    if (assumption == PlaneAssumption::axisymmetric)
+      hoop = its_position[0] == 0. ? du[0][0] : components[0].value(x, a) / its_position[0];
+    const StressState<2> s = elastic_stress<2>(material, assumption, du, hoop, thermal_strain);
+    return {{s.in_plane[0][0], s.in_plane[1][1], s.across, s.in_plane[0][1]}};
+  }
+
+  template Monitor::Monitor(const MonitorDefinition &,
                             const MonitorPoint<2> &,
+                            const ModelDefinition &,
                             const CondensedSystem<2> &);
 } // namespace fuga

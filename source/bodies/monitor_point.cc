@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
@@ -82,7 +84,11 @@ namespace fuga
                           ? "Say by 'Body' which lip is meant."
                           : "Both lips belong to this body: put the point a little beside "
                             "the joint."));
+        if (shares.empty())
+          its_body = cell->material_id();
         shares = std::move(found);
+        if (cell->material_id() == its_body)
+          add_gradients(cell, *inside);
       }
     if (shares.empty())
       fail_outside(definition);
@@ -140,6 +146,35 @@ namespace fuga
       return a.node < b.node;
     });
     return result;
+  }
+
+
+  template <int dim>
+  template <typename Cell>
+  void
+  MonitorPoint<dim>::add_gradients(const Cell &cell, const dealii::Point<dim> &in_reference_cell)
+  {
+    dealii::FEValues<dim> values(discretization.mapping(),
+                                 discretization.reference_element().scalar_element(),
+                                 dealii::Quadrature<dim>(in_reference_cell),
+                                 dealii::update_gradients);
+    values.reinit(cell);
+    const unsigned int *nodes = discretization.cell_nodes(cell->active_cell_index());
+    for (unsigned int i = 0; i < discretization.reference_element().n_nodes(); ++i)
+      gradients[nodes[i]] += values.shape_grad(i, 0);
+    ++n_cells;
+  }
+
+
+  template <int dim>
+  Vector
+  MonitorPoint<dim>::gradient_force(const unsigned int component,
+                                    const unsigned int direction) const
+  {
+    Vector force(discretization.n_dofs(), 0.);
+    for (const auto &[node, sum] : gradients)
+      force[node * dim + component] = sum[direction] / static_cast<double>(n_cells);
+    return force;
   }
 
 

@@ -103,6 +103,8 @@ namespace fuga
       for (const char *name : {"x", "y", "z", "ux", "uy", "uz"})
         columns.push_back(fmt::format("{}[{}]", name, u.length));
       columns.push_back(fmt::format("path_length[{}]", u.length));
+      for (const char *name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"})
+        columns.push_back(fmt::format("{}[{}]", name, u.stress()));
       return columns;
     }
   } // namespace
@@ -228,10 +230,12 @@ namespace fuga
   HistoryWriter::add_monitors(const double t,
                               const std::string &occasion,
                               const Vector &coordinates,
-                              const Vector &factors)
+                              const Vector &factors,
+                              const Vector &thermal_strains)
   {
-    for (const Monitor &monitor : context.monitors)
+    for (std::size_t i = 0; i < context.monitors.size(); ++i)
       {
+        const Monitor &monitor = context.monitors[i];
         monitors->add(t);
         monitors->add(occasion);
         monitors->add(monitor.name());
@@ -240,6 +244,8 @@ namespace fuga
         for (const double u : monitor.displacement(coordinates, factors))
           monitors->add(u);
         monitors->add(length_beyond);
+        for (const double s : monitor.stress(coordinates, factors, thermal_strains[i]))
+          monitors->add(s);
         monitors->end_row();
       }
   }

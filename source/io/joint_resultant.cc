@@ -70,27 +70,44 @@ namespace fuga
       resultant.largest_slip      = std::max(resultant.largest_slip, std::abs(result.slip));
     }
 
+    /** Length that an element stands for; @p members in the order along the joint. */
+    double
+    length_of(const std::size_t number,
+              const std::vector<std::size_t> &members,
+              const std::vector<ContactElement> &elements,
+              const AcrossPlane &across_plane)
+    {
+      if (!across_plane.axisymmetric)
+        return elements[members[number]].area / across_plane.thickness;
+      const auto distance = [&](const std::size_t a, const std::size_t b) {
+        const auto &p = elements[members[a]].position, &q = elements[members[b]].position;
+        return std::hypot(p[0] - q[0], p[1] - q[1]);
+      };
+      return (number > 0 ? distance(number - 1, number) / 2. : 0.) +
+             (number + 1 < members.size() ? distance(number, number + 1) / 2. : 0.);
+    }
+
     /** Lengths of the open parts; @p members in the order along the joint. */
     void
     measure_cracks(const std::vector<std::size_t> &members,
                    const std::vector<ContactElement> &elements,
                    const std::vector<ElementResult> &results,
-                   const double thickness,
+                   const AcrossPlane &across_plane,
                    JointResultant &resultant)
     {
-      const auto is_open = [&](const std::size_t k) {
-        return results[k].state == ContactState::open;
+      const std::size_t n = members.size();
+      const auto is_open  = [&](const std::size_t i) {
+        return results[members[i]].state == ContactState::open;
       };
-      const auto add = [&](double &length, const std::size_t k) {
-        length += elements[k].area / thickness;
+      const auto length = [&](const std::size_t i) {
+        return length_of(i, members, elements, across_plane);
       };
-      for (const std::size_t k : members)
-        if (is_open(k))
-          add(resultant.cracked_length, k);
-      for (auto k = members.begin(); k != members.end() && is_open(*k); ++k)
-        add(resultant.crack_from_first, *k);
-      for (auto k = members.rbegin(); k != members.rend() && is_open(*k); ++k)
-        add(resultant.crack_from_last, *k);
+      for (std::size_t i = 0; i < n; ++i)
+        resultant.cracked_length += is_open(i) ? length(i) : 0.;
+      for (std::size_t i = 0; i < n && is_open(i); ++i)
+        resultant.crack_from_first += length(i);
+      for (std::size_t i = n; i > 0 && is_open(i - 1); --i)
+        resultant.crack_from_last += length(i - 1);
     }
 
     /** Where the resultant stands, from N and M. */
@@ -114,7 +131,7 @@ namespace fuga
                     const std::vector<std::array<double, 3>> &normals,
                     const std::vector<ElementResult> &results,
                     const Vector &dissipation,
-                    const double thickness)
+                    const AcrossPlane &across_plane)
     {
       const MeanFrame frame = mean_frame(members, elements, normals);
       JointResultant resultant;
@@ -140,7 +157,9 @@ namespace fuga
           resultant.dissipation += dissipation[k];
           add_extremes(result, resultant);
         }
-      measure_cracks(members, elements, results, thickness, resultant);
+      measure_cracks(members, elements, results, across_plane, resultant);
+      if (across_plane.axisymmetric)
+        resultant.M = not_a_number;
       locate(frame, resultant);
       resultant.sliding_safety =
         std::abs(resultant.T) <= rounding * strength ? infinity : strength / std::abs(resultant.T);
@@ -154,7 +173,7 @@ namespace fuga
                    const std::vector<std::array<double, 3>> &normals,
                    const std::vector<ElementResult> &results,
                    const Vector &dissipation,
-                   const double thickness)
+                   const AcrossPlane &across_plane)
   {
     std::vector<std::vector<std::size_t>> members(n_joints);
     for (std::size_t k = 0; k < elements.size(); ++k)
@@ -162,7 +181,7 @@ namespace fuga
     std::vector<JointResultant> resultants;
     for (const auto &joint : members)
       resultants.push_back(
-        joint_resultant(joint, elements, normals, results, dissipation, thickness));
+        joint_resultant(joint, elements, normals, results, dissipation, across_plane));
     return resultants;
   }
 } // namespace fuga

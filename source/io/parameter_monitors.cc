@@ -63,6 +63,7 @@ namespace fuga
         monitor.point_name  = point.name;
         monitor.coordinates = point.coordinates;
         monitor.origin      = section.origin("Point");
+        monitor.stress      = section.text("Stress") == "true";
         if (section.given("Body"))
           monitor.body = section.text("Body");
         if (section.given("Body") &&

@@ -92,13 +92,19 @@ namespace fuga
   parameter_entries::monitors_section()
   {
     return {"Monitors",
-            "One subsection per point whose displacement is written to monitors.csv, with a name "
-            "of your choice.",
+            "One subsection per point whose displacement (and stress) is written to monitors.csv, "
+            "with a name of your choice.",
             {required("Point",
                       text(),
                       "Coordinates x, y of a point in a body, or the name of a point of the mesh.",
                       {"0, 12"}),
-             optional("Body", text(), "Only for a point on a joint: the body whose lip is meant.")},
+             optional(
+               "Body", text(), "For a point on a joint or between bodies: the body that is meant."),
+             defaulted("Stress",
+                       "false",
+                       choice("true|false"),
+                       "True: the stress too; at nodes and faces the mean of the cells of the body "
+                       "around the point.")},
             {"crest"}};
   }
 

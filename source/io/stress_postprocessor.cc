@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/elastic_stress.h>
 #include <fuga/io/stress_postprocessor.h>
 
 #include <cmath>
@@ -16,10 +17,7 @@ namespace fuga
     for (const std::string &name : body_names)
       for (const Material &material : model.materials)
         if (material.body == name)
-          {
-            lame.push_back(lame_constants(material, model.assumption));
-            materials.push_back(material);
-          }
+          materials.push_back(material);
   }
 
   template <int dim>
@@ -76,33 +74,23 @@ namespace fuga
     std::vector<dealii::Vector<double>> &computed) const
   {
     const auto body            = inputs.template get_cell<dim>()->material_id();
-    const Material &material   = materials[body];
     const bool is_axisymmetric = model.assumption == PlaneAssumption::axisymmetric;
-    const bool is_thick        = model.assumption == PlaneAssumption::plane_strain;
-    const double thermal       = thermal_modulus(material, model.assumption);
     for (std::size_t q = 0; q < computed.size(); ++q)
       {
-        dealii::SymmetricTensor<2, dim> epsilon;
+        dealii::Tensor<2, dim> gradient;
         for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j <= i; ++j)
-            epsilon[i][j] =
-              0.5 * (inputs.solution_gradients[q][i][j] + inputs.solution_gradients[q][j][i]);
-        const double hoop = is_axisymmetric ? hoop_strain(inputs, q) : 0.;
-        const double thermal_strain =
-          temperature.empty() ? 0. : temperature.strain(inputs.evaluation_points[q], body);
-        const double isotropic =
-          lame[body].lambda * (trace(epsilon) + hoop) - thermal * thermal_strain;
-        const dealii::SymmetricTensor<2, dim> sigma =
-          isotropic * dealii::unit_symmetric_tensor<dim>() + 2. * lame[body].mu * epsilon;
+          gradient[i] = inputs.solution_gradients[q][i];
+        const StressState<dim> stress = elastic_stress<dim>(
+          materials[body],
+          model.assumption,
+          gradient,
+          is_axisymmetric ? hoop_strain(inputs, q) : 0.,
+          temperature.empty() ? 0. : temperature.strain(inputs.evaluation_points[q], body));
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
-            computed[q](i * dim + j) = sigma[i][j];
-        const auto principal = eigenvalues(sigma);
-        const double across  = is_axisymmetric ? isotropic + 2. * lame[body].mu * hoop
-                               : is_thick      ? material.poisson_ratio * trace(sigma) -
-                                             material.young_modulus * thermal_strain
-                                          : 0.;
-        const double a = principal[0], b = principal[dim - 1];
+            computed[q](i * dim + j) = stress.in_plane[i][j];
+        const auto principal = eigenvalues(stress.in_plane);
+        const double a = principal[0], b = principal[dim - 1], across = stress.across;
         computed[q](dim * dim)     = a;
         computed[q](dim * dim + 1) = b;
         computed[q](dim * dim + 2) = std::sqrt(

@@ -21,7 +21,7 @@ namespace
     std::vector<std::array<double, 3>> normals;
     std::vector<ElementResult> results;
     Vector dissipation;
-    double thickness = 1.;
+    AcrossPlane across_plane;
 
     void
     add(const std::array<double, 2> &at,
@@ -50,7 +50,7 @@ namespace
     JointResultant
     resultant() const
     {
-      return joint_resultants(1, elements, normals, results, dissipation, thickness)[0];
+      return joint_resultants(1, elements, normals, results, dissipation, across_plane)[0];
     }
   };
 
@@ -179,7 +179,7 @@ TEST(JointResultant, Ring)
 TEST(JointResultant, CrackedLength)
 {
   Joint joint;
-  joint.thickness              = 2.;
+  joint.across_plane.thickness = 2.;
   const std::string states     = "oo-o--ooo";
   const std::vector<double> bs = {0.5, 1., 1., 3., 1., 1., 0.25, 0.25, 0.5};
   for (std::size_t i = 0; i < states.size(); ++i)
@@ -232,6 +232,32 @@ TEST(JointResultant, SafetyAndNoForce)
   EXPECT_EQ(r.crack_from_last, 2.);
 }
 
+// Axisymmetric, radii 0, 1, 3, 4: the elements stand for 0.5, 1.5, 1.5 and 0.5 of the radius. N is
+// the sum over the circle; a place in the half-plane has no meaning.
+TEST(JointResultant, Axisymmetric)
+{
+  Joint joint;
+  joint.across_plane.axisymmetric = true;
+  for (const double r : {0., 1., 3., 4.})
+    {
+      const bool open = r >= 3.;
+      joint.add({{r, 0.}},
+                {{0., 1.}},
+                1. + r,
+                open ? 0. : -2.,
+                0.,
+                open ? ContactState::open : ContactState::stick);
+    }
+  const JointResultant r = joint.resultant();
+  EXPECT_EQ(r.N, -4.);
+  EXPECT_NEAR(r.cracked_length, 2., tolerance);
+  EXPECT_NEAR(r.crack_from_last, 2., tolerance);
+  EXPECT_EQ(r.crack_from_first, 0.);
+  for (const double nothing : {r.M, r.eccentricity, r.position[0], r.overturning_safety})
+    EXPECT_TRUE(std::isnan(nothing));
+  EXPECT_FALSE(r.in_middle_third);
+}
+
 // Joints are told apart, and one without elements is no division by zero.
 TEST(JointResultant, TwoJoints)
 {
@@ -240,7 +266,7 @@ TEST(JointResultant, TwoJoints)
   joint.add({{0., 0.}}, {{1., 0.}}, 1., -3.);
   joint.elements[1].joint = 1;
   const auto r            = joint_resultants(
-    3, joint.elements, joint.normals, joint.results, joint.dissipation, joint.thickness);
+    3, joint.elements, joint.normals, joint.results, joint.dissipation, joint.across_plane);
   EXPECT_EQ(r[0].N, -2.);
   EXPECT_EQ(r[1].N, -3.);
   EXPECT_EQ(r[2].N, 0.);

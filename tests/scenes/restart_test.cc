@@ -184,6 +184,15 @@ TEST(Restart, FieldsAndLimitLoad)
     check("paper_2_linear.prm", {"Loads/push/Value=0.03"}, 6, ExitCode::loss_of_equilibrium), 8u);
 }
 
+// The table of the monitors goes on as the others do.
+TEST(Restart, Monitors)
+{
+  const std::string file = with_added_stage("paper_2_linear.prm", "push: 1-t", 3);
+  std::ofstream(file, std::ios::app) << "subsection Monitors\nsubsection crest\n"
+                                        "set Point = 0, 12\nset Stress = true\nend\nend\n";
+  EXPECT_GT(check(file, {"Output/Fields=never", "Output/Monitors=events"}, 6), 10u);
+}
+
 TEST(Restart, StageEnds)
 {
   EXPECT_GE(check("paper_2_linear.prm", {"Output/Fields=never", "Solver/Follow=stage ends"}, 12),

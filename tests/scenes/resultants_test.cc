@@ -133,6 +133,57 @@ TEST(Monitors, OfABlock)
     }
 }
 
+// Uniform stress, exact in linear elements: a block without friction, free at its sides, under the
+// pressure p and warmed by ΔT: σyy = -p; the strain across the plane is held, so σzz = -νp - EαΔT.
+// A cylinder under p and the pressure q on its side: σxx = hoop stress = -q. Inside, at a face and
+// at a corner. Relative to E/k = 2, where displacements of that order are differentiated: 1e-11.
+TEST(Monitors, Stress)
+{
+  constexpr double E = 100., nu = 0.2, alpha = 1e-4, warming = 20., q = 0.3, eps = 1e-11;
+  nlohmann::ordered_json scene = block(E);
+  scene["Joints"]["base"]      = {
+         {"Plus lip", "contact"}, {"Minus lip", "rigid"}, {"Normal stiffness", k}};
+  scene["Bodies"]["block"] = {
+    {"Young modulus", E}, {"Poisson ratio", nu}, {"Thermal expansion", alpha}};
+  scene["Boundaries"]["left"]["Fixed"] = "x";
+  scene["Loads"]    = {{"press", {{"Type", "pressure"}, {"Boundaries", "top"}, {"Value", p}}},
+                       {"heat", {{"Type", "temperature"}, {"Value", warming}}}};
+  scene["Stages"]   = {{"press", {{"Loads", "press: t"}}}, {"heat", {{"Loads", "heat: t"}}}};
+  scene["Monitors"] = {{"inside", {{"Point", "0.21, 0.83"}, {"Stress", "true"}}},
+                       {"face", {{"Point", "0.1, 2"}, {"Stress", "true"}}},
+                       {"corner", {{"Point", "0.5, 0"}, {"Body", "block"}, {"Stress", "true"}}},
+                       {"without", {{"Point", "0.5, 2"}}}};
+  const auto expect =
+    [&](const Table &table, const std::size_t row, const double xx, const double zz) {
+      EXPECT_NEAR(table.number(row, "stress_xx"), xx, eps) << row;
+      EXPECT_NEAR(table.number(row, "stress_yy"), -p, eps) << row;
+      EXPECT_NEAR(table.number(row, "stress_zz"), zz, eps) << row;
+      EXPECT_NEAR(table.number(row, "stress_xy"), 0., eps) << row;
+    };
+  const Table table = run(scene).monitors;
+  ASSERT_EQ(table.rows.size(), 2u * 4u);
+  for (std::size_t i = 0; i < 3; ++i)
+    {
+      expect(table, i, 0., -nu * p);
+      expect(table, 4 + i, 0., -nu * p - E * alpha * warming);
+    }
+  EXPECT_TRUE(std::isnan(table.number(3, "stress_yy")));
+
+  scene["Mesh"]["Assumption"]          = "axisymmetric";
+  scene["Boundaries"]["left"]["Fixed"] = "free";
+  scene["Boundaries"].erase("right");
+  scene["Loads"]["press"]["Boundaries"] = "top";
+  scene["Loads"]["heat"] = {{"Type", "pressure"}, {"Boundaries", "right"}, {"Value", q}};
+  scene["Monitors"]["corner"]["Point"]  = "0, 0";
+  scene["Monitors"]["without"]["Point"] = "1, 2";
+  const SceneRun cylinder =
+    run_scene(write_scene(block_mesh(uniform(0., 1., n), uniform(0., h, 2 * n), 1.), scene));
+  EXPECT_EQ(cylinder.exit_code, 0);
+  for (std::size_t i = 0; i < 3; ++i)
+    expect(cylinder.monitors, 4 + i, -q, -q);
+  EXPECT_NEAR(cylinder.resultant("N", 2.), -p * M_PI, eps); // over the circle of radius 1
+}
+
 // Displacements at every event cost no solution of the bodies: four for each monitor (two
 // components, refined once) before the path begins and nothing later. Without monitors, no file.
 TEST(Monitors, CostNothingIfNotAskedFor)

@@ -123,6 +123,8 @@ namespace fuga
     std::array<double, 3> coordinates = {{0., 0., 0.}};
     /** On a joint: the body whose lip is meant; may be empty elsewhere. */
     std::string body;
+    /** Whether the stress is wanted too. */
+    bool stress = false;
     /** file:line of the entry, for messages. */
     std::string origin;
   };

@@ -10,16 +10,18 @@
 namespace fuga
 {
   /**
-   * The displacement of one point as a function of interface coordinates and load factors: two back
-   * solutions before the path begins, and as many products as there are coordinates whenever it is
-   * asked for. No field is recovered.
+   * The displacement of one point, and on request its stress, as functions of interface coordinates
+   * and load factors: two back solutions per component (and per derivative) before the path begins,
+   * and as many products as there are coordinates whenever it is asked for. No field is recovered.
    */
   class Monitor
   {
   public:
+    /** @p model: the material of the body. */
     template <int dim>
-    Monitor(const std::string &name,
+    Monitor(const MonitorDefinition &definition,
             const MonitorPoint<dim> &point,
+            const ModelDefinition &model,
             const CondensedSystem<dim> &system);
 
     const std::string &
@@ -38,10 +40,33 @@ namespace fuga
     std::array<double, 3>
     displacement(const Vector &x, const Vector &a) const;
 
+    bool
+    has_stress() const
+    {
+      return !gradient.empty();
+    }
+
+    /** Index of the body of the point. */
+    unsigned int
+    body() const
+    {
+      return its_body;
+    }
+
+    /** σxx, σyy, σzz (across the plane; hoop stress), σxy [stress] at the thermal strain αΔT of the
+     * point; not a number unless has_stress(). */
+    std::array<double, 4>
+    stress(const Vector &x, const Vector &a, const double thermal_strain) const;
+
   private:
     std::string its_name;
     std::array<double, 3> its_position{};
+    unsigned int its_body = 0;
+    Material material;
+    PlaneAssumption assumption = PlaneAssumption::plane_strain;
     std::vector<LinearResponse> components;
+    /** ∂u_i/∂x_j, row by row; empty without stress. */
+    std::vector<LinearResponse> gradient;
   };
 } // namespace fuga
 

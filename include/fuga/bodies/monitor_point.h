@@ -7,6 +7,8 @@
 #include <fuga/base/dense_matrix.h>
 #include <fuga/bodies/discretization.h>
 
+#include <map>
+
 namespace fuga
 {
   /** Where a monitor lies in the mesh: its cell and the shape functions there. */
@@ -33,6 +35,18 @@ namespace fuga
     Vector
     unit_force(const unsigned int component) const;
 
+    /** The nodal forces whose work on u is ∂u_i/∂x_j at the point, i = @p component, j = @p
+     * direction: the mean over the cells of the body around the point. */
+    Vector
+    gradient_force(const unsigned int component, const unsigned int direction) const;
+
+    /** Index of the body. */
+    unsigned int
+    body() const
+    {
+      return its_body;
+    }
+
   private:
     struct NodeShare
     {
@@ -46,12 +60,19 @@ namespace fuga
     find_position(const JointedMesh &mesh, const MonitorDefinition &definition) const;
     Shares
     shares_in(const std::size_t cell, const dealii::Point<dim> &in_reference_cell) const;
+    template <typename Cell>
+    void
+    add_gradients(const Cell &cell, const dealii::Point<dim> &in_reference_cell);
     [[noreturn]] void
     fail_outside(const MonitorDefinition &definition) const;
 
     const Discretization<dim> &discretization;
     dealii::Point<dim> point;
     Shares shares;
+    unsigned int its_body = 0;
+    std::size_t n_cells   = 0;
+    /** Sums over the cells, by node. */
+    std::map<unsigned int, dealii::Tensor<1, dim>> gradients;
   };
 } // namespace fuga
 

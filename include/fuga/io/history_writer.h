@@ -94,12 +94,14 @@ namespace fuga
       return length_beyond;
     }
 
-    /** Displacements of the monitors; @p occasion: "level" or "event". */
+    /** Displacements and stresses of the monitors; @p occasion: "level" or "event"; @p
+     * thermal_strains: one per monitor. */
     void
     add_monitors(const double t,
                  const std::string &occasion,
                  const Vector &coordinates,
-                 const Vector &factors);
+                 const Vector &factors,
+                 const Vector &thermal_strains);
 
     /** Brings the files on disk up to date. */
     void

@@ -54,9 +54,19 @@ namespace fuga
     double dissipation = 0.;
   };
 
+  /** What lies across the plane. */
+  struct AcrossPlane
+  {
+    double thickness  = 1.;
+    bool axisymmetric = false;
+  };
+
   /**
-   * The resultants of all joints. @p normals, @p results and @p dissipation: one entry per element;
-   * @p thickness: extent across the plane, so that area/thickness is the length of an element.
+   * The resultants of all joints. @p normals, @p results and @p dissipation: one entry per element.
+   * The length of an element is its area over the thickness. In axisymmetry it reaches to the
+   * middle between it and its neighbours; the sums are those of the components in the half-plane
+   * over the full circle; such forces have no place in the half-plane: moment, eccentricity,
+   * position and overturning safety are not a number.
    */
   std::vector<JointResultant>
   joint_resultants(const std::size_t n_joints,
@@ -64,7 +74,7 @@ namespace fuga
                    const std::vector<std::array<double, 3>> &normals,
                    const std::vector<ElementResult> &results,
                    const Vector &dissipation,
-                   const double thickness);
+                   const AcrossPlane &across_plane);
 } // namespace fuga
 
 #endif

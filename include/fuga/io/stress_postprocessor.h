@@ -4,7 +4,6 @@
 #ifndef fuga_io_stress_postprocessor_h
 #define fuga_io_stress_postprocessor_h
 
-#include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/temperature_field.h>
 
 #include <deal.II/numerics/data_postprocessor.h>
@@ -43,7 +42,6 @@ namespace fuga
   private:
     const ModelDefinition &model;
     const TemperatureField<dim> &temperature;
-    std::vector<LameConstants> lame;
     std::vector<Material> materials;
   };
 

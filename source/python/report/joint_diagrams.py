@@ -24,7 +24,7 @@ def _along(axes, results):
 
 def _levels_diagram(results, joint, levels, panels):
     """One line per level in each panel; panels are (values of a profile, label of the axis)."""
-    figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(WIDTH, 2.0 * len(panels) + 1.1))
+    figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(WIDTH, len(panels) + 3.1))
     profiles = [results.profile(joint, t) for t in levels]
     for one, (values_of, label) in zip(axes, panels):
         one.axhline(0.0, color="black", linewidth=0.8, zorder=2)

@@ -35,9 +35,9 @@ footer { margin-top: 2.5rem; padding-top: .4rem; border-top: 1px solid #999; fon
   nav { display: none; }
   h2, h3, h2 + p { break-after: avoid; }
   figure, .verdict, tr, p, #certificate, #remarks { break-inside: avoid; }
-  figure svg { max-height: 200mm; }
+  figure svg { max-height: 110mm; }
   thead { display: table-header-group; }
-  .wide { overflow: visible; }
+  .wide { overflow: visible; break-inside: avoid; }
   table { font-size: 7.5pt; }
   th, td { padding: .12rem .35rem; }
   details::details-content { content-visibility: visible; }
