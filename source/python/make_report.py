@@ -71,6 +71,7 @@ def run_page(directory):
         return [more] + [draw(results, joint, *arguments) for joint in joints]
 
     page.section("resultants", "Resultants", sections.resultant_tables(results, levels))
+    page.section("monitors", "Monitors", sections.monitor_tables(results, levels))
     page.section("certificate", "Certificate", sections.certificate_table(summary))
     page.section("remarks", "Joints and warnings", sections.remarks(summary))
     page.section("stresses", "Contact stresses", each(joint_diagrams.pressures, levels)

@@ -159,12 +159,36 @@ def fuga(*arguments):
     return subprocess.run([FUGA, *map(str, arguments)], capture_output=True, text=True)
 
 
+def with_monitors(folder):
+    """A copy of a parameter file with two points, one of them with stress."""
+    text = (ROOT / "parameters/paper_2_linear.prm").read_text(encoding="utf-8").replace("../meshes", str(ROOT / "meshes"))
+    copy = folder / "monitored.prm"
+    copy.write_text(text + "\nsubsection Monitors\nsubsection crest\nset Point = 0, 12\nend\n"
+                    "subsection heel\nset Point = 0.5, 0.5\nset Stress = true\nend\nend\n", encoding="utf-8")
+    return copy
+
+
+def check_monitors(page, directory):
+    rows = rows_of(directory / "monitors.csv")
+    for k, (monitor, n_rows) in enumerate((("crest", 2), ("heel", 6))):
+        head, *body = page.tables[f"monitor-{k}"]
+        check(len(body) == n_rows, f"{monitor}: {len(body)} rows")
+        for row in body:
+            rounding = 1e-12 * max(abs(cell[1]) for cell in row[2:])
+            for title, cell in zip(head[2:], row[2:]):
+                t = number_of(title[0].removeprefix("t = "))
+                source = next(r for r in rows if r["monitor"] == monitor and abs(float(r["t"]) - t) <= SHOWN)
+                same(cell, float(source[row[0][0].replace(" ", "_")]), f"{monitor}, {row[0][0]} at {t}", rounding=rounding)
+    check("displacements of the monitors" in page.words, "the diagram of the monitors")
+
+
 def run_with_pictures(directory):
-    run = fuga(ROOT / "parameters/paper_2_linear.prm", "--quiet", "--output-dir", directory,
+    run = fuga(with_monitors(directory.parent), "--quiet", "--output-dir", directory,
                "--set", "Output/Report=true", "--set", "Output/Fields=end", "--set", "Title=a < b & \"c\"")
     check(run.returncode == 0 and run.stdout == "", f"the run: {run.returncode} {run.stdout} {run.stderr}")
-    page = read_page(directory, RUN_SECTIONS)
+    page = read_page(directory, RUN_SECTIONS + ["monitors"])
     check_tables(page, directory)
+    check_monitors(page, directory)
     check("Done" in page.words and "3060" in page.words, "verdict and parameters of a run that is done")
 
 

@@ -94,6 +94,23 @@ def resultant_tables(results, levels):
     return text
 
 
+def monitor_tables(results, levels):
+    """Per monitor: a row per displacement and stress, a column per level; nothing without monitors."""
+    if results.monitors is None or results.monitors.frame.empty:
+        return ""
+    frame, units = results.monitors.frame, results.monitors.units
+    frame = frame[frame["occasion"] == "level"]
+    text = ""
+    for k, (name, rows) in enumerate(frame.groupby("monitor", sort=False)):
+        rows = rows.drop_duplicates("t").set_index("t").loc[levels]
+        place = ", ".join(f"{rows[c].iloc[0]:.6g}" for c in ("x", "y"))
+        columns = [c for c in ("ux", "uy", "stress_xx", "stress_yy", "stress_zz", "stress_xy") if rows[c].notna().all()]
+        head = ["", "unit"] + [f"t = {t:.6g}" for t in levels]
+        body = [[c.replace("_", " "), units[c] or "\u2013"] + _cells(c, rows[c]) for c in columns]
+        text += (f"<h3>Monitor \u201c{escape(name)}\u201d at ({place})</h3>" + table(body, head, f"monitor-{k}"))
+    return text and ("<p>Displacements; stresses positive in tension, zz across the plane. All levels: monitors.csv.</p>" + text)
+
+
 def certificate_table(summary):
     entries = summary["certificate"]["entries"]
     bound = summary["certificate"]["bound"]
