@@ -43,8 +43,7 @@ def show_bodies(view):
     deformed = simple.WarpByVector(registrationName=f"bodies, displacements {factor:g} times", Input=bodies,
                                    Vectors=["POINTS", "displacement"], ScaleFactor=factor)
     display = simple.Show(deformed, view)
-    display.Representation = "Surface With Edges"
-    display.EdgeColor = [0.4, 0.4, 0.4]
+    display.Representation = "Surface"
     simple.ColorBy(display, ("POINTS", "von_mises_stress"))
     simple.GetColorTransferFunction("von_mises_stress").ApplyPreset("Viridis (matplotlib)", True)
     # Ready for use by ColorBy: compression blue, tension red, zero in the middle.
@@ -115,6 +114,8 @@ def main(picture):
     surface.RescaleTransferFunctionToDataRange(False, True)
     for view in (bodies, joints):
         simple.ResetCamera(view)
+    # Brings its tab to the front.
+    simple.SetActiveView(bodies)
     simple.RenderAllViews()
     if picture:
         layout.SetSize(1600, 1200)
