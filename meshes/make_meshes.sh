@@ -23,6 +23,7 @@ make_mesh msh41 patch_tri.msh patch.geo -setnumber triangles 1
 make_mesh msh41 crack.msh crack.geo
 make_mesh msh41 cross.msh cross.geo
 make_mesh msh41 wall.msh wall.geo
+make_mesh msh41 dam.msh dam.geo
 for n in 9 33 129; do
   python3 scene_g.py "$n" "scene_g_$n.msh"
 done

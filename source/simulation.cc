@@ -26,7 +26,8 @@ namespace fuga
               model.stage_names,
               model.normals,
               model.monitors,
-              parameters.output.units}
+              parameters.output.units,
+              !model.bodies.opening_water().empty()}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
     , history(parameters.output.directory, context)
@@ -150,13 +151,16 @@ namespace fuga
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);
     const Vector x          = judge.coordinates(jumps);
     const Vector a          = model.loads.history.factors(state.t);
-    const auto results      = element_results(joint.elements, state, jumps);
+    const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
     if (with_fields)
       {
         const dealii::Vector<double> u = model.bodies.recover(a, x);
-        const EquilibriumError error   = model.bodies.equilibrium_error(u, state.forces, a);
-        certificate.equilibrium        = std::max(certificate.equilibrium, error.residual);
-        certificate.body_equilibrium   = std::max(certificate.body_equilibrium, error.resultant);
+        Vector on_lips                 = state.forces;
+        for (std::size_t i = 0; i < state.water.size(); ++i)
+          on_lips[i] -= state.water[i];
+        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a);
+        certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
+        certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
         model.timer.finish("recovery of displacements");
         // Beyond a limit load the load time does not grow, but the times of a film must.
         const double time = state.t + history.path_length();
@@ -195,6 +199,14 @@ namespace fuga
             temperature.strain(model.monitor_points[i].position(), model.monitors[i].body());
       }
     history.add_monitors(t, occasion, coordinates, factors, thermal_strains);
+  }
+
+  template <int dim>
+  Vector
+  Simulation<dim>::closed_water(const Vector &factors) const
+  {
+    const DenseMatrix &water = model.bodies.closed_water();
+    return water.empty() ? Vector() : multiply(water, factors);
   }
 
   template <int dim>

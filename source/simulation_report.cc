@@ -247,10 +247,13 @@ namespace fuga
   {
     if (last_state.states.empty())
       return;
-    const Units &u                               = parameters.output.units;
-    std::string title                            = "Resultants";
-    const std::vector<JointResultant> resultants = resultants_of(element_results(
-      joint.elements, last_state, layered.jumps(last_state.dislocations, last_state.forces)));
+    const Units &u    = parameters.output.units;
+    std::string title = "Resultants";
+    const std::vector<JointResultant> resultants =
+      resultants_of(element_results(joint.elements,
+                                    last_state,
+                                    layered.jumps(last_state.dislocations, last_state.forces),
+                                    closed_water(model.loads.history.factors(last_state.t))));
     for (std::size_t j = 0; j < resultants.size(); ++j)
       {
         const JointResultant &r = resultants[j];

@@ -108,6 +108,9 @@ namespace fuga
                    const std::string &occasion,
                    const Vector &coordinates,
                    const Vector &factors);
+    /** Forces of water in closed elements; empty without water. */
+    Vector
+    closed_water(const Vector &factors) const;
     std::vector<JointResultant>
     resultants_of(const std::vector<ElementResult> &results) const;
     void

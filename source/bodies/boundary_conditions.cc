@@ -128,6 +128,16 @@ namespace fuga
               "{}there is no body '{}'. Bodies: {}.", start, target, listed(mesh.body_names)));
           return;
         }
+      if (load.kind == LoadKind::uplift)
+        {
+          std::vector<std::string> joints;
+          for (const auto &joint : mesh.joints)
+            joints.push_back(joint.name);
+          if (index_of(joints, target) == joints.size())
+            throw InputError(
+              fmt::format("{}there is no joint '{}'. Joints: {}.", start, target, listed(joints)));
+          return;
+        }
       if (load.kind == LoadKind::point_force)
         {
           if (vertices_of_point(mesh, target).empty())

@@ -69,8 +69,40 @@ namespace fuga
             solver->n_processes()};
   }
 
+  template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
+  {
+    const Vector forces = bodies->forces(by_nodes(u));
+    dealii::Vector<double> result(u.size());
+    for (std::size_t node = 0; node < space->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[space->dof(node, c)] = forces[node * dim + c];
+    return result;
+  }
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::jumps(const dealii::Vector<double> &u) const
+  {
+    return bars->jumps(by_nodes(u));
+  }
+
+  template <int dim>
+  double
+  CondensedSystem<dim>::bulk_energy(const dealii::Vector<double> &u) const
+  {
+    return bodies->energy(by_nodes(u));
+  }
+
   template LinearResponse
   CondensedSystem<2>::response(const Vector &) const;
   template BodiesWork
   CondensedSystem<2>::work() const;
+  template dealii::Vector<double>
+  CondensedSystem<2>::nodal_forces(const dealii::Vector<double> &) const;
+  template Vector
+  CondensedSystem<2>::jumps(const dealii::Vector<double> &) const;
+  template double
+  CondensedSystem<2>::bulk_energy(const dealii::Vector<double> &) const;
 } // namespace fuga

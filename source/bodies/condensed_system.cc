@@ -9,7 +9,9 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/elimination_order.h>
+#include <fuga/bodies/level_history.h>
 #include <fuga/bodies/rigid_pieces.h>
+#include <fuga/bodies/uplift_assembly.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,10 +156,21 @@ namespace fuga
   CondensedSystem<dim>::assemble_load(const std::size_t number, const double t) const
   {
     timer.restart();
-    LoadPattern pattern =
-      LoadAssembly<dim>(*space, mesh, model, fixed).assemble(model.loads.at(number), t);
+    const LoadDefinition &load = model.loads.at(number);
+    LoadPattern pattern        = load.kind == LoadKind::uplift
+                                   ? UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
+                                .assemble(load, LevelHistory(load, model.constants)(t))
+                                   : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
     timer.finish("loads");
     return pattern;
+  }
+
+  template <int dim>
+  std::vector<double>
+  CondensedSystem<dim>::levels_of_kinks(const std::size_t number) const
+  {
+    return UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
+      .levels_of_kinks(model.loads.at(number));
   }
 
   template <int dim>
@@ -219,6 +232,8 @@ namespace fuga
       }
     F = solver->condense(loads);
     projection->project_loads(F, motion_loads);
+    water_of_open   = columns_of(patterns, &LoadPattern::opening_water);
+    water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
     timer.finish("condensation of loads");
   }
 
@@ -307,32 +322,6 @@ namespace fuga
       fuga::equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
     timer.finish("equilibrium check");
     return error;
-  }
-
-  template <int dim>
-  dealii::Vector<double>
-  CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
-  {
-    const Vector forces = bodies->forces(by_nodes(u));
-    dealii::Vector<double> result(u.size());
-    for (std::size_t node = 0; node < space->n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[space->dof(node, c)] = forces[node * dim + c];
-    return result;
-  }
-
-  template <int dim>
-  Vector
-  CondensedSystem<dim>::jumps(const dealii::Vector<double> &u) const
-  {
-    return bars->jumps(by_nodes(u));
-  }
-
-  template <int dim>
-  double
-  CondensedSystem<dim>::bulk_energy(const dealii::Vector<double> &u) const
-  {
-    return bodies->energy(by_nodes(u));
   }
 
   template class CondensedSystem<2>;

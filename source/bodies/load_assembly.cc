@@ -52,7 +52,7 @@ namespace fuga
     for (const auto &expression : load.expressions)
       if (expression_uses(expression, "t"))
         return true;
-    return load.kind == LoadKind::depth_pressure && level_changes(load.depth);
+    return load.has_level() && level_changes(load.depth);
   }
 
 
@@ -88,6 +88,8 @@ namespace fuga
                              LevelHistory(load, model.constants)(t),
                              selection(mesh.label_names, load.targets),
                              pattern.forces);
+          break;
+        case LoadKind::uplift: // UpliftAssembly
           break;
         case LoadKind::pressure:
         case LoadKind::traction:

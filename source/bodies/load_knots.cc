@@ -100,7 +100,7 @@ namespace fuga
     for (unsigned int i = 0; i < model.loads.size(); ++i)
       if (courses[i] != FactorCourse::none && depends_on_time(model.loads[i]))
         {
-          if (model.loads[i].kind != LoadKind::depth_pressure)
+          if (!model.loads[i].has_level())
             uniform.assign(n + 1, true);
           else if (!kinks_of_loads[i].empty())
             {

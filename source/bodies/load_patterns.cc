@@ -15,7 +15,7 @@ namespace fuga
     size_of(const LoadPattern &pattern)
     {
       double sum = 0.;
-      for (const Vector *part : {&pattern.forces, &pattern.prescribed})
+      for (const Vector *part : {&pattern.forces, &pattern.prescribed, &pattern.opening_water})
         for (const double value : *part)
           sum += std::abs(value);
       return sum;
@@ -25,10 +25,10 @@ namespace fuga
     double
     distance_to_mean(LoadPattern middle, const LoadPattern &a, const LoadPattern &b)
     {
-      for (std::size_t i = 0; i < middle.forces.size(); ++i)
-        middle.forces[i] -= (a.forces[i] + b.forces[i]) / 2.;
-      for (std::size_t i = 0; i < middle.prescribed.size(); ++i)
-        middle.prescribed[i] -= (a.prescribed[i] + b.prescribed[i]) / 2.;
+      for (Vector LoadPattern::*part :
+           {&LoadPattern::forces, &LoadPattern::prescribed, &LoadPattern::opening_water})
+        for (std::size_t i = 0; i < (middle.*part).size(); ++i)
+          (middle.*part)[i] -= ((a.*part)[i] + (b.*part)[i]) / 2.;
       return size_of(middle);
     }
   } // namespace
@@ -104,8 +104,9 @@ namespace fuga
             continue;
           }
         LoadPattern next = system.assemble_load(load, t);
-        const bool same =
-          has_last && next.forces == last.forces && next.prescribed == last.prescribed;
+        const bool same  = has_last && next.forces == last.forces &&
+                          next.prescribed == last.prescribed &&
+                          next.opening_water == last.opening_water;
         if (has_last && !same)
           distance =
             std::max(distance,

@@ -120,7 +120,9 @@ namespace fuga
     {
       std::vector<std::vector<double>> kinks(model.loads.size());
       for (std::size_t i = 0; i < kinks.size(); ++i)
-        if (model.loads[i].kind == LoadKind::depth_pressure)
+        if (model.loads[i].kind == LoadKind::uplift)
+          kinks[i] = system.levels_of_kinks(i);
+        else if (model.loads[i].kind == LoadKind::depth_pressure)
           kinks[i] =
             levels_of_kinks(system.discretization(),
                             selection(system.jointed_mesh().label_names, model.loads[i].targets));

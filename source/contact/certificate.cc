@@ -52,9 +52,7 @@ namespace fuga
   Judge::Judge(const ContactSystem &contact_system,
                const std::vector<ContactElement> &contact_elements,
                const LoadHistory &load_history)
-    : system(contact_system)
-    , elements(contact_elements)
-    , history(load_history)
+    : system(contact_system), elements(contact_elements), history(load_history)
   {
     element_dissipation.assign(elements.size(), 0.);
     for (double t = 0.; t < history.end();)
@@ -115,6 +113,35 @@ namespace fuga
     return multiply(system.load_patterns(), history.factors(t));
   }
 
+  Vector
+  Judge::water(const JointState &state) const
+  {
+    const DenseMatrix &Q = system.opening_water();
+    if (Q.empty())
+      return {};
+    Vector result = multiply(Q, history.factors(state.t));
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const std::size_t n = elements[k].normal_bar;
+        if (state.states[k] != ContactState::open)
+          result[n] = 0.;
+        result[n] -= state.missing_water[n];
+      }
+    return result;
+  }
+
+  void
+  Judge::add_water(const JointState &state, Vector &loads) const
+  {
+    const Vector omega = water(state);
+    if (omega.empty())
+      return;
+    const Vector on_coordinates =
+      system.jump_operator().empty() ? omega : multiply_transposed(system.jump_operator(), omega);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      loads[i] += on_coordinates[i];
+  }
+
   // The loads are linear along a piece and the jumps are cubics (exact for straight pieces), so
   // ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
   void
@@ -124,7 +151,9 @@ namespace fuga
     const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces));
     const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
     const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
-    const Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
+    Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
+    add_water(from.state, f0);
+    add_water(to.state, f1);
     for (std::size_t i = 0; i < x0.size(); ++i)
       {
         const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
@@ -148,7 +177,14 @@ namespace fuga
     const DenseMatrix &G = system.rigid_motions();
     if (G.empty())
       return 0.;
-    const Vector carried = multiply_transposed(G, state.forces);
+    Vector carried     = multiply_transposed(G, state.forces);
+    const Vector omega = water(state);
+    if (!omega.empty())
+      {
+        const Vector pressed = multiply_transposed(G, omega);
+        for (std::size_t i = 0; i < carried.size(); ++i)
+          carried[i] -= pressed[i];
+      }
     const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
     double worst         = 0.;
     for (std::size_t i = 0; i < applied.size(); ++i)
@@ -166,10 +202,11 @@ namespace fuga
   {
     const Vector delta = jumps(state.dislocations, state.forces);
     const Vector x     = coordinates(delta);
-    const Vector f     = loads(state.t);
-    const Vector Sx    = multiply(system.stiffness(), x);
-    largest_force      = std::max({largest_force, max_abs(f), max_abs(state.forces), max_abs(Sx)});
-    largest_jump       = std::max(largest_jump, max_abs(delta));
+    Vector f           = loads(state.t);
+    add_water(state, f);
+    const Vector Sx = multiply(system.stiffness(), x);
+    largest_force   = std::max({largest_force, max_abs(f), max_abs(state.forces), max_abs(Sx)});
+    largest_jump    = std::max(largest_jump, max_abs(delta));
 
     Certificate result;
     const Vector p = system.jump_operator().empty()

@@ -51,6 +51,8 @@ namespace fuga
         double terms = system.stiffness()(i, i) * largest_dislocation;
         for (std::size_t j = 0; j < factors.size(); ++j)
           terms += std::abs(R(i, j) * factors[j]);
+        if (!state.water.empty())
+          terms += std::abs(state.water[i]);
         force_tolerances[i] = relative * terms;
         largest_jump = std::max(largest_jump, system.compliance(i) * std::abs(state.forces[i]));
       }

@@ -26,8 +26,7 @@ namespace fuga
     PathPoint point    = {points.front().state, {}};
     JointState &state  = point.state;
     state.dislocations = predicted_dislocations;
-    for (std::size_t bar = 0; bar < course.drive.release.size(); ++bar)
-      state.unreleased[bar] += tau * course.drive.release[bar];
+    release(course.drive, tau, state);
     complete_state(context, course, tau, state);
     if (!iterate(tau, state))
       return {};

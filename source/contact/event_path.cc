@@ -2,10 +2,10 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/contact/change_of_state.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
+#include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
-    while (state.t < history.end() || max_abs(state.unreleased) > 0.)
+    while (state.t < history.end() || state.is_unsettled())
       {
         make_cut(state, result, observer);
         if (jump_to_corner(state, levels, observer, result))
@@ -68,6 +68,7 @@ namespace fuga
         // together.
         boundary.set_scales(state, course.factors, widening_of_tolerances());
         const Vector unreleased         = state.unreleased;
+        const auto states               = state.states;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
@@ -87,6 +88,11 @@ namespace fuga
             standstill.forget();
             continue; // a bond broke: its forces are given up before the load goes on
           }
+        if (water_has_changed(elements, system, states, state))
+          {
+            note_zero_step(state, result);
+            continue; // water comes in or is squeezed out before the load goes on
+          }
 
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
@@ -100,11 +106,7 @@ namespace fuga
         if (length > shortest_step * std::max(1., course.t))
           standstill.forget();
         else
-          {
-            ++result.n_zero_steps;
-            standstill.note(scheme.all_states());
-            check_standstill(state);
-          }
+          note_zero_step(state, result);
       }
     standstill.forget();
     make_cut(state, result, observer);
@@ -118,6 +120,14 @@ namespace fuga
   {
     const std::size_t n = standstill.n_steps() / 4 + standstill.n_repetitions();
     return std::pow(10., static_cast<double>(std::min<std::size_t>(3, n)));
+  }
+
+  void
+  EventPath::note_zero_step(const JointState &state, PathResult &result)
+  {
+    ++result.n_zero_steps;
+    standstill.note(scheme.all_states());
+    check_standstill(state);
   }
 
   void
@@ -144,6 +154,11 @@ namespace fuga
     state.slips.assign(elements.size(), 0.);
     state.dilations.assign(elements.size(), 0.);
     state.unreleased.assign(system.n_bars(), 0.);
+    if (!system.opening_water().empty())
+      {
+        state.water.assign(system.n_bars(), 0.);
+        state.missing_water = state.water;
+      }
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         state.strengths.push_back(virgin_strength(elements[k].friction, elements[k].area));
@@ -164,12 +179,13 @@ namespace fuga
     course.t       = state.t;
     course.t_end   = state.t;
     course.factors = history.factors(state.t);
-    if (max_abs(state.unreleased) > 0.)
+    if (state.is_unsettled())
       {
-        course.kind          = Course::Kind::release;
-        course.factor_rates  = Vector(course.factors.size(), 0.);
-        course.drive.release = negative(state.unreleased);
-        course.length        = 1.;
+        course.kind                = Course::Kind::release;
+        course.factor_rates        = Vector(course.factors.size(), 0.);
+        course.drive.release       = negative(state.unreleased);
+        course.drive.missing_water = negative(state.missing_water);
+        course.length              = 1.;
       }
     else
       {
@@ -177,12 +193,20 @@ namespace fuga
         course.t_end        = history.next_corner(state.t);
         course.length       = course.t_end - state.t;
       }
-    course.drive.reactions = multiply(system.reactions(), course.factor_rates);
+    set_reactions(state, course.factor_rates, course.drive);
     return course;
   }
 
+  void
+  EventPath::set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const
+  {
+    drive.reactions = multiply(system.reactions(), factor_rates);
+    add_water_rates(elements, system, state, factor_rates, drive);
+  }
+
   // Only on request, and only where nothing between matters to the end: a straight path without
-  // strength that could be lost. Whatever the step cannot solve is left to the events.
+  // strength that could be lost, or water that could come in. Whatever the step cannot solve is
+  // left to the events.
   bool
   EventPath::jump_to_corner(JointState &state,
                             const std::vector<double> &levels,
@@ -190,7 +214,7 @@ namespace fuga
                             PathResult &result)
   {
     if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
-        max_abs(state.unreleased) > 0.)
+        !system.opening_water().empty() || state.is_unsettled())
       return false;
     for (const ContactElement &element : elements)
       if (!element.friction.is_plain())
@@ -210,91 +234,6 @@ namespace fuga
     for (; next_level < levels.size() && levels[next_level] <= corner; ++next_level)
       observer.reached(next_level, state);
     return true;
-  }
-
-  Continuation
-  EventPath::decide(JointState &state,
-                    const Course &course,
-                    PathObserver &observer,
-                    PathResult &result)
-  {
-    take_scheme(state);
-    for (const std::size_t k : resticking)
-      scheme.set_state(k, ContactState::stick);
-    scheme.linearise(state);
-
-    const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
-    Continuation continuation              = rate_problem.solve(state, set, course.drive);
-    result.n_schemes += continuation.n_schemes;
-    if (continuation.exists)
-      choose_branch(state, set, course.drive, continuation, result);
-    if (!continuation.exists)
-      return continuation;
-    ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
-
-    result.n_events += adopt_scheme(state, set, continuation.n_branches, observer);
-    return continuation;
-  }
-
-  void
-  EventPath::take_scheme(JointState &state)
-  {
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        if (state.dilations[k] >= elements[k].friction.dilation_limit - boundary.gap_tolerance())
-          state.strengths[k].dilatancy = 0.;
-        scheme.set_state(k, state.states[k]);
-        scheme.set_strength(k, state.strengths[k]);
-      }
-  }
-
-  // Gives the boundary elements the states of the working scheme. Returns the number of changes.
-  std::size_t
-  EventPath::adopt_scheme(JointState &state,
-                          const std::vector<BoundaryElement> &set,
-                          const std::size_t n_branches,
-                          PathObserver &observer) const
-  {
-    std::vector<ContactEvent> events;
-    for (const BoundaryElement &candidate : set)
-      {
-        const std::size_t k = candidate.element;
-        if (state.states[k] == scheme.state(k))
-          continue;
-        events.push_back({state.t, k, state.states[k], scheme.state(k), n_branches});
-        change_state(
-          elements[k], k, scheme.state(k), boundary.force_tolerance(elements[k].normal_bar), state);
-        events.back().to = state.states[k];
-      }
-    if (!events.empty())
-      observer.changed(events, state);
-    return events.size();
-  }
-
-  // A bond at the end of its strength that allows no continuation, neither kept nor lost by
-  // opening, breaks.
-  bool
-  EventPath::break_exhausted_bonds(JointState &state,
-                                   PathObserver &observer,
-                                   PathResult &result) const
-  {
-    bool any = false;
-    std::vector<ContactEvent> events;
-    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
-      {
-        const std::size_t k = candidate.element;
-        if (!candidate.grazing || !state.strengths[k].has_bond())
-          continue;
-        any                     = true;
-        const ContactState from = state.states[k];
-        break_bond(elements[k], k, boundary.force_tolerance(elements[k].normal_bar), state);
-        if (state.states[k] != from)
-          events.push_back({state.t, k, from, state.states[k]});
-      }
-    result.n_events += events.size();
-    if (!events.empty())
-      observer.changed(events, state);
-    return any;
   }
 
   std::unique_ptr<PathSegment>

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/event_path.h>
+#include <fuga/contact/joint_water.h>
 
 #include <algorithm>
 
@@ -37,9 +38,15 @@ namespace fuga
             return;
           }
         const Vector unreleased = state.unreleased;
+        const auto states       = state.states;
         result.n_events += adopt_scheme(state, set, 1, observer);
         if (state.unreleased != unreleased)
           continue;
+        if (water_has_changed(elements, system, states, state))
+          {
+            note_zero_step(state, result);
+            continue;
+          }
 
         StraightSegment segment(
           {elements, system, boundary, scheme}, step.course, {state, step.motion.rates});
@@ -59,10 +66,7 @@ namespace fuga
             observer.went_beyond(beyond.length, state);
           }
         else
-          {
-            standstill.note(scheme.all_states());
-            check_standstill(state);
-          }
+          note_zero_step(state, result);
         if (length < step.course.length)
           continue;
         if (state.t == last_corner && step.motion.load_rate < 0.)
@@ -84,10 +88,11 @@ namespace fuga
                          const double last_t,
                          const double left)
   {
-    const Drive unit_load{multiply(system.reactions(), history.rates(state.t)), {}};
+    Drive unit_load;
+    set_reactions(state, history.rates(state.t), unit_load);
     ControlledStep step;
     Course &course = step.course;
-    if (max_abs(state.unreleased) > 0.)
+    if (state.is_unsettled())
       {
         course                          = next_course(state);
         const Continuation continuation = rate_problem.solve(state, set, course.drive);
@@ -111,8 +116,8 @@ namespace fuga
     course.factor_rates    = history.rates(state.t);
     for (double &rate : course.factor_rates)
       rate *= load_rate;
-    course.drive.reactions = multiply(system.reactions(), course.factor_rates);
-    course.t_end           = state.t + load_rate * course.length;
+    set_reactions(state, course.factor_rates, course.drive);
+    course.t_end = state.t + load_rate * course.length;
     if (course.t_end < first_t || course.t_end > last_t)
       {
         course.t_end  = load_rate < 0. ? first_t : last_t;

@@ -3,6 +3,7 @@
 
 #include <fuga/contact/change_of_state.h>
 #include <fuga/contact/event_path.h>
+#include <fuga/contact/joint_water.h>
 #include <fuga/contact/mechanism.h>
 
 #include <algorithm>
@@ -137,7 +138,9 @@ namespace fuga
         if (to == state.states[k])
           continue;
         events.push_back({state.t, k, state.states[k], to});
-        change_state(elements[k], k, to, boundary.force_tolerance(elements[k].normal_bar), state);
+        const double no_force = boundary.force_tolerance(elements[k].normal_bar);
+        change_state(elements[k], k, to, no_force, state);
+        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
         events.back().to = state.states[k];
       }
     result.n_events += events.size();

@@ -81,6 +81,7 @@ namespace fuga
     else
       eliminate_with_jump_operator(system);
     symmetrise(W);
+    Q = system.opening_water();
   }
 
   // The bars are split at the bodies' own stiffness: each half uses the formula that does not
@@ -178,13 +179,28 @@ namespace fuga
 
   // Bars without dislocation cost nothing: on most paths these are the majority.
   Vector
-  LayeredSystem::forces(const Vector &factors, const Vector &dislocations) const
+  LayeredSystem::forces(const Vector &factors,
+                        const Vector &dislocations,
+                        const Vector &water) const
   {
     Vector p = multiply(R, factors);
     for (std::size_t j = 0; j < n_bars(); ++j)
       if (dislocations[j] != 0.)
         blas::axpy(n_bars(), -dislocations[j], W.column(j), p.data());
+    add_water(water, p);
     return p;
+  }
+
+  void
+  LayeredSystem::add_water(const Vector &water, Vector &forces) const
+  {
+    for (std::size_t j = 0; j < water.size(); ++j)
+      if (water[j] != 0.)
+        {
+          forces[j] += water[j];
+          if (compliances[j] != 0.)
+            blas::axpy(n_bars(), -compliances[j] * water[j], W.column(j), forces.data());
+        }
   }
 
   Vector

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/path_segment.h>
 
@@ -27,16 +28,24 @@ namespace fuga
   } // namespace
 
   void
+  release(const Drive &drive, const double tau, JointState &state)
+  {
+    state.unreleased    = along(state.unreleased, tau, drive.release);
+    state.missing_water = along(state.missing_water, tau, drive.missing_water);
+  }
+
+  void
   complete_state(const PathContext &context,
                  const Course &course,
                  const double tau,
                  JointState &state)
   {
     // The end of a course is met exactly: stages begin at whole numbers, whatever rounding says.
-    state.t = tau == course.length ? course.t_end
-                                   : course.t + tau * (course.t_end - course.t) / course.length;
-    state.forces =
-      context.system.forces(along(course.factors, tau, course.factor_rates), state.dislocations);
+    state.t              = tau == course.length ? course.t_end
+                                                : course.t + tau * (course.t_end - course.t) / course.length;
+    const Vector factors = along(course.factors, tau, course.factor_rates);
+    set_water(context.elements, context.system, factors, state);
+    state.forces = context.system.forces(factors, state.dislocations, state.water);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
@@ -78,8 +87,7 @@ namespace fuga
       return start;
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
-    if (!course.drive.release.empty())
-      result.state.unreleased = along(start.state.unreleased, tau, course.drive.release);
+    release(course.drive, tau, result.state);
     complete_state(context, course, tau, result.state);
 
     const Vector residual = context.scheme.residual(result.state);

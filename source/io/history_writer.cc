@@ -45,7 +45,7 @@ namespace fuga
     }
 
     std::vector<std::string>
-    history_columns(const Units &u)
+    history_columns(const Units &u, const bool has_water)
     {
       std::vector<std::string> columns = {"t", "joint", "element"};
       for (const char *name : {"x", "y", "z"})
@@ -59,41 +59,46 @@ namespace fuga
       for (const char *name : {"gap", "slip1", "slip2", "jump_n", "jump_t1", "jump_t2"})
         columns.push_back(fmt::format("{}[{}]", name, u.length));
       columns.push_back(fmt::format("path_length[{}]", u.length));
+      if (has_water)
+        columns.push_back(fmt::format("water_pressure[{}]", u.stress()));
       return columns;
     }
 
     std::vector<std::string>
-    resultant_columns(const Units &u)
+    resultant_columns(const Units &u, const bool has_water)
     {
-      return {"t",
-              "joint",
-              fmt::format("N[{}]", u.force),
-              fmt::format("T[{}]", u.force),
-              fmt::format("M[{}]", u.energy()),
-              fmt::format("position_x[{}]", u.length),
-              fmt::format("position_y[{}]", u.length),
-              "share_open",
-              "share_stick",
-              "share_slip",
-              fmt::format("largest_pressure[{}]", u.stress()),
-              fmt::format("largest_gap[{}]", u.length),
-              fmt::format("largest_slip[{}]", u.length),
-              "sliding_safety",
-              fmt::format("external_work[{}]", u.energy()),
-              fmt::format("energy_bodies[{}]", u.energy()),
-              fmt::format("energy_layer[{}]", u.energy()),
-              fmt::format("dissipation[{}]", u.energy()),
-              "certificate",
-              fmt::format("path_length[{}]", u.length),
-              fmt::format("eccentricity[{}]", u.length),
-              "in_middle_third",
-              "overturning_safety",
-              "share_compression",
-              fmt::format("cracked_length[{}]", u.length),
-              fmt::format("crack_from_first[{}]", u.length),
-              fmt::format("crack_from_last[{}]", u.length),
-              fmt::format("smallest_pressure[{}]", u.stress()),
-              fmt::format("joint_dissipation[{}]", u.energy())};
+      std::vector<std::string> columns = {"t",
+                                          "joint",
+                                          fmt::format("N[{}]", u.force),
+                                          fmt::format("T[{}]", u.force),
+                                          fmt::format("M[{}]", u.energy()),
+                                          fmt::format("position_x[{}]", u.length),
+                                          fmt::format("position_y[{}]", u.length),
+                                          "share_open",
+                                          "share_stick",
+                                          "share_slip",
+                                          fmt::format("largest_pressure[{}]", u.stress()),
+                                          fmt::format("largest_gap[{}]", u.length),
+                                          fmt::format("largest_slip[{}]", u.length),
+                                          "sliding_safety",
+                                          fmt::format("external_work[{}]", u.energy()),
+                                          fmt::format("energy_bodies[{}]", u.energy()),
+                                          fmt::format("energy_layer[{}]", u.energy()),
+                                          fmt::format("dissipation[{}]", u.energy()),
+                                          "certificate",
+                                          fmt::format("path_length[{}]", u.length),
+                                          fmt::format("eccentricity[{}]", u.length),
+                                          "in_middle_third",
+                                          "overturning_safety",
+                                          "share_compression",
+                                          fmt::format("cracked_length[{}]", u.length),
+                                          fmt::format("crack_from_first[{}]", u.length),
+                                          fmt::format("crack_from_last[{}]", u.length),
+                                          fmt::format("smallest_pressure[{}]", u.stress()),
+                                          fmt::format("joint_dissipation[{}]", u.energy())};
+      if (has_water)
+        columns.push_back(fmt::format("water[{}]", u.force));
+      return columns;
     }
 
     std::vector<std::string>
@@ -112,8 +117,8 @@ namespace fuga
   HistoryWriter::HistoryWriter(const std::string &directory, const HistoryContext &history_context)
     : context(history_context)
     , events(directory + "/events.csv", event_columns(context.units))
-    , history(directory + "/joint_history.csv", history_columns(context.units))
-    , resultants(directory + "/resultants.csv", resultant_columns(context.units))
+    , history(directory + "/joint_history.csv", history_columns(context.units, context.has_water))
+    , resultants(directory + "/resultants.csv", resultant_columns(context.units, context.has_water))
   {
     if (!context.monitors.empty())
       monitors =
@@ -166,6 +171,8 @@ namespace fuga
              {r.N, r.T, 0., r.pressure, r.shear, 0., r.gap, r.slip, 0., r.jump_n, r.jump_t, 0.})
           history.add(value);
         history.add(length_beyond);
+        if (context.has_water)
+          history.add(r.water_pressure);
         history.end_row();
       }
     for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
@@ -201,6 +208,8 @@ namespace fuga
                                    r.smallest_pressure,
                                    r.dissipation})
           resultants.add(value);
+        if (context.has_water)
+          resultants.add(r.water);
         resultants.end_row();
       }
   }

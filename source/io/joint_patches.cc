@@ -16,7 +16,8 @@ namespace fuga
     /** State of a node without contact element. */
     constexpr float bonded = 3.F;
 
-    const std::array<const char *, 12> names = {{"gap",
+    /** The last one only if a joint has water. */
+    const std::array<const char *, 13> names = {{"gap",
                                                  "closure",
                                                  "slip",
                                                  "shear_jump",
@@ -27,7 +28,8 @@ namespace fuga
                                                  "state",
                                                  "area",
                                                  "dissipation",
-                                                 "element"}};
+                                                 "element",
+                                                 "water_pressure"}};
 
     double
     extent(const std::vector<JointFace> &faces)
@@ -82,7 +84,8 @@ namespace fuga
         patch.patch_index          = static_cast<unsigned int>(patches.size());
         patch.n_subdivisions       = 1;
         patch.points_are_available = false;
-        patch.data.reinit(static_cast<unsigned int>(names.size()), 2);
+        const auto n_names         = static_cast<unsigned int>(get_dataset_names().size());
+        patch.data.reinit(n_names, 2);
         for (unsigned int v = 0; v < 2; ++v)
           {
             for (unsigned int d = 0; d < dim; ++d)
@@ -107,8 +110,9 @@ namespace fuga
                static_cast<double>(state_code(r.state)),
                elements[k].area,
                dissipation[k],
-               static_cast<double>(elements[k].number)}};
-            for (unsigned int n = 0; n < names.size(); ++n)
+               static_cast<double>(elements[k].number),
+               r.water_pressure}};
+            for (unsigned int n = 0; n < n_names; ++n)
               patch.data(n, v) = static_cast<float>(values[n]);
           }
         patches.push_back(std::move(patch));
@@ -126,7 +130,7 @@ namespace fuga
   std::vector<std::string>
   JointPatches<dim>::get_dataset_names() const
   {
-    return {names.begin(), names.end()};
+    return {names.begin(), names.end() - (system.opening_water().empty() ? 1 : 0)};
   }
 
   template class JointPatches<2>;

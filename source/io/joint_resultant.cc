@@ -148,6 +148,8 @@ namespace fuga
           resultant.T += F_x * frame.n_y - F_y * frame.n_x;
           resultant.M -=
             (element.position[0] - frame.x) * F_y - (element.position[1] - frame.y) * F_x;
+          resultant.water +=
+            result.water_pressure * element.area * (n_x * frame.n_x + n_y * frame.n_y);
           const double share = element.area / frame.area;
           (result.state == ContactState::open    ? resultant.share_open
            : result.state == ContactState::stick ? resultant.share_stick

@@ -12,7 +12,8 @@ namespace fuga
   std::vector<ElementResult>
   element_results(const std::vector<ContactElement> &elements,
                   const JointState &state,
-                  const Vector &jumps)
+                  const Vector &jumps,
+                  const Vector &closed_water)
   {
     std::vector<ElementResult> results(elements.size());
     for (std::size_t k = 0; k < elements.size(); ++k)
@@ -38,6 +39,9 @@ namespace fuga
             result.jump_t = jumps[element.tangential_bar];
             result.slip   = state.slips[k];
           }
+        if (!closed_water.empty())
+          result.water_pressure =
+            (closed_water[element.normal_bar] + state.water[element.normal_bar]) / element.area;
         result.pressure = result.N == 0. ? 0. : -result.N / element.area;
         result.shear    = result.T / element.area;
         if (result.state != ContactState::open)

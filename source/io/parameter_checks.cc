@@ -62,7 +62,8 @@ namespace fuga
                           const LoadDefinition &load,
                           const ModelDefinition &model)
     {
-      if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
+      if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature ||
+          load.kind == LoadKind::uplift)
         return;
       for (const std::string &target : load.targets)
         if (const BoundaryCondition *condition = find_condition(model, target);
@@ -72,6 +73,23 @@ namespace fuga
             fmt::format("'{}' is said to be free at {}. Remove that statement or this load.",
                         target,
                         condition->origin));
+    }
+
+
+    /** Water needs a joint to be in. */
+    void
+    check_joints(const ParameterSection &section,
+                 const LoadDefinition &load,
+                 const std::vector<std::string> &joints)
+    {
+      if (load.kind != LoadKind::uplift)
+        return;
+      for (const std::string &target : load.targets)
+        if (std::find(joints.begin(), joints.end(), target) == joints.end())
+          section.fail("Joints",
+                       fmt::format("there is no joint '{}' in section Joints. {}",
+                                   target,
+                                   name_hint(target, joints, "joints")));
     }
 
 
@@ -131,6 +149,7 @@ namespace fuga
       {
         check_free_boundaries(sections[i], model.loads[i], model);
         check_displacement(sections[i], model.loads[i], model);
+        check_joints(sections[i], model.loads[i], values.subsection_names("Joints"));
         if (!is_used(model, i))
           sections[i].fail(fmt::format(
             "no stage uses this load; the stages are {}. Add '{}: t' to the Loads of one, or "

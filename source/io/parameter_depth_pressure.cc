@@ -12,47 +12,57 @@ namespace fuga
   namespace
   {
     double
-    read_number(const ParameterSection &section, const std::string &point, const std::string &text)
+    read_number(const ParameterSection &section,
+                const std::string &entry,
+                const std::string &form,
+                const std::string &point,
+                const std::string &text)
     {
       const NumberPattern number(
         NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
       if (!number.match(text))
-        section.fail("Level",
-                     fmt::format("'{}' is no point of a table: '{}' {}. Write 't: level' with two "
+        section.fail(entry,
+                     fmt::format("'{}' is no point of a table: '{}' {}. Write '{}' with two "
                                  "numbers, and ';' between the points.",
                                  point,
                                  text,
-                                 text.empty() ? "is empty" : "is not a number"));
+                                 text.empty() ? "is empty" : "is not a number",
+                                 form));
       return std::stod(text);
     }
-
-
-    std::vector<std::array<double, 2>>
-    read_level_table(const ParameterSection &section)
-    {
-      std::vector<std::array<double, 2>> table;
-      for (const std::string &point : split_pieces(section.text("Level"), ';'))
-        {
-          const std::vector<std::string> numbers = split_pieces(point, ':');
-          if (numbers.size() != 2)
-            section.fail("Level",
-                         fmt::format("'{}' is no point of a table. Write 't: level' with two "
-                                     "numbers, and ';' between the points.",
-                                     point));
-          const double t     = read_number(section, point, numbers[0]);
-          const double level = read_number(section, point, numbers[1]);
-          if (!table.empty() && t <= table.back()[0])
-            section.fail("Level",
-                         fmt::format("the times of the table do not increase: {:g} comes after "
-                                     "{:g}. t is the load time: it runs from 0 to 1 in the first "
-                                     "stage, from 1 to 2 in the second one.",
-                                     t,
-                                     table.back()[0]));
-          table.push_back({{t, level}});
-        }
-      return table;
-    }
   } // namespace
+
+
+  std::vector<std::array<double, 2>>
+  read_table(const ParameterSection &section, const std::string &entry, const std::string &form)
+  {
+    std::vector<std::array<double, 2>> table;
+    for (const std::string &point : split_pieces(section.text(entry), ';'))
+      {
+        const std::vector<std::string> numbers = split_pieces(point, ':');
+        if (numbers.size() != 2)
+          section.fail(entry,
+                       fmt::format("'{}' is no point of a table. Write '{}' with two "
+                                   "numbers, and ';' between the points.",
+                                   point,
+                                   form));
+        const double a = read_number(section, entry, form, point, numbers[0]);
+        const double b = read_number(section, entry, form, point, numbers[1]);
+        if (!table.empty() && a <= table.back()[0])
+          section.fail(
+            entry,
+            fmt::format("the first numbers of the table do not increase: {:g} comes "
+                        "after {:g}. {}",
+                        a,
+                        table.back()[0],
+                        entry == "Level"
+                          ? "t is the load time: it runs from 0 to 1 in the first stage, "
+                            "from 1 to 2 in the second one."
+                          : "Sort the points."));
+        table.push_back({{a, b}});
+      }
+    return table;
+  }
 
 
   DepthPressure
@@ -65,7 +75,7 @@ namespace fuga
     const double unit_weight = section.number("Unit weight");
     // A ':' may also be that of 'a ? b : c'.
     if (level.find(':') != std::string::npos && level.find('?') == std::string::npos)
-      depth.level_table = read_level_table(section);
+      depth.level_table = read_table(section, "Level", "t: level");
     else
       {
         if (level.empty())

@@ -58,6 +58,10 @@ namespace fuga
          LoadKind::depth_pressure,
          {"Boundaries", "Level", "Unit weight", "Horizontal coefficient", "Bottom level"},
          {}},
+        {"uplift",
+         LoadKind::uplift,
+         {"Joints", "Level", "Unit weight", "Upstream end"},
+         {"Tailwater level", "Drain distance", "Drain efficiency", "Pressure profile"}},
         {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
         {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
         {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}}};
@@ -107,10 +111,10 @@ namespace fuga
           if (!point.name.empty())
             load.targets = {point.name};
         }
+      else if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
+        load.targets = section.list("Bodies");
       else
-        load.targets = section.list(
-          load.kind == LoadKind::weight || load.kind == LoadKind::temperature ? "Bodies"
-                                                                              : "Boundaries");
+        load.targets = section.list(load.kind == LoadKind::uplift ? "Joints" : "Boundaries");
     }
 
 
@@ -222,11 +226,13 @@ namespace fuga
         check_bodies(section, model, load, "Weight density", &Material::weight_density);
       if (load.kind == LoadKind::temperature)
         check_bodies(section, model, load, "Thermal expansion", &Material::thermal_expansion);
-      if (load.kind == LoadKind::depth_pressure)
+      if (load.has_level())
         load.depth = read_depth_pressure(section, model.constants);
-      else if (type.name == "seismic")
+      if (load.kind == LoadKind::uplift)
+        load.uplift = read_uplift(section);
+      if (type.name == "seismic")
         load.expressions = read_seismic_coefficients(section);
-      else
+      else if (!load.has_level())
         load.expressions = read_expressions(section, model, load.kind);
       return load;
     }

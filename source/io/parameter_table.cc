@@ -129,10 +129,11 @@ namespace fuga
         required(
           "Type",
           choice("weight|seismic|temperature|pressure|hydrostatic|earth pressure|westergaard|"
-                 "traction|point force|displacement"),
+                 "uplift|traction|point force|displacement"),
           "Weight of bodies, weight times seismic coefficients, change of temperature, "
           "pressure towards the body, pressure of still water, of earth, of water moved by "
-          "an earthquake, traction vector, force at a point, displacement of fixed "
+          "an earthquake, of water in a joint, traction vector, force at a point, displacement of "
+          "fixed "
           "components.",
           {"weight", "pressure"}),
         optional("Bodies",
@@ -140,7 +141,7 @@ namespace fuga
                  "For weight, seismic, temperature: list of bodies; without it all of them."),
         optional("Boundaries",
                  text(),
-                 "For all other types but point force: list of boundaries.",
+                 "For all other types but point force and uplift: list of boundaries.",
                  {"", "upstream"}),
         optional("Point", text(), "For a point force: named point, or coordinates: x, y."),
         optional("Value",
@@ -153,40 +154,6 @@ namespace fuga
                  {"0; -1", "0.0144"})};
     }
 
-    std::vector<EntryDeclaration>
-    load_depth_and_shaking()
-    {
-      return {
-        optional("Level",
-                 text(),
-                 "For hydrostatic, earth pressure, westergaard: y of the surface of the water or "
-                 "the ground [m]. A number, an expression of the load time t, or a table "
-                 "'t: level; t: level', linear in between and constant outside. Nothing above the "
-                 "level is loaded."),
-        optional("Unit weight",
-                 number_above(0),
-                 "For hydrostatic, earth pressure, westergaard: weight per volume of the water or "
-                 "the ground [MN/m^3]; the pressure of still water is this times the depth."),
-        optional("Earth pressure coefficient",
-                 number_above(0),
-                 "For earth pressure: K0, Ka or Kp; the pressure, normal to the boundary, is K "
-                 "(unit weight times depth + surcharge)."),
-        optional("Surcharge",
-                 number_from(0),
-                 "For earth pressure: load on the surface of the ground [MPa]; 0 without this "
-                 "entry."),
-        optional("Horizontal coefficient",
-                 any_number(),
-                 "For seismic: force per weight of the bodies in x, negative against x. For "
-                 "westergaard: the pressure is 7/8 of this times unit weight times sqrt(depth of "
-                 "the water at its bottom times depth), positive towards the body."),
-        optional("Vertical coefficient",
-                 any_number(),
-                 "For seismic: force per weight of the bodies in y, upwards positive."),
-        optional(
-          "Bottom level", any_number(), "For westergaard: y of the bottom of the water [m].")};
-    }
-
     SectionDeclaration
     loads_section()
     {
@@ -195,8 +162,8 @@ namespace fuga
         "One subsection per load pattern, with a name of your choice; stages make it act.",
         load_place(),
         {"weight", "water"}};
-      for (const EntryDeclaration &entry : load_depth_and_shaking())
-        section.entries.push_back(entry);
+      for (const auto &part : {load_depth_and_shaking(), load_uplift()})
+        section.entries.insert(section.entries.end(), part.begin(), part.end());
       return section;
     }
 

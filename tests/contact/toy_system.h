@@ -17,7 +17,7 @@ namespace fuga::tests
   class ToySystem : public ContactSystem
   {
   public:
-    DenseMatrix S, F, B, motions, motion_loads;
+    DenseMatrix S, F, B, motions, motion_loads, water;
 
     const DenseMatrix &
     stiffness() const override
@@ -47,6 +47,12 @@ namespace fuga::tests
     rigid_motion_loads() const override
     {
       return motion_loads;
+    }
+
+    const DenseMatrix &
+    opening_water() const override
+    {
+      return water;
     }
   };
 

@@ -82,6 +82,34 @@ namespace fuga
   }
 
 
+  TEST(LoadTypes, Uplift)
+  {
+    const std::string on_base  = "set Type = uplift\nset Joints = base\nset Level = 7\n"
+                                 "set Unit weight = 0.01\nset Upstream end = left\n";
+    const LoadDefinition plain = read_push("plain", on_base);
+    EXPECT_EQ(plain.kind, LoadKind::uplift);
+    EXPECT_EQ(plain.targets, (std::vector<std::string>{"base"}));
+    EXPECT_EQ(plain.depth.level, "7");
+    EXPECT_EQ(plain.depth.gradient, 0.01);
+    EXPECT_EQ(plain.uplift.upstream_end, Uplift::End::left);
+    EXPECT_FALSE(plain.uplift.has_tailwater);
+    EXPECT_EQ(plain.uplift.profile, (std::vector<std::array<double, 2>>{{{0., 1.}}, {{1., 0.}}}));
+
+    const LoadDefinition drained = read_push(
+      "drained",
+      on_base + "set Tailwater level = -1\nset Drain distance = 2\nset Drain efficiency = 0.5\n");
+    EXPECT_TRUE(drained.uplift.has_tailwater);
+    EXPECT_EQ(drained.uplift.tailwater, -1.);
+    EXPECT_EQ(drained.uplift.drain_distance, 2.);
+    EXPECT_EQ(drained.uplift.drain_efficiency, 0.5);
+
+    const LoadDefinition given =
+      read_push("given", on_base + "set Pressure profile = 0: 1; 0.2: 0.3; 1: 0\n");
+    ASSERT_EQ(given.uplift.profile.size(), 3u);
+    EXPECT_EQ(given.uplift.profile[1], (std::array<double, 2>{{0.2, 0.3}}));
+  }
+
+
   TEST(LoadTypes, Temperature)
   {
     const std::string text = replaced(
@@ -115,7 +143,9 @@ namespace fuga
 
     // The load 'push' begins at line 58, its type stands at line 59.
     const std::string pressure = "set Type = pressure", value = "    set Value = q*(12 - y)/12\n",
-                      water = "set Type = hydrostatic\nset Unit weight = 1\nset Level = ";
+                      water = "set Type = hydrostatic\nset Unit weight = 1\nset Level = ",
+                      uplift =
+                        "set Type = uplift\nset Joints = base\nset Level = 3\nset Unit weight = 1";
 
     const WrongInput loads[] = {
       {"NoUnitWeight",
@@ -184,6 +214,48 @@ namespace fuga
        {{pressure, "set Type = seismic\nset Horizontal coefficient = 0.1"}, {value, ""}},
        {},
        {".prm:61", "Boundaries = 'upstream'", "type seismic"}},
+      {"UpliftWithoutEnd",
+       {{pressure, uplift}, {value, ""}, {"    " + on_upstream, ""}},
+       {},
+       {".prm:58", "'Upstream end' is missing", "reservoir"}},
+      {"UpliftOnBoundary",
+       {{pressure, uplift + "\nset Upstream end = left"}, {value, ""}},
+       {},
+       {".prm:64", "Boundaries = 'upstream'", "type uplift"}},
+      {"UpliftInNoJoint",
+       {{pressure,
+         "set Type = uplift\nset Level = 3\nset Unit weight = 1\nset Upstream end = left\n"
+         "set Joints = bsae"},
+        {value, ""},
+        {"    " + on_upstream, ""}},
+       {},
+       {".prm:63", "no joint 'bsae'", "base"}},
+      {"DrainWithoutEfficiency",
+       {{pressure, uplift + "\nset Upstream end = left\nset Drain distance = 2"},
+        {value, ""},
+        {"    " + on_upstream, ""}},
+       {},
+       {".prm:64", "Drain distance", "Add 'Drain efficiency'"}},
+      {"DrainAndProfile",
+       {{pressure,
+         uplift + "\nset Upstream end = left\nset Drain distance = 2\nset Drain efficiency = 1\n"
+                  "set Pressure profile = 0: 1; 1: 0"},
+        {value, ""},
+        {"    " + on_upstream, ""}},
+       {},
+       {".prm:66", "Pressure profile", ".prm:64", "Remove one"}},
+      {"ProfileTooShort",
+       {{pressure, uplift + "\nset Upstream end = left\nset Pressure profile = 0: 1; 0.9: 0"},
+        {value, ""},
+        {"    " + on_upstream, ""}},
+       {},
+       {".prm:64", "Pressure profile", "to 0.9"}},
+      {"ProfileTooHigh",
+       {{pressure, uplift + "\nset Upstream end = left\nset Pressure profile = 0: 1; 1: 1.5"},
+        {value, ""},
+        {"    " + on_upstream, ""}},
+       {},
+       {".prm:64", "Pressure profile", "1.5 at s = 1"}},
       {"NothingExpands",
        {{pressure, "set Type = temperature"}, {"    set Boundaries = upstream\n", ""}},
        {},

@@ -193,6 +193,12 @@ TEST(Restart, Monitors)
   EXPECT_GT(check(file, {"Output/Fields=never", "Output/Monitors=events"}, 6), 10u);
 }
 
+// Water that comes into the joint as it opens.
+TEST(Restart, WaterInJoint)
+{
+  EXPECT_GT(check("dam.prm", {"Output/Fields=never", "Mesh/Polynomial degree=1"}, 8), 12u);
+}
+
 TEST(Restart, StageEnds)
 {
   EXPECT_GE(check("paper_2_linear.prm", {"Output/Fields=never", "Solver/Follow=stage ends"}, 12),

@@ -121,6 +121,19 @@ namespace fuga
       return motion_loads;
     }
 
+    const DenseMatrix &
+    opening_water() const override
+    {
+      return water_of_open;
+    }
+
+    /** Water on closed elements: n_bars x n_patterns [MN]; empty without water. */
+    const DenseMatrix &
+    closed_water() const
+    {
+      return water_of_closed;
+    }
+
     /** Contact elements with their geometry; gaps and laws are for others to fill in. */
     const std::vector<ContactElement> &
     elements() const;
@@ -134,6 +147,10 @@ namespace fuga
     {
       return faces;
     }
+
+    /** UpliftAssembly::levels_of_kinks() of load @p number. */
+    std::vector<double>
+    levels_of_kinks(const std::size_t number) const;
 
     /** The pattern of load @p number of the model at load time @p t. */
     LoadPattern
@@ -256,7 +273,7 @@ namespace fuga
     std::unique_ptr<SchurSolver> solver;
     std::unique_ptr<RigidProjection> projection;
 
-    DenseMatrix S, F, motions, motion_loads;
+    DenseMatrix S, F, motions, motion_loads, water_of_open, water_of_closed;
     std::vector<LoadPattern> patterns;
     std::vector<JointFace> faces;
     std::vector<std::string> lines;

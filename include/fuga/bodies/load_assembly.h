@@ -19,6 +19,9 @@ namespace fuga
     Vector forces;
     /** Displacements of held degrees of freedom; empty if nothing is moved. */
     Vector prescribed;
+    /** For water in joints, per bar: forces that press the lips apart, in closed elements (`forces`
+     * contains them) and in addition where an element opens. Empty for other loads. */
+    Vector closed_water = {}, opening_water = {};
   };
 
   /** "file:line: Load 'name'", for messages. */

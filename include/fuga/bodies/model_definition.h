@@ -60,6 +60,8 @@ namespace fuga
     pressure,
     /** Pressure on the named boundaries below a level: DepthPressure. */
     depth_pressure,
+    /** Pressure of the water in the named joints: Uplift. */
+    uplift,
     /** Change of temperature of the named bodies [K]. */
     temperature,
     /** Traction vector on the named boundaries [MPa]. */
@@ -95,12 +97,44 @@ namespace fuga
     double bottom = 0.;
   };
 
+  /**
+   * Water in a joint between a reservoir, whose level is that of a DepthPressure with γ, and the
+   * other end of the joint. Where the joint is closed, at the share s of the straight way from the
+   * upstream end,
+   *
+   *   u = u_d + φ(s) (u_u - u_d),
+   *
+   * with the pressures u_u, u_d of the depth below both levels at the ends. Where it is open, the
+   * pressure is that of the reservoir: of the depth below its level, if this is more.
+   */
+  struct Uplift
+  {
+    /** Which end of a joint is the one in the reservoir: the extreme one in this direction. */
+    enum class End
+    {
+      left,
+      right,
+      bottom,
+      top
+    };
+
+    End upstream_end   = End::left;
+    bool has_tailwater = false;
+    double tailwater   = 0.;
+    /** φ: points (s, φ), from s = 0 to 1, increasing; linear in between. */
+    std::vector<std::array<double, 2>> profile = {{{0., 1.}}, {{1., 0.}}};
+    /** A drain at this distance from the upstream end [m], if positive, lowers the linear φ there
+     * to (1 - efficiency) of what it is (USACE, EM 1110-2-2200, 1995, section 3-3). */
+    double drain_distance   = 0.;
+    double drain_efficiency = 0.;
+  };
+
   /** One load pattern: a field in space, multiplied in every stage by a history. */
   struct LoadDefinition
   {
     std::string name;
     LoadKind kind = LoadKind::weight;
-    /** Bodies (weight, temperature), points (point_force) or, else, boundaries. */
+    /** Bodies (weight, temperature), points (point_force), joints (uplift) or, else, boundaries. */
     std::vector<std::string> targets;
     /** muParser expressions of x, y (, z), t: one for a pressure or temperature, none for a depth
      *  pressure, else one per component; an empty expression of a displacement load leaves that
@@ -110,8 +144,15 @@ namespace fuga
     bool has_coordinates              = false;
     std::array<double, 3> coordinates = {{0., 0., 0.}};
     std::string origin;
-    /** For a depth pressure. */
+    /** For a depth pressure; level and γ of an uplift. */
     DepthPressure depth = {};
+    Uplift uplift       = {};
+
+    bool
+    has_level() const
+    {
+      return kind == LoadKind::depth_pressure || kind == LoadKind::uplift;
+    }
   };
 
   /** A point whose displacement is written. */

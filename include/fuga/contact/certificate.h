@@ -195,8 +195,15 @@ namespace fuga
   private:
     Vector
     jumps(const Vector &dislocations, const Vector &forces) const;
+    /** Loads on the interface coordinates without those of water that came in. */
     Vector
     loads(const double t) const;
+    /** Forces of water in open elements, as the loads demand; empty without water. */
+    Vector
+    water(const JointState &state) const;
+    /** Adds Bᵀ ω. */
+    void
+    add_water(const JointState &state, Vector &loads) const;
     double
     body_equilibrium_error(const JointState &state) const;
     void

@@ -50,6 +50,19 @@ namespace fuga
      */
     virtual const DenseMatrix &
     rigid_motion_loads() const = 0;
+
+    /**
+     * Water that comes in where the lips part: the force ω(t) = opening_water() a(t) ≥ 0 that
+     * presses the lips of an open element apart, beyond what load_patterns() contain; n_bars x
+     * n_patterns, zero for tangential bars [MN]. In equilibrium S x + Bᵀ (p - ω) = F a, with ω in
+     * open elements only. An empty matrix: no joint has water.
+     */
+    virtual const DenseMatrix &
+    opening_water() const
+    {
+      static const DenseMatrix none;
+      return none;
+    }
   };
 } // namespace fuga
 

@@ -237,6 +237,10 @@ namespace fuga
     widening_of_tolerances() const;
     void
     check_standstill(const JointState &state) const;
+    void
+    note_zero_step(const JointState &state, PathResult &result);
+    void
+    set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const;
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,

@@ -33,13 +33,35 @@ namespace fuga
      * is unloaded at constant load, not at once.
      */
     Vector unreleased;
+    /** Forces ω [MN] with which water that came in presses the lips of each bar apart, beyond what
+     * acts on closed elements; `forces` are those that the lips transmit. Empty without water. */
+    Vector water;
+    /** What the water must still grow by, at constant load, after a change of state [MN]: to the
+     * full pressure in an open element, to zero in a closed one. */
+    Vector missing_water;
+
+    /** The load has to stand still until all this is given up. */
+    bool
+    is_unsettled() const
+    {
+      return max_abs(unreleased) > 0. || max_abs(missing_water) > 0.;
+    }
   };
 
   template <typename State, typename Visitor, only_for<State, JointState> = 0>
   void
   for_each_field(State &state, Visitor &&visit)
   {
-    auto &[t, states, forces, dislocations, slips, dilations, strengths, unreleased] = state;
+    auto &[t,
+           states,
+           forces,
+           dislocations,
+           slips,
+           dilations,
+           strengths,
+           unreleased,
+           water,
+           missing_water] = state;
     visit("t", t);
     visit("states", states);
     visit("forces", forces);
@@ -48,6 +70,8 @@ namespace fuga
     visit("dilations", dilations);
     visit("strengths", strengths);
     visit("unreleased", unreleased);
+    visit("water", water);
+    visit("missing_water", missing_water);
   }
 
   /** How a JointState changes per unit of the path parameter. */
@@ -58,14 +82,16 @@ namespace fuga
   };
 
   /**
-   * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, and
-   * the rate of the unreleased forces of broken bonds, which only fall in size. Both per bar and
-   * unit of the path parameter; `release` is empty while loads change.
+   * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, to
+   * loads and water; the rate of the unreleased forces of broken bonds, which only fall in size;
+   * and that of the missing water. All per bar and unit of the path parameter; the last two are
+   * empty while loads change.
    */
   struct Drive
   {
     Vector reactions;
     Vector release;
+    Vector missing_water = {};
   };
 } // namespace fuga
 

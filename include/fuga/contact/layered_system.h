@@ -58,9 +58,21 @@ namespace fuga
       return compliances[bar];
     }
 
-    /** Forces p = R a - W d. */
+    /** ContactSystem::opening_water(). */
+    const DenseMatrix &
+    opening_water() const
+    {
+      return Q;
+    }
+
+    /** Forces p = R a - W d, and those of the water ω if it is not empty. */
     Vector
-    forces(const Vector &factors, const Vector &dislocations) const;
+    forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
+
+    /** Adds (I - W D) ω: a force between the lips, so an elastic part D ω of the jump that no bar
+     * force p causes. */
+    void
+    add_water(const Vector &water, Vector &forces) const;
 
     /** Jumps δ = d + D p. */
     Vector
@@ -75,6 +87,7 @@ namespace fuga
     Vector compliances;
     DenseMatrix W;
     DenseMatrix R;
+    DenseMatrix Q;
   };
 
   /** D = ρ/A of a bar with the given law [m/MN]. */

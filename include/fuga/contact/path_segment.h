@@ -100,7 +100,12 @@ namespace fuga
     double end;
   };
 
-  /** The parts of a state that follow from dislocations alone: forces p = R a - W d, time, slips.
+  /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
+  void
+  release(const Drive &drive, const double tau, JointState &state);
+
+  /** The parts of a state that follow from dislocations alone: forces p = R a - W d, time, slips,
+   * water.
    */
   void
   complete_state(const PathContext &context,

@@ -24,6 +24,8 @@ namespace fuga
     const std::vector<std::array<double, 3>> &normals;
     const std::vector<Monitor> &monitors;
     Units units;
+    /** Tables have columns of the water in joints. */
+    bool has_water = false;
   };
 
   /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.

@@ -50,6 +50,9 @@ namespace fuga
     double overturning_safety = 0.;
     /** The resultant stands within the middle third of B. */
     bool in_middle_third = false;
+    /** Force of the water in the joint along n, which presses the lips apart [force]: N is without
+     * it. */
+    double water = 0.;
     /** Work of friction so far [force length]. */
     double dissipation = 0.;
   };

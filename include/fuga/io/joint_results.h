@@ -33,13 +33,17 @@ namespace fuga
     double utilisation = 0.;
     /** f|N| + cohesive strength of a closed element [force]. */
     double strength = 0.;
+    /** Pressure of the water in the joint, beside that of the lips [stress]. */
+    double water_pressure = 0.;
   };
 
-  /** Results of all elements. @p jumps: δ of all bars; @p tangential_jumps: of elements without such a bar. */
+  /** Results of all elements. @p jumps: δ of all bars; @p closed_water: forces of water in the bars of
+   * closed elements, empty without water. */
   std::vector<ElementResult>
   element_results(const std::vector<ContactElement> &elements,
                   const JointState &state,
-                  const Vector &jumps);
+                  const Vector &jumps,
+                  const Vector &closed_water = {});
 } // namespace fuga
 
 #endif

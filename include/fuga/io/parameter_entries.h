@@ -66,6 +66,12 @@ namespace fuga
     std::vector<EntryDeclaration>
     joint_shear_growth_entries();
 
+    /** Entries of loads by water, earth and earthquakes. */
+    std::vector<EntryDeclaration>
+    load_depth_and_shaking();
+    std::vector<EntryDeclaration>
+    load_uplift();
+
     /** Sections that say how to run, not what. */
     SectionDeclaration
     solver_section();

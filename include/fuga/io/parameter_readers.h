@@ -35,6 +35,15 @@ namespace fuga
   read_depth_pressure(const ParameterSection &section,
                       const std::map<std::string, double> &constants);
 
+  /** The table 'a: b; a: b' of an entry, with increasing a. @p form: how a point is written, for
+   * messages. @throws InputError */
+  std::vector<std::array<double, 2>>
+  read_table(const ParameterSection &section, const std::string &entry, const std::string &form);
+
+  /** The entries of water in joints but for those of its level. @throws InputError */
+  Uplift
+  read_uplift(const ParameterSection &section);
+
   /** Section Loads, each load for itself. @throws InputError */
   std::vector<LoadDefinition>
   read_loads(const ParameterValues &values, const ModelDefinition &model);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/event_path.h>
+#include <fuga/contact/joint_water.h>
+
+namespace fuga
+{
+  Continuation
+  EventPath::decide(JointState &state,
+                    const Course &course,
+                    PathObserver &observer,
+                    PathResult &result)
+  {
+    take_scheme(state);
+    for (const std::size_t k : resticking)
+      scheme.set_state(k, ContactState::stick);
+    scheme.linearise(state);
+
+    const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
+    Continuation continuation              = rate_problem.solve(state, set, course.drive);
+    result.n_schemes += continuation.n_schemes;
+    if (continuation.exists)
+      choose_branch(state, set, course.drive, continuation, result);
+    if (!continuation.exists)
+      return continuation;
+    ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
+
+    result.n_events += adopt_scheme(state, set, continuation.n_branches, observer);
+    return continuation;
+  }
+
+  void
+  EventPath::take_scheme(JointState &state)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        if (state.dilations[k] >= elements[k].friction.dilation_limit - boundary.gap_tolerance())
+          state.strengths[k].dilatancy = 0.;
+        scheme.set_state(k, state.states[k]);
+        scheme.set_strength(k, state.strengths[k]);
+      }
+  }
+
+  // Gives the boundary elements the states of the working scheme. Returns the number of changes.
+  std::size_t
+  EventPath::adopt_scheme(JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const std::size_t n_branches,
+                          PathObserver &observer) const
+  {
+    std::vector<ContactEvent> events;
+    for (const BoundaryElement &candidate : set)
+      {
+        const std::size_t k = candidate.element;
+        if (state.states[k] == scheme.state(k))
+          continue;
+        events.push_back({state.t, k, state.states[k], scheme.state(k), n_branches});
+        const double no_force = boundary.force_tolerance(elements[k].normal_bar);
+        change_state(elements[k], k, scheme.state(k), no_force, state);
+        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
+        events.back().to = state.states[k];
+      }
+    if (!events.empty())
+      observer.changed(events, state);
+    return events.size();
+  }
+
+  // A bond at the end of its strength that allows no continuation, neither kept nor lost by
+  // opening, breaks.
+  bool
+  EventPath::break_exhausted_bonds(JointState &state,
+                                   PathObserver &observer,
+                                   PathResult &result) const
+  {
+    bool any = false;
+    std::vector<ContactEvent> events;
+    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
+      {
+        const std::size_t k = candidate.element;
+        if (!candidate.grazing || !state.strengths[k].has_bond())
+          continue;
+        any                     = true;
+        const ContactState from = state.states[k];
+        const double no_force   = boundary.force_tolerance(elements[k].normal_bar);
+        break_bond(elements[k], k, no_force, state);
+        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
+        if (state.states[k] != from)
+          events.push_back({state.t, k, from, state.states[k]});
+      }
+    result.n_events += events.size();
+    if (!events.empty())
+      observer.changed(events, state);
+    return any;
+  }
+} // namespace fuga

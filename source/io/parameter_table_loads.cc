@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/io/parameter_entries.h>
+
+namespace fuga
+{
+  namespace parameter_entries
+  {
+    std::vector<EntryDeclaration>
+    load_depth_and_shaking()
+    {
+      return {
+        optional(
+          "Level",
+          text(),
+          "For hydrostatic, earth pressure, westergaard, uplift: y of the surface of the water or "
+          "the ground [m]. A number, an expression of the load time t, or a table "
+          "'t: level; t: level', linear in between and constant outside. Nothing above the "
+          "level is loaded."),
+        optional(
+          "Unit weight",
+          number_above(0),
+          "For hydrostatic, earth pressure, westergaard, uplift: weight per volume of the water or "
+          "the ground [MN/m^3]; the pressure of still water is this times the depth."),
+        optional("Earth pressure coefficient",
+                 number_above(0),
+                 "For earth pressure: K0, Ka or Kp; the pressure, normal to the boundary, is K "
+                 "(unit weight times depth + surcharge)."),
+        optional("Surcharge",
+                 number_from(0),
+                 "For earth pressure: load on the surface of the ground [MPa]; 0 without this "
+                 "entry."),
+        optional("Horizontal coefficient",
+                 any_number(),
+                 "For seismic: force per weight of the bodies in x, negative against x. For "
+                 "westergaard: the pressure is 7/8 of this times unit weight times sqrt(depth of "
+                 "the water at its bottom times depth), positive towards the body."),
+        optional("Vertical coefficient",
+                 any_number(),
+                 "For seismic: force per weight of the bodies in y, upwards positive."),
+        optional(
+          "Bottom level", any_number(), "For westergaard: y of the bottom of the water [m].")};
+    }
+
+
+    std::vector<EntryDeclaration>
+    load_uplift()
+    {
+      return {
+        optional("Joints",
+                 text(),
+                 "For uplift: list of joints. Where a joint is open, the pressure of the reservoir "
+                 "acts in it; it comes in when an element opens, and is squeezed out when it "
+                 "closes."),
+        optional("Upstream end",
+                 choice("left|right|bottom|top"),
+                 "For uplift: the end of the joint that lies in the reservoir."),
+        optional("Tailwater level",
+                 any_number(),
+                 "For uplift: y of the surface of the water at the other end [m]; without this "
+                 "entry there is none."),
+        optional("Drain distance",
+                 number_above(0),
+                 "For uplift: distance of a line of drains from the upstream end [m], at which the "
+                 "linear pressure of the closed joint is lowered."),
+        optional("Drain efficiency",
+                 number_in(0, 1),
+                 "For uplift: there the share by which the pressure above that of the tailwater is "
+                 "lowered."),
+        optional("Pressure profile",
+                 text(),
+                 "For uplift: pressure where the joint is closed, as a table 's: share; s: share', "
+                 "with s = 0 at the upstream end and 1 at the other one, share 1 for the pressure "
+                 "of the reservoir and 0 for that of the tailwater; 0: 1; 1: 0 without this entry "
+                 "and without drain.")};
+    }
+  } // namespace parameter_entries
+} // namespace fuga
