@@ -74,7 +74,7 @@ def main():
     errors, names = ((ROOT / "doc" / name).read_text(encoding="utf-8") for name in ("errors.md", "names.md"))
     n_messages = check_messages(errors)
     n_entries = check_entries("doc/errors.md", errors) + check_entries("doc/names.md", names)
-    for path in [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]:
+    for path in [ROOT / "README.md", *sorted((ROOT / "doc").rglob("*.md"))]:
         check_links(path)
     if n_messages < 40 or n_entries < 30:
         complaints.append(f"only {n_messages} messages and {n_entries} entries found")
