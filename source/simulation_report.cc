@@ -136,6 +136,11 @@ namespace fuga
         describe_critical(outcome.path),
         outcome.path.n_non_unique,
         parameters.solver.non_unique == NonUniqueChoice::first ? "first" : "largest dissipation"));
+    if (parameters.solver.beyond_limit && outcome.path.beyond.end == BeyondLimit::End::none &&
+        (outcome.path.verdict == Verdict::limit_load ||
+         outcome.path.verdict == Verdict::no_continuation))
+      log.warning("The path was not followed beyond the limit load: that needs rigid or linear "
+                  "layers.");
     for (const std::string &text :
          tables.warnings(model.joint_names, parameters.output.units.stress()))
       log.warning(text);

@@ -59,7 +59,7 @@ namespace fuga
   std::optional<bool>
   WorkingScheme::is_monotone(const std::vector<SlipDirection> &slips)
   {
-    if (!bring_up_to_date())
+    if (!bring_up_to_date() || stale)
       return {};
     const std::size_t n = slips.size();
     std::vector<std::size_t> active(n), stuck;

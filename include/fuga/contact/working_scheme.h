@@ -201,7 +201,7 @@ namespace fuga
      * Whether the slips of these elements, the rest of the scheme given, answer their reserves of
      * strength monotonically: xᵀMx > 0 for the matrix M of the rate problem (doc/theory.md, eq. 7).
      * Then it has one solution for every load. Nothing if the slip of one of them is not the work
-     * of its tangential bar alone.
+     * of its tangential bar alone, or the inverse is not that of the present matrix.
      */
     std::optional<bool>
     is_monotone(const std::vector<SlipDirection> &slips);
