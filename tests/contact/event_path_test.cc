@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include "contact/toy_system.h"
+#include "known_answer.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace fuga;
@@ -42,18 +44,24 @@ TEST(EventPath, OneBarWithGapSlipAndReversal)
                                  ContactState::slip_backward};
   for (std::size_t i = 0; i < 4; ++i)
     {
-      EXPECT_NEAR(record.events[i].t, times[i], event_tolerance);
+      expect_answer(
+        {"V1 one bar", fmt::format("t of event {}", i + 1), times[i], "SSND116A, closed form"},
+        record.events[i].t,
+        event_tolerance);
       EXPECT_EQ(record.events[i].to, states[i]);
     }
   ASSERT_EQ(record.levels.size(), 5u);
   const auto jump = [&](const std::size_t level, const std::size_t bar) {
     return layered.jumps(record.levels[level].dislocations, record.levels[level].forces)[bar];
   };
-  EXPECT_NEAR(jump(0, 0), -0.75, event_tolerance);
-  EXPECT_NEAR(jump(1, 1), 2. / 15., event_tolerance);
-  EXPECT_NEAR(jump(2, 1), 1.875, event_tolerance);
-  EXPECT_NEAR(jump(3, 1), 1.8 - 0.35 / 6., event_tolerance);
-  EXPECT_NEAR(jump(4, 1), 0.125, event_tolerance);
+  const auto expect_jump = [&](const char *name, const double known, const double ours) {
+    expect_answer({"V1 one bar", name, known, "SSND116A, closed form"}, ours, event_tolerance);
+  };
+  expect_jump("u_n(1)", -0.75, jump(0, 0));
+  expect_jump("u_t(1.05)", 2. / 15., jump(1, 1));
+  expect_jump("u_t(1.5)", 1.875, jump(2, 1));
+  expect_jump("u_t(1.55)", 1.8 - 0.35 / 6., jump(3, 1));
+  expect_jump("u_t(2)", 0.125, jump(4, 1));
 }
 
 // V4: H(d) of bars that slip one after the other, verification.md; printed to nine digits there and
@@ -87,7 +95,12 @@ TEST(EventPath, ProgressiveSlipOfRigidBlock)
                       1.};
   ASSERT_EQ(record.events.size(), 9u);
   for (std::size_t i = 0; i < 9; ++i)
-    EXPECT_NEAR((record.events[i].t - 1.) * 1.1, h[i], 1e-9);
+    expect_answer({"V4 progressive slip of the rigid block",
+                   fmt::format("H/(fN) of slip {}", i + 1),
+                   h[i],
+                   "closed form"},
+                  (record.events[i].t - 1.) * 1.1,
+                  1e-9);
 }
 
 // V3: opening under a growing eccentricity, nine bars; the list of verification.md, exact as
@@ -112,7 +125,12 @@ TEST(EventPath, EccentricLoadOnRigidBlock)
   const double e[] = {0.171875, 0.214285714, 0.256944444, 0.3, 0.34375, 0.388888889, 0.4375};
   ASSERT_GE(record.events.size(), 7u);
   for (std::size_t i = 0; i < 7; ++i)
-    EXPECT_NEAR((record.events[i].t - 1.) * 0.6, e[i], 1e-9) << i;
+    expect_answer({"V3 rigid block, eccentric load",
+                   fmt::format("e/b of opening {}", i + 1),
+                   e[i],
+                   "closed form"},
+                  (record.events[i].t - 1.) * 0.6,
+                  1e-9);
 }
 
 // A monotone stage in one implicit step ends in the state the events lead to (here exactly known to

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include "contact/toy_system.h"
+#include "known_answer.h"
 
 #include <fuga/contact/rate_problem.h>
 
@@ -67,8 +68,11 @@ namespace
 TEST(RateProblem, UniqueUpToTheCriticalFriction)
 {
   const Counts below = count_continuations(3.19), above = count_continuations(3.21);
-  EXPECT_EQ(below.smallest, 1u);
-  EXPECT_EQ(below.largest, 1u);
-  EXPECT_EQ(above.smallest, 0u);
-  EXPECT_EQ(above.largest, 2u);
+  const auto expect_count = [](const char *quantity, const double known, const unsigned int ours) {
+    expect_answer({"V10 beyond critical friction", quantity, known, "closed form"}, ours, 0.);
+  };
+  expect_count("fewest continuations, C_n = 3.19", 1., below.smallest);
+  expect_count("most continuations, C_n = 3.19", 1., below.largest);
+  expect_count("fewest continuations, C_n = 3.21", 0., above.smallest);
+  expect_count("most continuations, C_n = 3.21", 2., above.largest);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include "known_answer.h"
+
 #include <fuga/laws/compliance_law.h>
 #include <fuga/laws/friction_law.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,10 +50,16 @@ TEST(CubicRootLaw, StressSecantAndTangent)
   EXPECT_EQ(law->deformation_limit(), zeta);
   for (const Row &row : rows)
     {
-      const double w = closure(row.q);
-      EXPECT_NEAR(law->stress(w) * rho / zeta, row.stress, 4. * rounding * row.stress) << row.q;
-      EXPECT_NEAR(law->secant(w) * rho, row.secant, 4. * rounding * row.secant) << row.q;
-      EXPECT_NEAR(law->tangent(w) * rho, row.tangent, 4. * rounding * row.tangent) << row.q;
+      const double w    = closure(row.q);
+      const auto expect = [&](const char *name, const double known, const double ours) {
+        fuga::tests::expect_answer(
+          {"V11 law (9)", fmt::format("{} at q = {}", name, row.q), known, "closed form"},
+          ours,
+          4. * rounding * known);
+      };
+      expect("σρ/ζ", row.stress, law->stress(w) * rho / zeta);
+      expect("C_sec ρ", row.secant, law->secant(w) * rho);
+      expect("C_tan ρ", row.tangent, law->tangent(w) * rho);
     }
   EXPECT_NEAR(law->tangent(closure(0.1)) * rho, 1.1522634, 5e-8);
   EXPECT_NEAR(law->tangent(closure(0.2)) * rho, 1.3541667, 5e-8);

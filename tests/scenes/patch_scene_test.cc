@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include "known_answer.h"
 #include "scenes/scene_model.h"
 #include "scenes/scene_run.h"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 using namespace fuga;
 using namespace fuga::tests;
@@ -163,7 +165,9 @@ TEST_P(PatchScene, UniformPressureAndShear)
       worst              = std::max(
         {worst, std::abs(u[space.dof(node, 0)] - ux), std::abs(u[space.dof(node, 1)] - uy)});
     }
-  EXPECT_LE(worst, 1e-10 * p * 4. / E);
+  std::ostringstream name;
+  name << patch << ": largest error of u [p h/E]";
+  expect_answer({"V2 patch test", name.str(), 0., "closed form"}, worst * E / (4. * p), 1e-10);
 }
 
 namespace

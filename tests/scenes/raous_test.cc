@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include "known_answer.h"
 #include "scenes/scene_model.h"
 #include "scenes/scene_run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +56,13 @@ TEST(Raous, NearlyRigidJoint)
       EXPECT_EQ(run.exit_code, 0);
       EXPECT_LE(run.certificate(), 1e-9);
       for (unsigned int i = 0; i < 5; ++i)
-        EXPECT_NEAR(1e3 * jump_at(run, abscissae[i]), block.u[i], 0.505e-3) << block.n << ' ' << i;
+        expect_answer(
+          {"V9 Raous block",
+           fmt::format("nearly rigid joint, n = {}: u_x at x = {} [µm]", block.n, abscissae[i]),
+           block.u[i],
+           "a prototype"},
+          1e3 * jump_at(run, abscissae[i]),
+          0.505e-3);
       EXPECT_EQ(run.count("open", 1.), block.n_open);
       EXPECT_EQ(run.count("slip", 1.), block.n_slip);
       EXPECT_EQ(run.count("stick", 1.) + 1, block.n_stick);
@@ -76,7 +84,13 @@ TEST(Raous, RigidJoint)
         {
           const double u = 1e3 * jump_at(run, abscissae[i]);
           EXPECT_NEAR(u, block.u[i], 1.5e-3) << block.n << ' ' << i;
-          EXPECT_NEAR(u, published[i], 0.05 * published[i]);
+          expect_answer(
+            {"V9 Raous block",
+             fmt::format("rigid joint, n = {}: u_x at x = {} [µm]", block.n, abscissae[i]),
+             published[i],
+             "Raous et al., SSNV128 (5 %)"},
+            u,
+            0.05 * published[i]);
         }
       EXPECT_EQ(run.count("open", 1.), block.n_open);
       EXPECT_EQ(run.count("slip", 1.), block.n_slip);
@@ -90,7 +104,9 @@ TEST(Raous, RigidJoint)
 TEST(Raous, Resultants)
 {
   const SceneRun run = run_scene("raous_near_rigid.prm", with_mesh(64));
-  EXPECT_NEAR(run.resultant("T", 1.), 1405.36, 0.00505);
+  expect_answer({"V9 Raous block", "nearly rigid joint, n = 64: ΣT [N/mm]", 1405.36, "a prototype"},
+                run.resultant("T", 1.),
+                0.00505);
 
   const SceneModel model("raous_near_rigid.prm", with_mesh(64));
   const auto forces =
@@ -99,5 +115,7 @@ TEST(Raous, Resultants)
   const std::size_t corner = model.node_at({{40., 0.}});
   ASSERT_NEAR(space.position(corner)[0], 40., 1e-9);
   ASSERT_NEAR(space.position(corner)[1], 0., 1e-9);
-  EXPECT_NEAR(-run.resultant("N", 1.) + forces[space.dof(corner, 1)], 2000., 2e-6);
+  expect_answer({"V9 Raous block", "nearly rigid joint, n = 64: ΣN [N/mm]", 2000., "equilibrium"},
+                -run.resultant("N", 1.) + forces[space.dof(corner, 1)],
+                2e-6);
 }
