@@ -154,13 +154,16 @@ namespace fuga
     const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
     if (with_fields)
       {
-        const dealii::Vector<double> u = model.bodies.recover(a, x);
-        Vector on_lips                 = state.forces;
+        const auto rigid         = model.bodies.rigid_part(x);
+        dealii::Vector<double> u = model.bodies.recover(a, rigid.remainder);
+        Vector on_lips           = state.forces;
         for (std::size_t i = 0; i < state.water.size(); ++i)
           on_lips[i] -= state.water[i];
-        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a);
+        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a, rigid.motion);
         certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
         certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
+        if (rigid.motion.size() > 0)
+          u += rigid.motion;
         model.timer.finish("recovery of displacements");
         // Beyond a limit load the load time does not grow, but the times of a film must.
         const double time = state.t + history.path_length();

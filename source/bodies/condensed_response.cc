@@ -56,6 +56,69 @@ namespace fuga
   }
 
   template <int dim>
+  typename CondensedSystem<dim>::RigidPart
+  CondensedSystem<dim>::rigid_part(const Vector &x) const
+  {
+    RigidPart result;
+    result.remainder = x;
+    if (motion_coordinates.empty())
+      return result;
+    const Vector amounts = projection->motion_of(x);
+    Vector u(space->n_dofs(), 0.);
+    for (std::size_t k = 0; k < amounts.size(); ++k)
+      {
+        const Vector motion = pieces->free_motion(k);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          u[i] += amounts[k] * motion[i];
+        for (std::size_t i = 0; i < x.size(); ++i)
+          result.remainder[i] -= amounts[k] * motion_coordinates(i, k);
+      }
+    result.motion = by_degrees_of_freedom(u);
+    return result;
+  }
+
+  template <int dim>
+  EquilibriumError
+  CondensedSystem<dim>::equilibrium_error(const dealii::Vector<double> &u,
+                                          const Vector &p,
+                                          const Vector &a,
+                                          const dealii::Vector<double> &motion) const
+  {
+    timer.restart();
+    Vector terms;
+    const Vector elastic = bodies->forces(by_nodes(u), terms);
+    // The rounding of a jump moves both lips against each other. It is that of a sum over all bars,
+    // of the size of the motion.
+    if (motion.size() > 0)
+      {
+        const double sum_length = 0.25 * static_cast<double>(bars->bars().size());
+        Vector far_terms;
+        bodies->forces(by_nodes(motion), far_terms);
+        for (const auto &bar : bars->bars())
+          for (const unsigned int node : {bar.plus_node, bar.minus_node})
+            for (unsigned int c = 0; c < dim && node != Discretization<dim>::no_node; ++c)
+              terms[node * dim + c] =
+                std::max(terms[node * dim + c], sum_length * far_terms[node * dim + c]);
+      }
+    for (const auto &bar : bars->bars())
+      if (bar.minus_node != Discretization<dim>::no_node)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            double &plus = terms[bar.plus_node * dim + c], &minus = terms[bar.minus_node * dim + c];
+            plus = minus = std::max(plus, minus);
+          }
+    Vector loads = combination(a, &LoadPattern::forces);
+    loads.resize(space->n_dofs(), 0.);
+    Vector contact(space->n_dofs(), 0.);
+    bars->add_forces(1., p, contact);
+
+    const EquilibriumError error =
+      fuga::equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
+    timer.finish("equilibrium check");
+    return error;
+  }
+
+  template <int dim>
   BodiesWork
   CondensedSystem<dim>::work() const
   {
@@ -73,12 +136,7 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
   {
-    const Vector forces = bodies->forces(by_nodes(u));
-    dealii::Vector<double> result(u.size());
-    for (std::size_t node = 0; node < space->n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[space->dof(node, c)] = forces[node * dim + c];
-    return result;
+    return by_degrees_of_freedom(bodies->forces(by_nodes(u)));
   }
 
   template <int dim>
@@ -97,6 +155,13 @@ namespace fuga
 
   template LinearResponse
   CondensedSystem<2>::response(const Vector &) const;
+  template CondensedSystem<2>::RigidPart
+  CondensedSystem<2>::rigid_part(const Vector &) const;
+  template EquilibriumError
+  CondensedSystem<2>::equilibrium_error(const dealii::Vector<double> &,
+                                        const Vector &,
+                                        const Vector &,
+                                        const dealii::Vector<double> &) const;
   template BodiesWork
   CondensedSystem<2>::work() const;
   template dealii::Vector<double>

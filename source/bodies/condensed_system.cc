@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -86,9 +87,37 @@ namespace fuga
     timer.finish("start of MPI and MUMPS");
     std::vector<int> order = elimination_order(*space, *coordinates);
     timer.finish("ordering");
-    S = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
+    const Vector lips = lip_stiffness(matrix);
+    S                 = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
+    remove_rounding(lips);
     timer.set_apart("analysis", solver->analysis_seconds());
     timer.finish("factorisation");
+  }
+
+  // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::lip_stiffness(const SymmetricTriplets &matrix) const
+  {
+    const unsigned int first = coordinates->first_interface_coordinate();
+    Vector result(coordinates->n_interface(), 0.);
+    for (std::size_t k = 0; k < matrix.values.size(); ++k)
+      if (matrix.rows[k] == matrix.columns[k] && matrix.rows[k] > static_cast<int>(first))
+        result[static_cast<std::size_t>(matrix.rows[k] - 1) - first] += matrix.values[k];
+    return result;
+  }
+
+  // A jump that the bodies follow without deformation meets no resistance; what elimination leaves
+  // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
+  template <int dim>
+  void
+  CondensedSystem<dim>::remove_rounding(const Vector &lips)
+  {
+    const double rounding = 64. * std::numeric_limits<double>::epsilon();
+    for (std::size_t i = 0; i < lips.size(); ++i)
+      if (std::abs(S(i, i)) <= rounding * lips[i])
+        for (std::size_t j = 0; j < lips.size(); ++j)
+          S(i, j) = S(j, i) = 0.;
   }
 
   template <int dim>
@@ -101,9 +130,17 @@ namespace fuga
         const Vector jump = bars->jumps(pieces->free_motion(k));
         std::copy(jump.begin(), jump.end(), motions.column(k));
       }
-    // Only where the interface coordinates are the jumps.
-    projection =
-      std::make_unique<RigidProjection>(jump_operator().empty() ? motions : DenseMatrix());
+    motion_coordinates = motions;
+    if (const DenseMatrix &B = jump_operator(); !B.empty() && motions.n_columns() > 0)
+      {
+        // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
+        DenseMatrix gram   = multiply_transposed(B, B);
+        motion_coordinates = multiply_transposed(B, motions);
+        if (!solve_positive_definite(gram, motion_coordinates))
+          throw NumericalFailure(
+            "The jumps of the joints do not determine the motion of the bodies.");
+      }
+    projection = std::make_unique<RigidProjection>(motion_coordinates);
     projection->project_stiffness(S);
   }
 
@@ -285,11 +322,18 @@ namespace fuga
     add_bonded_response(loads, u);
     add_bonded_response(loads, u); // refines
     ++n_recovered_fields;
+    timer.finish("recovery of displacements");
+    return by_degrees_of_freedom(u);
+  }
+
+  template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::by_degrees_of_freedom(const Vector &u) const
+  {
     dealii::Vector<double> result(static_cast<unsigned int>(u.size()));
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         result[space->dof(node, c)] = u[node * dim + c];
-    timer.finish("recovery of displacements");
     return result;
   }
 
@@ -302,26 +346,6 @@ namespace fuga
       for (unsigned int c = 0; c < dim; ++c)
         result[node * dim + c] = u[space->dof(node, c)];
     return result;
-  }
-
-  template <int dim>
-  EquilibriumError
-  CondensedSystem<dim>::equilibrium_error(const dealii::Vector<double> &u,
-                                          const Vector &p,
-                                          const Vector &a) const
-  {
-    timer.restart();
-    Vector terms;
-    const Vector elastic = bodies->forces(by_nodes(u), terms);
-    Vector loads         = combination(a, &LoadPattern::forces);
-    loads.resize(space->n_dofs(), 0.);
-    Vector contact(space->n_dofs(), 0.);
-    bars->add_forces(1., p, contact);
-
-    const EquilibriumError error =
-      fuga::equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
-    timer.finish("equilibrium check");
-    return error;
   }
 
   template class CondensedSystem<2>;

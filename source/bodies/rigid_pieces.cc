@@ -25,6 +25,22 @@ namespace fuga
         for (const auto &b : row)
           gram(a.first, b.first) += a.second * b.second;
     }
+
+    /** Null vectors of a positive semidefinite matrix, as columns. */
+    DenseMatrix
+    null_vectors(DenseMatrix gram)
+    {
+      const int n = static_cast<int>(gram.n_rows());
+      Vector values(gram.n_rows());
+      if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', n, gram.data(), n, values.data()) != 0)
+        throw NumericalFailure("The check of the supports failed (LAPACK dsyev).");
+      std::size_t n_null = 0;
+      while (n_null < values.size() && values[n_null] <= null_tolerance * values.back())
+        ++n_null;
+      DenseMatrix result(gram.n_rows(), n_null);
+      std::copy(gram.data(), gram.data() + gram.n_rows() * n_null, result.data());
+      return result;
+    }
   } // namespace
 
 
@@ -39,7 +55,7 @@ namespace fuga
   {
     static_assert(dim == 2, "three motions per piece");
     find_nodes(discretization);
-    find_floating(fixed);
+    find_free_motions(fixed);
 
     supports = DenseMatrix(3 * centers.size(), 3 * centers.size());
     for (unsigned int motion = 0; motion < 3; ++motion)
@@ -109,33 +125,58 @@ namespace fuga
   }
 
 
+  // The null space of what is held, in shifts and the rotation times the size of the group: three
+  // unit motions where nothing is.
   template <int dim>
   void
-  RigidPieces<dim>::find_floating(const std::vector<bool> &fixed)
+  RigidPieces<dim>::find_free_motions(const std::vector<bool> &fixed)
   {
     DisjointSets groups(centers.size());
     for (const auto &[node, other] : hinges)
       groups.unite(piece_of_node[node], other);
     const unsigned int n_groups = groups.number(group_of_piece);
 
-    std::vector<bool> held(n_groups, false);
+    const auto group_of = [&](const std::size_t node) {
+      return group_of_piece[piece_of_node[node]];
+    };
     std::vector<dealii::Point<dim>> middle(n_groups);
-    std::vector<double> count(n_groups, 0.);
+    std::vector<double> count(n_groups, 0.), extent(n_groups, 0.);
     for (std::size_t node = 0; node < piece_of_node.size(); ++node)
       {
-        const unsigned int group = group_of_piece[piece_of_node[node]];
-        middle[group] += discretization.position(node);
-        ++count[group];
-        for (unsigned int c = 0; c < dim; ++c)
-          if (fixed[node * dim + c] && (c == 1 || motions.size() == 3))
-            held[group] = true;
+        middle[group_of(node)] += discretization.position(node);
+        ++count[group_of(node)];
       }
     for (unsigned int group = 0; group < n_groups; ++group)
-      if (!held[group])
-        {
-          floating.push_back(group);
-          floating_centers.push_back(middle[group] / count[group]);
-        }
+      middle[group] /= count[group];
+    for (std::size_t node = 0; node < piece_of_node.size(); ++node)
+      {
+        double &size = extent[group_of(node)];
+        size = std::max(size, discretization.position(node).distance(middle[group_of(node)]));
+      }
+
+    std::vector<DenseMatrix> held(n_groups, DenseMatrix(3, 3));
+    for (std::size_t node = 0; node < piece_of_node.size(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (fixed[node * dim + c])
+          {
+            const unsigned int group = group_of(node);
+            const auto arm           = discretization.position(node) - middle[group];
+            add_square(held[group], {{c, 1.}, {2, (c == 0 ? -arm[1] : arm[0]) / extent[group]}});
+          }
+    for (unsigned int group = 0; group < n_groups; ++group)
+      {
+        for (unsigned int motion = 0; motion < 3; ++motion)
+          if (std::find(motions.begin(), motions.end(), motion) == motions.end())
+            add_square(held[group], {{motion, 1.}});
+        const DenseMatrix null = null_vectors(std::move(held[group]));
+        for (std::size_t k = 0; k < null.n_columns(); ++k)
+          {
+            FreeMotion motion{group, middle[group], {}, null(2, k) / extent[group]};
+            for (unsigned int c = 0; c < dim; ++c)
+              motion.shift[c] = null(c, k);
+            free_motions.push_back(motion);
+          }
+      }
   }
 
 
@@ -173,17 +214,7 @@ namespace fuga
   DenseMatrix
   RigidPieces<dim>::null_space(const ContactBars<dim> &bars) const
   {
-    DenseMatrix vectors = gram_matrix(bars);
-    const int n         = static_cast<int>(vectors.n_rows());
-    Vector values(vectors.n_rows());
-    if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', n, vectors.data(), n, values.data()) != 0)
-      throw NumericalFailure("The check of the supports failed (LAPACK dsyev).");
-    std::size_t n_null = 0;
-    while (n_null < values.size() && values[n_null] <= null_tolerance * values.back())
-      ++n_null;
-    DenseMatrix result(vectors.n_rows(), n_null);
-    std::copy(vectors.data(), vectors.data() + vectors.n_rows() * n_null, result.data());
-    return result;
+    return null_vectors(gram_matrix(bars));
   }
 
 
@@ -295,21 +326,14 @@ namespace fuga
   Vector
   RigidPieces<dim>::free_motion(const std::size_t number) const
   {
-    const unsigned int group         = floating[number / motions.size()];
-    const unsigned int motion        = motions[number % motions.size()];
-    const dealii::Point<dim> &center = floating_centers[number / motions.size()];
+    const FreeMotion &motion = free_motions[number];
     Vector u(discretization.n_dofs(), 0.);
     for (std::size_t node = 0; node < piece_of_node.size(); ++node)
-      if (group_of_piece[piece_of_node[node]] == group)
+      if (group_of_piece[piece_of_node[node]] == motion.group)
         {
-          if (motion < 2)
-            u[node * dim + motion] = 1.;
-          else
-            {
-              const auto arm    = discretization.position(node) - center;
-              u[node * dim]     = -arm[1];
-              u[node * dim + 1] = arm[0];
-            }
+          const auto arm    = discretization.position(node) - motion.center;
+          u[node * dim]     = motion.shift[0] - motion.rotation * arm[1];
+          u[node * dim + 1] = motion.shift[1] + motion.rotation * arm[0];
         }
     return u;
   }
@@ -320,7 +344,7 @@ namespace fuga
   RigidPieces<dim>::moving_body(const std::size_t number) const
   {
     const auto piece =
-      std::find(group_of_piece.begin(), group_of_piece.end(), floating[number / motions.size()]) -
+      std::find(group_of_piece.begin(), group_of_piece.end(), free_motions[number].group) -
       group_of_piece.begin();
     return mesh.body_names[body_of_piece[static_cast<std::size_t>(piece)]];
   }

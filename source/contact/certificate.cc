@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <lapacke.h>
 #include <limits>
 
 namespace fuga
@@ -49,6 +50,61 @@ namespace fuga
       this->*entry = this->*entry >= other.*entry ? this->*entry : other.*entry;
   }
 
+  namespace
+  {
+    /** How well the jump d + D p of a bar is known beside that of a rigid one: the rounding of p,
+     * of the size of the bodies' stiffness, counts D times. */
+    Vector
+    jump_weights(const std::vector<ContactElement> &elements, const DenseMatrix &S)
+    {
+      constexpr double smallest = 1e-4;
+      double stiffness          = 0.;
+      for (std::size_t i = 0; i < S.n_rows(); ++i)
+        stiffness = std::max(stiffness, S(i, i));
+      Vector weights;
+      const auto add = [&](const ComplianceLaw &law, const double area, const std::size_t bar) {
+        weights.resize(std::max(weights.size(), bar + 1), 1.);
+        weights[bar] = std::max(smallest, 1. / (1. + stiffness * law.initial_compliance() / area));
+      };
+      for (const ContactElement &element : elements)
+        {
+          add(*element.normal_law, element.area, element.normal_bar);
+          if (element.has_tangential_bar())
+            add(*element.shear_law, element.area, element.tangential_bar);
+        }
+      return weights;
+    }
+
+    /** (w B)⁺ w: least squares with weights. */
+    DenseMatrix
+    weighted_inverse(const DenseMatrix &B, const Vector &weights)
+    {
+      const int n_bars = static_cast<int>(B.n_rows()), n_x = static_cast<int>(B.n_columns());
+      DenseMatrix scaled = B, rhs(B.n_rows(), B.n_rows());
+      for (std::size_t i = 0; i < B.n_rows(); ++i)
+        {
+          rhs(i, i) = weights[i];
+          for (std::size_t j = 0; j < B.n_columns(); ++j)
+            scaled(i, j) *= weights[i];
+        }
+      if (LAPACKE_dgels(LAPACK_COL_MAJOR,
+                        'N',
+                        n_bars,
+                        n_x,
+                        n_bars,
+                        scaled.data(),
+                        n_bars,
+                        rhs.data(),
+                        n_bars) != 0)
+        throw NumericalFailure(
+          "The jumps of the joints do not determine the motion of the bodies.");
+      DenseMatrix result(B.n_columns(), B.n_rows());
+      for (std::size_t j = 0; j < result.n_columns(); ++j)
+        std::copy_n(rhs.column(j), result.n_rows(), result.column(j));
+      return result;
+    }
+  } // namespace
+
   Judge::Judge(const ContactSystem &contact_system,
                const std::vector<ContactElement> &contact_elements,
                const LoadHistory &load_history)
@@ -67,13 +123,7 @@ namespace fuga
     const DenseMatrix &B = system.jump_operator();
     if (B.empty())
       return;
-    DenseMatrix gram      = multiply_transposed(B, B);
-    inverse_jump_operator = DenseMatrix(B.n_columns(), B.n_rows());
-    for (std::size_t j = 0; j < B.n_rows(); ++j)
-      for (std::size_t i = 0; i < B.n_columns(); ++i)
-        inverse_jump_operator(i, j) = B(j, i);
-    if (!solve_positive_definite(gram, inverse_jump_operator))
-      throw NumericalFailure("The jumps of the joints do not determine the motion of the bodies.");
+    inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
   }
 
   namespace
@@ -212,10 +262,12 @@ namespace fuga
     const Vector p = system.jump_operator().empty()
                        ? state.forces
                        : multiply_transposed(system.jump_operator(), state.forces);
-    // A body that soft joints hold moves by far more than it deforms: then S x, in double
-    // precision, is uncertain by more than the forces allow, and only what exceeds this uncertainty
-    // is an error. (That such a body is in equilibrium at all is the next entry, which knows no S.)
-    const double rounding = 4. * std::numeric_limits<double>::epsilon() * std::sqrt(dot(x, x));
+    // A body that soft joints hold moves by far more than it deforms: then S x, a sum of n terms in
+    // double precision, is uncertain by more than the forces allow, and only what exceeds this
+    // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which
+    // knows no S.)
+    const double n_terms  = std::max(4., static_cast<double>(x.size()));
+    const double rounding = n_terms * std::numeric_limits<double>::epsilon() * std::sqrt(dot(x, x));
     Vector elastic(f.size());
     for (std::size_t i = 0; i < f.size(); ++i)
       {

@@ -55,6 +55,36 @@ namespace fuga
         for (std::size_t i = 0; i < R.n_rows(); ++i)
           R(i, j) -= change(i, W.n_columns() + j);
     }
+    /** A X = B, with residuals in extended precision where soft bars beside stiff ones would
+     * otherwise cost the soft ones their digits. */
+    void
+    solve_accurately(const DenseMatrix &A, const LuFactors &factors, DenseMatrix &B)
+    {
+      constexpr double harmless_condition = 1e-6;
+      const std::size_t n                 = A.n_rows();
+      const DenseMatrix rhs               = B;
+      factors.solve(B);
+      if (factors.reciprocal_condition() > harmless_condition)
+        return;
+      std::vector<long double> residual(n);
+      DenseMatrix change(n, B.n_columns());
+      for (int sweep = 0; sweep < 3; ++sweep)
+        {
+          for (std::size_t column = 0; column < B.n_columns(); ++column)
+            {
+              std::copy_n(rhs.column(column), n, residual.begin());
+              for (std::size_t j = 0; j < n; ++j)
+                if (const long double x = B(j, column); x != 0.L)
+                  for (std::size_t i = 0; i < n; ++i)
+                    residual[i] -= x * A(i, j);
+              std::copy(residual.begin(), residual.end(), change.column(column));
+            }
+          factors.solve(change);
+          for (std::size_t column = 0; column < B.n_columns(); ++column)
+            for (std::size_t i = 0; i < n; ++i)
+              B(i, column) += change(i, column);
+        }
+    }
   } // namespace
 
   double
@@ -81,6 +111,8 @@ namespace fuga
     else
       eliminate_with_jump_operator(system);
     symmetrise(W);
+    for (std::size_t i = 0; i < compliances.size(); ++i)
+      largest = std::max(largest, W(i, i));
     Q = system.opening_water();
   }
 
@@ -157,6 +189,7 @@ namespace fuga
       for (std::size_t i = 0; i < n_x; ++i)
         rhs(i, n_p + j) = F(i, j) / scale;
 
+    const DenseMatrix matrix = saddle;
     const LuFactors factors(std::move(saddle));
     const double smallest_trusted_condition = 1e-15;
     if (factors.reciprocal_condition() < smallest_trusted_condition)
@@ -164,7 +197,7 @@ namespace fuga
         "The forces in the bars are not unique: rigid bars repeat each other "
         "(rigid joints that cross, or several rigid bars under one rigid body). "
         "Give one of the joints there a compliance.");
-    factors.solve(rhs);
+    solve_accurately(matrix, factors, rhs);
 
     W = DenseMatrix(n_p, n_p);
     R = DenseMatrix(n_p, F.n_columns());

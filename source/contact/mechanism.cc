@@ -19,11 +19,8 @@ namespace fuga
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system)
   {
-    double largest_stiffness = 0.;
-    for (std::size_t i = 0; i < system.n_bars(); ++i)
-      largest_stiffness = std::max(largest_stiffness, system.stiffness()(i, i));
     const double size = max_abs(motion.dislocations);
-    return size > 0. && max_abs(motion.forces) <= free_force * largest_stiffness * size;
+    return size > 0. && max_abs(motion.forces) <= free_force * system.largest_stiffness() * size;
   }
 
   Vector

@@ -119,8 +119,10 @@ namespace fuga
     lcp.M                                = DenseMatrix(n, n);
     lcp.q.resize(n);
     lcp.responses.resize(n);
-    const auto unit = [&](const std::size_t bar) {
-      return 1. / std::sqrt(system.stiffness()(bar, bar));
+    // A jump that nothing resists has no stiffness of its own to be measured by.
+    const double smallest_stiffness = 1e-14 * system.largest_stiffness();
+    const auto unit                 = [&](const std::size_t bar) {
+      return 1. / std::sqrt(std::max(system.stiffness()(bar, bar), smallest_stiffness));
     };
     for (std::size_t j = 0; j < n; ++j)
       {

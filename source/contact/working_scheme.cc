@@ -193,7 +193,8 @@ namespace fuga
     DenseMatrix M        = active_matrix();
     const double epsilon = 1e-14;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      M(i, i) += epsilon * system.stiffness()(rows[i].bar, rows[i].bar);
+      M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
+                                    epsilon * system.largest_stiffness());
     const LuFactors factors(std::move(M));
     Vector x(rows.size(), 1.);
     for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)

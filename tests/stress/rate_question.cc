@@ -20,7 +20,7 @@ namespace fuga::stress
     /** Violations below this share of the largest term are rounding. */
     constexpr double tolerance = 1e-9;
     /** Rates so many times larger than what drives them are those of a mechanism. */
-    constexpr double unbounded_rate = 1e8;
+    constexpr double unbounded_rate = 1e7;
 
     /** One element that stands on a boundary; n and t are its rows in the reduced problem. */
     struct Candidate
@@ -35,11 +35,16 @@ namespace fuga::stress
     struct ReducedProblem
     {
       bool regular = false;
+      /** What drives the bars that carry no more force, scaled. */
+      double size = 0.;
       DenseMatrix M;
       Vector q;
       std::vector<Candidate> candidates;
       /** Ratio of the scales of the normal and the tangential row, by row of the latter. */
       Vector normal_per_shear;
+      /** Dislocation rates of the bars that carry no more force: last column minus the others times
+       * the rates of dislocation above, scaled likewise. */
+      DenseMatrix follow;
     };
 
     ReducedProblem
@@ -116,6 +121,14 @@ namespace fuga::stress
       for (const Candidate &candidate : reduced.candidates)
         if (candidate.has_shear)
           reduced.normal_per_shear[candidate.t] = scale[candidate.t] / scale[candidate.n];
+      for (std::size_t a = 0; a < m; ++a)
+        {
+          const double root = std::sqrt(stiffness[free_bars[a]]);
+          for (std::size_t j = 0; j <= n; ++j)
+            answer(a, j) *= root * (j < n ? scale[j] : 1.);
+          reduced.size = std::max(reduced.size, std::abs(form.R[0][free_bars[a]]) / root);
+        }
+      reduced.follow  = std::move(answer);
       reduced.regular = true;
       return reduced;
     }
@@ -180,7 +193,7 @@ namespace fuga::stress
           for (std::size_t i = 0; i < m; ++i)
             rates[moving[i]] = solution.X(i, 0);
         }
-      double size  = 0.;
+      double size  = problem.size;
       largest_rate = 0.;
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -190,7 +203,14 @@ namespace fuga::stress
             forces[i] -= problem.M(i, j) * rates[j];
         }
       const double noise = tolerance * std::max(size, largest_rate);
-      largest_rate       = size > 0. ? largest_rate / size : largest_rate;
+      for (std::size_t a = 0; a < problem.follow.n_rows(); ++a)
+        {
+          double rate = problem.follow(a, n);
+          for (std::size_t j = 0; j < n; ++j)
+            rate -= problem.follow(a, j) * rates[j];
+          largest_rate = std::max(largest_rate, std::abs(rate));
+        }
+      largest_rate = size > 0. ? largest_rate / size : largest_rate;
       for (std::size_t c = 0; c < states.size(); ++c)
         {
           const Candidate &candidate = problem.candidates[c];

@@ -4,6 +4,8 @@
 #ifndef fuga_bodies_condensed_system_h
 #define fuga_bodies_condensed_system_h
 
+#include <deal.II/lac/vector.h>
+
 #include <fuga/base/phase_timer.h>
 #include <fuga/bodies/equilibrium_error.h>
 #include <fuga/bodies/load_assembly.h>
@@ -29,6 +31,7 @@ namespace fuga
   class JointGeometry;
   template <int dim>
   class RigidPieces;
+  struct SymmetricTriplets;
   class SchurSolver;
 
   /** One face of a joint, for output: its contact elements along the face, or no_element. */
@@ -172,9 +175,29 @@ namespace fuga
     LinearResponse
     response(const Vector &force) const;
 
-    /** Errors of the full model for displacement u, bar forces p and load factors a. */
+    /** Interface coordinates as a rigid motion of the bodies that can move freely and the rest. */
+    struct RigidPart
+    {
+      /** Displacement of all degrees of freedom in the rigid motion nearest to the coordinates. */
+      dealii::Vector<double> motion;
+      /** Coordinates without that motion. */
+      Vector remainder;
+    };
+
+    /**
+     * Splits interface coordinates: a body that soft joints hold moves by far more than it deforms,
+     * and recover() of the remainder alone keeps the digits of the deformation.
+     */
+    RigidPart
+    rigid_part(const Vector &x) const;
+
+    /** Errors of the full model for displacement u, bar forces p and load factors a. @p motion: a
+     * rigid motion that was taken out of u, to whose last digits the jumps are uncertain. */
     EquilibriumError
-    equilibrium_error(const dealii::Vector<double> &u, const Vector &p, const Vector &a) const;
+    equilibrium_error(const dealii::Vector<double> &u,
+                      const Vector &p,
+                      const Vector &a,
+                      const dealii::Vector<double> &motion = {}) const;
 
     /** Nodal forces K u, numbered as u: reactions at the supports, minus the bar forces at the
      * lips.
@@ -236,6 +259,12 @@ namespace fuga
     void
     factorise();
 
+    Vector
+    lip_stiffness(const SymmetricTriplets &matrix) const;
+
+    void
+    remove_rounding(const Vector &lips);
+
     void
     find_rigid_motions();
 
@@ -259,6 +288,8 @@ namespace fuga
 
     Vector
     by_nodes(const dealii::Vector<double> &u) const;
+    dealii::Vector<double>
+    by_degrees_of_freedom(const Vector &u) const;
 
     const JointedMesh &mesh;
     const ModelDefinition &model;
@@ -274,6 +305,8 @@ namespace fuga
     std::unique_ptr<RigidProjection> projection;
 
     DenseMatrix S, F, motions, motion_loads, water_of_open, water_of_closed;
+    /** The interface coordinates of the rigid motions. */
+    DenseMatrix motion_coordinates;
     std::vector<LoadPattern> patterns;
     std::vector<JointFace> faces;
     std::vector<std::string> lines;

@@ -30,11 +30,11 @@ namespace fuga
     void
     require_held_by(const ContactBars<dim> &bars) const;
 
-    /** Number of rigid motions of all bodies without any support. */
+    /** Number of rigid motions that the supports leave to the bodies. */
     std::size_t
     n_free_motions() const
     {
-      return motions.size() * floating.size();
+      return free_motions.size();
     }
 
     /** Displacement of all nodes (entry node * dim + component) in one of these motions. */
@@ -55,7 +55,7 @@ namespace fuga
     find_nodes(const Discretization<dim> &discretization);
 
     void
-    find_floating(const std::vector<bool> &fixed);
+    find_free_motions(const std::vector<bool> &fixed);
 
     Row
     displacement(const unsigned int node, const dealii::Tensor<1, dim> &direction) const;
@@ -85,8 +85,15 @@ namespace fuga
     /** Pieces that are hinged together move as one. */
     std::vector<unsigned int> group_of_piece;
     std::vector<std::pair<unsigned int, unsigned int>> hinges; // node, other piece
-    std::vector<unsigned int> floating;
-    std::vector<dealii::Point<dim>> floating_centers;
+    /** A motion of one group: shift + rotation * (-y, x), about its center. */
+    struct FreeMotion
+    {
+      unsigned int group = 0;
+      dealii::Point<dim> center;
+      dealii::Tensor<1, dim> shift;
+      double rotation = 0.;
+    };
+    std::vector<FreeMotion> free_motions;
   };
 } // namespace fuga
 

@@ -26,6 +26,13 @@ namespace fuga
     void
     project_loads(DenseMatrix &F, const DenseMatrix &work) const;
 
+    /** Amounts of the motions nearest to given jumps. */
+    Vector
+    motion_of(const Vector &jumps) const
+    {
+      return Q.empty() ? Vector() : multiply_transposed(Q, jumps);
+    }
+
   private:
     DenseMatrix R;
     /** R (RᵀR)⁻¹; empty if there is nothing to do. */

@@ -44,6 +44,13 @@ namespace fuga
       return W;
     }
 
+    /** Largest diagonal entry of W [MN/m]. */
+    double
+    largest_stiffness() const
+    {
+      return largest;
+    }
+
     /** R, n_bars x n_patterns [MN]. */
     const DenseMatrix &
     reactions() const
@@ -88,6 +95,7 @@ namespace fuga
     DenseMatrix W;
     DenseMatrix R;
     DenseMatrix Q;
+    double largest = 0.;
   };
 
   /** D = ρ/A of a bar with the given law [m/MN]. */
