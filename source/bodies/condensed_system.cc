@@ -41,8 +41,9 @@ namespace fuga
   void
   CondensedSystem<dim>::condense()
   {
-    factorise();
+    const Vector lips = factorise();
     find_rigid_motions();
+    remove_rounding(lips);
     timer.finish("rigid motions");
   }
 
@@ -73,7 +74,7 @@ namespace fuga
   }
 
   template <int dim>
-  void
+  Vector
   CondensedSystem<dim>::factorise()
   {
     bodies                   = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
@@ -89,9 +90,9 @@ namespace fuga
     timer.finish("ordering");
     const Vector lips = lip_stiffness(matrix);
     S                 = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
-    remove_rounding(lips);
     timer.set_apart("analysis", solver->analysis_seconds());
     timer.finish("factorisation");
+    return lips;
   }
 
   // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.

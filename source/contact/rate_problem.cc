@@ -60,11 +60,16 @@ namespace fuga
           return result;
       }
     result.method = RateMethod::lemke;
-    if (complementarity(state, set, drive, result) || set.size() <= max_enumerated ||
-        (result.has_mechanism && is_free_motion(result.mechanism, system)))
+    if (complementarity(state, set, drive, result) || set.size() <= max_enumerated)
       return result;
-    // Nothing moves freely: friction is beyond its critical value, and all that can be done is to
-    // try.
+    // A free motion proves that there is no continuation, unless elements at the apex of the cone
+    // are free to choose their direction: then, as where nothing moves freely and friction is
+    // beyond its critical value, all that can be done is to try.
+    const bool any_apex = std::any_of(set.begin(), set.end(), [](const BoundaryElement &candidate) {
+      return candidate.shear == ShearPosition::at_apex;
+    });
+    if (!any_apex && result.has_mechanism && is_free_motion(result.mechanism, system))
+      return result;
     result.method = RateMethod::search;
     if (can_be_enumerated(set))
       {

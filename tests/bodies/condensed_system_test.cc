@@ -107,6 +107,36 @@ TEST(CondensedSystem, equilibrium_of_a_floating_body)
 }
 
 
+// What soft joints let a body do far more than it deforms: the rigid part of interface coordinates
+// is found, and what is left is what was added. 1e9 times the deformation costs the residual of the
+// full model no digits (to 1e-12 of the forces; it would be 1e-7 if K acted on the whole of u).
+TEST(CondensedSystem, rigid_part_keeps_the_digits_of_the_deformation)
+{
+  const BlockMesh mesh        = two_blocks();
+  const ModelDefinition model = two_block_model();
+  CondensedSystem<2> system(mesh.mesh, model, {false});
+  set_all_loads(system, model);
+  const DenseMatrix &motions = system.rigid_motions();
+  ASSERT_EQ(motions.n_columns(), 3U);
+  Vector x(motions.n_rows(), 0.);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = 2. * motions(i, 0) - 3. * motions(i, 1) + 0.5 * motions(i, 2);
+  const auto rigid = system.rigid_part(x);
+  for (const double rest : rigid.remainder)
+    EXPECT_NEAR(rest, 0., 1e-14);
+  const Vector jumps = system.jumps(rigid.motion);
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+    EXPECT_NEAR(jumps[i], x[i], 1e-14);
+
+  const Solution soft = solve_linear(system, 1e5, 1e5);
+  const auto split    = system.rigid_part(soft.x);
+  const auto deformed = system.recover({1., 1.}, split.remainder);
+  const Vector far    = system.jumps(split.motion);
+  EXPECT_GT(max_abs(far), 1e3 * max_abs(split.remainder));
+  EXPECT_LT(system.equilibrium_error(deformed, soft.p, {1., 1.}, split.motion).residual, 1e-12);
+}
+
+
 // Where four bodies meet, every jump of the recovered displacement is B x, and equilibrium holds.
 TEST(CondensedSystem, crossing)
 {

@@ -256,7 +256,8 @@ namespace fuga
     void
     condense();
 
-    void
+    /** Returns lip_stiffness(). */
+    Vector
     factorise();
 
     Vector

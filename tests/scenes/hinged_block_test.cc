@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "scenes/mesh_variants.h"
+#include "scenes/scene_run.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  /** One square element on a rigid plane, its left lower corner held in x: with the plane it is a
+   * hinge. */
+  std::string
+  block_mesh()
+  {
+    GmshMesh mesh;
+    mesh.dimension      = 2;
+    mesh.physical_names = {
+      {{2, 1}, "block"}, {{1, 2}, "base"}, {{1, 3}, "top"}, {{1, 4}, "sides"}, {{0, 5}, "corner"}};
+    for (const auto &corner : {std::array<double, 2>{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}})
+      mesh.vertices.push_back({{corner[0], corner[1], 0.}});
+    const auto add = [](std::vector<MeshEntity> &list,
+                        const CellShape shape,
+                        const int tag,
+                        const std::array<unsigned int, 8> &vertices) {
+      MeshEntity entity;
+      entity.shape        = shape;
+      entity.physical_tag = tag;
+      entity.vertices     = vertices;
+      list.push_back(entity);
+    };
+    add(mesh.cells, CellShape::quadrilateral, 1, {{0, 1, 2, 3}});
+    add(mesh.faces, CellShape::line, 2, {{0, 1}});
+    add(mesh.faces, CellShape::line, 3, {{2, 3}});
+    add(mesh.faces, CellShape::line, 4, {{1, 2}});
+    add(mesh.faces, CellShape::line, 4, {{3, 0}});
+    add(mesh.points, CellShape::point, 5, {{0}});
+    return write_mesh(mesh);
+  }
+} // namespace
+
+// Pressed by 1 and pulled to the left by t at its upper side, the block turns about its left corner
+// at t = 1/2. Nothing but rounding then resists the opening of the right corner, which must not be
+// taken for a stiffness: the block would open by 1e11 m.
+TEST(HingedBlock, TurnsOver)
+{
+  const std::string name = temporary_directory() + "/hinge.prm";
+  std::ofstream(name)
+    << "subsection Mesh\nset File = " << block_mesh()
+    << "\nend\nsubsection Bodies\nsubsection block\nset Young modulus = 4.8\n"
+       "set Poisson ratio = 0.36\nend\nend\nsubsection Joints\nsubsection base\nset Plus lip = "
+       "base\n"
+       "set Minus lip = rigid\nset Normal law = rigid\nset Shear law = linear\n"
+       "set Shear compliance = 1e-9\nset Friction coefficient = 1.6\nend\nend\n"
+       "subsection Boundaries\nsubsection corner\nset Fixed = x\nend\n"
+       "subsection sides\nset Fixed = free\nend\nend\n"
+       "subsection Loads\n"
+       "subsection press\nset Type = pressure\nset Boundaries = top\nset Value = 1\nend\n"
+       "subsection pull\nset Type = traction\nset Boundaries = top\nset Value = -1; 0\nend\nend\n"
+       "subsection Stages\nsubsection first\nset Loads = press: t\nend\n"
+       "subsection second\nset Loads = pull: t\nend\nend\n";
+  const SceneRun run = run_scene(name);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.summary.at("verdict"), "limit load");
+  EXPECT_NEAR(run.summary.at("t").get<double>(), 1.5, 1e-12);
+  EXPECT_LE(run.certificate(), 1e-12);
+}
