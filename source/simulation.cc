@@ -18,8 +18,9 @@ namespace fuga
     , parameters(model.parameters)
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
-    , path(joint.elements, layered, model.loads.history, model.path_options())
-    , judge(model.bodies, joint.elements, model.loads.history)
+    , loading(model.loads.history.until(model.loads.end_of_loading))
+    , path(joint.elements, layered, loading, model.path_options())
+    , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
     , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
@@ -61,6 +62,7 @@ namespace fuga
         if (outcome.path.verdict != Verdict::done &&
             outcome.path.beyond.end == BeyondLimit::End::none)
           write_last_state();
+        find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
       }
@@ -120,7 +122,7 @@ namespace fuga
   void
   Simulation<dim>::reached(const std::size_t index, const JointState &state)
   {
-    const bool last    = index + 1 == model.loads.levels.size();
+    const bool last    = state.t >= model.loads.end_of_loading;
     const bool written = parameters.output.fields == FieldOutput::levels ||
                          (parameters.output.fields == FieldOutput::end && last);
     write_state(state, written);

@@ -17,6 +17,13 @@ namespace fuga
   bool
   Simulation<dim>::wants_cuts() const
   {
+    return keeps_checkpoints() || looks_for_safety();
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::keeps_checkpoints() const
+  {
     return parameters.output.checkpoint != CheckpointOutput::never;
   }
 
@@ -68,7 +75,7 @@ namespace fuga
   void
   Simulation<dim>::write_checkpoint(Checkpoint &&checkpoint)
   {
-    if (!wants_cuts())
+    if (!keeps_checkpoints() || searching)
       return;
     model.timer.finish("path");
     const auto begin      = std::chrono::steady_clock::now();

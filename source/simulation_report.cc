@@ -25,7 +25,7 @@ namespace fuga
     write_summary(unfinished);
     remove_earlier_results(parameters.output.directory, {"summary.json"});
     publish(true);
-    if (wants_cuts())
+    if (keeps_checkpoints())
       mesh_identity = identify_file(parameters.mesh_file);
     model.timer.finish("tables");
   }
@@ -208,6 +208,8 @@ namespace fuga
         default:
           log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
       }
+    for (const SafetyFactor &safety : outcome.safety)
+      log_safety(safety);
     if (const BeyondLimit &beyond = outcome.path.beyond; beyond.end != BeyondLimit::End::none)
       log.line(
         fmt::format("Beyond      {} steps to t = {:.12g}, largest jump grown by {:.6g} {}, end: {}",
@@ -296,6 +298,7 @@ namespace fuga
       summary.critical_elements.push_back({model.joint_names[joint.elements[k].joint],
                                            joint.elements[k].number,
                                            joint.elements[k].position});
+    summary.safety            = outcome.safety;
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
     summary.sizes             = model.sizes();
     summary.work              = {model.bodies.work(), 1, path.work()};

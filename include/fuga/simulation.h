@@ -5,6 +5,7 @@
 #define fuga_simulation_h
 
 #include <fuga/io/checkpoint.h>
+#include <fuga/io/summary.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
 #include <fuga/table_range.h>
@@ -75,10 +76,28 @@ namespace fuga
       std::string verdict;
       ExitCode code = ExitCode::done;
       std::string message;
+      std::vector<SafetyFactor> safety;
     };
 
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
+    bool
+    looks_for_safety() const;
+    /** Follows each search for a factor of safety from the end of the loads. */
+    void
+    find_safety(Outcome &outcome);
+    SafetyFactor
+    find_factor(const std::size_t search, const PathCut &end_of_loading);
+    SafetyFactor
+    announced_factor(const StageDefinition &search) const;
+    LoadHistory
+    history_of(const std::size_t search) const;
+    std::vector<std::string>
+    moving_joints(const Vector &mechanism_jumps) const;
+    void
+    log_safety(const SafetyFactor &safety);
+    bool
+    keeps_checkpoints() const;
     void
     begin_output();
     void
@@ -131,6 +150,8 @@ namespace fuga
     const Parameters &parameters;
     const JointModel joint;
     const LayeredSystem layered;
+    /** The loads without the searches for safety that follow them. */
+    const LoadHistory loading;
     EventPath path;
     Judge judge;
     TableRange tables;
@@ -139,6 +160,8 @@ namespace fuga
     FieldWriter<dim> fields;
     HistoryWriter history;
 
+    /** A search for safety is under way: checkpoints are those of the path. */
+    bool searching = false;
     FileIdentity mesh_identity;
     std::function<void()> checkpoint_action;
     std::chrono::steady_clock::time_point last_checkpoint;

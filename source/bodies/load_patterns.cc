@@ -97,7 +97,8 @@ namespace fuga
     bool has_last = false, last_is_pattern = false;
     for (std::size_t c = 0; c < values.size(); ++c)
       {
-        const double t = factors.corners[c], factor = factors.values[c][load];
+        const double t      = std::min(factors.corners[c], factors.end_of_loading);
+        const double factor = factors.values[c][load];
         if (factor == 0. && (c + 1 == values.size() || factors.values[c + 1][load] == 0.))
           {
             has_last = last_is_pattern = false;

@@ -101,6 +101,26 @@ namespace fuga
         }
     }
 
+    // The loads that grow do so from what they are; all others stand still.
+    void
+    add_search_for_safety(const ModelDefinition &model, const std::size_t number, LoadFactors &factors)
+    {
+      const StageDefinition &stage = model.stages[number];
+      Vector values                = factors.values.back();
+      for (const unsigned int load : stage.increased_loads)
+        {
+          if (values[load] == 0.)
+            throw InputError(
+              fmt::format("{}: the load '{}' has the factor 0 at the end of the stages, so that it "
+                          "cannot grow in proportion. Name loads that act there.",
+                          stage.origin,
+                          model.loads[load].name));
+          values[load] *= stage.largest_factor;
+        }
+      factors.corners.push_back(static_cast<double>(number) + 1.);
+      factors.values.push_back(std::move(values));
+    }
+
     template <int dim>
     LoadFactors
     evaluate_stages(const ModelDefinition &model,
@@ -110,7 +130,13 @@ namespace fuga
       LoadFactors factors;
       factors.values.emplace_back(model.loads.size(), 0.);
       for (std::size_t s = 0; s < model.stages.size(); ++s)
-        add_stage<dim>(model, s, knots, factors, report);
+        if (model.stages[s].purpose == StagePurpose::loading)
+          {
+            add_stage<dim>(model, s, knots, factors, report);
+            factors.end_of_loading = static_cast<double>(s + 1);
+          }
+        else
+          add_search_for_safety(model, s, factors);
       return factors;
     }
 
@@ -158,7 +184,8 @@ namespace fuga
             LoadHistory(factors.corners, std::move(loads.values)),
             std::move(levels),
             std::move(report),
-            LoadHistory(factors.corners, factors.values)};
+            LoadHistory(factors.corners, factors.values),
+            factors.end_of_loading};
   }
 
   template <int dim>

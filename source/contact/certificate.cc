@@ -107,11 +107,12 @@ namespace fuga
 
   Judge::Judge(const ContactSystem &contact_system,
                const std::vector<ContactElement> &contact_elements,
-               const LoadHistory &load_history)
+               const LoadHistory &load_history,
+               const double end_of_loading)
     : system(contact_system), elements(contact_elements), history(load_history)
   {
     element_dissipation.assign(elements.size(), 0.);
-    for (double t = 0.; t < history.end();)
+    for (double t = 0.; t < end_of_loading;)
       {
         t                       = history.next_corner(t);
         largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
@@ -124,6 +125,13 @@ namespace fuga
     if (B.empty())
       return;
     inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
+  }
+
+  Judge::Judge(const ContactSystem &contact_system,
+               const std::vector<ContactElement> &contact_elements,
+               const LoadHistory &load_history)
+    : Judge(contact_system, contact_elements, load_history, load_history.end())
+  {
   }
 
   namespace
@@ -286,6 +294,7 @@ namespace fuga
         check_element(k, state, delta, result);
         ledger.layer += stored_energy(k, state);
       }
+    check_reduction(state, result);
     result.layer_law = std::max(result.layer_law, share(wrong_rise, largest_jump));
     if (on_track)
       {
@@ -296,8 +305,9 @@ namespace fuga
                                    ledger.dissipation});
         // Early in a run energies are small, and so would be the scale: the load still to come is
         // known.
-        largest_load       = std::max(largest_load, max_abs(f));
-        const double ratio = largest_load > 0. ? largest_load_of_history / largest_load : 1.;
+        largest_load = std::max(largest_load, max_abs(f));
+        const double ratio =
+          largest_load > 0. ? std::max(1., largest_load_of_history / largest_load) : 1.;
         const double scale = largest_energy * ratio * ratio;
         result.energy =
           share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),

@@ -240,16 +240,33 @@ namespace fuga
         result.slip_direction, std::abs(T - slip_sign(state.states[k]) * strength), largest_force);
   }
 
-  // What is left of the strength is all or nothing of what the law says.
+  // What is left of the strength is all or nothing of what the law says, or of the share of it that
+  // a strength reduction leaves.
   void
   Judge::check_strength(const std::size_t k, const Strength &left, Certificate &result) const
   {
     const FrictionLaw &law = elements[k].friction;
     const double A         = elements[k].area;
-    if ((left.friction != law.coefficient && left.friction != residual_friction(law)) ||
-        (left.cohesion != 0. && left.cohesion != law.cohesion * A) ||
-        (left.tension != 0. && left.tension != law.tensile_strength * A) ||
+    const double s         = left.share;
+    if ((left.friction != s * law.coefficient && left.friction != s * residual_friction(law)) ||
+        (left.cohesion != 0. && left.cohesion != s * (law.cohesion * A)) ||
+        (left.tension != 0. && left.tension != s * (law.tensile_strength * A)) ||
         (left.dilatancy != 0. && left.dilatancy != law.dilatancy))
       result.cone = std::numeric_limits<double>::infinity();
+  }
+
+  // A strength reduction leaves all elements it concerns the same share, and the others all.
+  void
+  Judge::check_reduction(const JointState &state, Certificate &result) const
+  {
+    double share = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const double left = state.strengths[k].share;
+        if (elements[k].friction.reduced && std::isnan(share))
+          share = left;
+        if (!(left > 0. && left <= 1. && left == (elements[k].friction.reduced ? share : 1.)))
+          result.cone = std::numeric_limits<double>::infinity();
+      }
   }
 } // namespace fuga

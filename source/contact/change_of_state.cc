@@ -25,7 +25,7 @@ namespace fuga
           break_bond(element, k, no_force, state);
           return;
         }
-      const double residual = residual_friction(element.friction);
+      const double residual = strength.share * residual_friction(element.friction);
       double lost           = (strength.friction - residual) * std::max(-N, 0.);
       strength.friction     = residual;
       if (bond_breaks)
@@ -75,6 +75,6 @@ namespace fuga
           state.unreleased[element.tangential_bar] = state.forces[element.tangential_bar];
       }
     strength.cohesion = strength.tension = 0.;
-    strength.friction                    = residual_friction(element.friction);
+    strength.friction                    = strength.share * residual_friction(element.friction);
   }
 } // namespace fuga

@@ -117,7 +117,7 @@ namespace fuga
 
     const Strength &strength_left = state.strengths[k];
     double nearest                = root(strength_left.tension - state.forces[n],
-                          -rates.forces[n],
+                          tensile_strength_rate(element, drive) - rates.forces[n],
                           force_tolerances[n],
                           noise.force(n));
     if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
@@ -135,7 +135,7 @@ namespace fuga
           const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
           nearest                = std::min(nearest,
                              root(strength - sign * state.forces[t],
-                                  -f * rates.forces[n] + cohesive_strength_rate(element, drive) -
+                                  -f * rates.forces[n] + shear_strength_rate(element, drive) -
                                     sign * rates.forces[t],
                                   tolerance,
                                   noise.force(t) + f * noise.force(n)));
@@ -169,7 +169,8 @@ namespace fuga
   double
   ContactBoundary::RateNoise::force(const std::size_t bar) const
   {
-    return rate_tolerance *
-           (std::abs(drive.reactions[bar]) + system.stiffness()(bar, bar) * largest_dislocation);
+    const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
+    return rate_tolerance * (std::abs(drive.reactions[bar]) +
+                             system.stiffness()(bar, bar) * largest_dislocation + strength);
   }
 } // namespace fuga

@@ -5,6 +5,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,6 @@ namespace fuga
     constexpr double shortest_step = 1e-9;
     /** The same for the constant-stiffness iteration, which only creeps towards its bound. */
     constexpr double shortest_constant_step = 1e-5;
-    /** Energy that one step may lose by interpolation, relative to the work of the bars. */
-    constexpr double largest_defect = 3e-12;
     /** A slip rate below this share of the largest jump rate is rest. */
     constexpr double slip_rate_tolerance = 1e-10;
     constexpr double never               = std::numeric_limits<double>::infinity();
@@ -41,6 +40,7 @@ namespace fuga
     , taus{0.}
     , points{start}
     , functions{event_functions(start)}
+    , determinant_sign(is_reduction() ? context.scheme.determinant_sign() : 0)
   {
   }
 
@@ -60,18 +60,23 @@ namespace fuga
           predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
 
         std::optional<PathPoint> next = solve(tau, predicted);
-        const double defect = next ? energy_defect(points[a], *next, tau - taus[a]) : never;
-        if (defect > largest_defect && tau - taus[a] > shortest)
+        const double defect           = next ? step_defect(points[a], *next, tau - taus[a]) : never;
+        if (defect > 1. && tau - taus[a] > shortest)
           {
             step = (tau - taus[a]) / (2. * step_growth);
             continue;
+          }
+        if (!next && is_reduction())
+          {
+            at_limit = true;
+            return taus.back();
           }
         if (!next)
           give_up();
         const std::size_t b = insert(tau, std::move(*next));
         if (first_root(a, b) < never)
           return locate_end(a, b);
-        if (defect < largest_defect / std::pow(step_growth, order))
+        if (defect < 1. / std::pow(step_growth, order))
           step *= step_growth;
       }
     return taus.back();
@@ -173,6 +178,7 @@ namespace fuga
     const JointState &state      = point.state;
     const Vector &dp             = point.rates.forces;
     const Vector &dd             = point.rates.dislocations;
+    const Drive drive            = drive_at(context.elements, course, state);
     const double slip_rate_noise = slip_rate_tolerance * max_abs(context.system.jumps(dd, dp));
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
@@ -186,18 +192,21 @@ namespace fuga
             continue;
           }
         const Strength &strength = state.strengths[k];
-        result.push_back({strength.tension - state.forces[n], -dp[n], n_noise, true, k});
+        result.push_back({strength.tension - state.forces[n],
+                          tensile_strength_rate(element, drive) - dp[n],
+                          n_noise,
+                          true,
+                          k});
         if (!element.has_tangential_bar())
           continue;
         const double f = strength.friction;
         if (state.states[k] == ContactState::stick)
           for (const double sign : {1., -1.})
-            result.push_back(
-              {shear_strength(element, state, k) - sign * state.forces[t],
-               -f * dp[n] + cohesive_strength_rate(element, course.drive) - sign * dp[t],
-               context.boundary.force_tolerance(t) + f * n_noise,
-               true,
-               k});
+            result.push_back({shear_strength(element, state, k) - sign * state.forces[t],
+                              -f * dp[n] + shear_strength_rate(element, drive) - sign * dp[t],
+                              context.boundary.force_tolerance(t) + f * n_noise,
+                              true,
+                              k});
         else
           {
             const double speed =

@@ -12,6 +12,8 @@ namespace fuga
 {
   namespace
   {
+    /** Energy that one step may lose by interpolation, relative to the work of the bars. */
+    constexpr double largest_defect = 3e-12;
     /** Rounding error of a jump relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
@@ -25,6 +27,14 @@ namespace fuga
              5. / 18. * force.value(0.5 + r) * deformation.slope(0.5 + r);
     }
   } // namespace
+
+  // At most 1 for a step that is short enough.
+  double
+  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  {
+    const double defect = energy_defect(from, to, length) / largest_defect;
+    return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
+  }
 
   // What the judge will find missing in the balance of energy after this step: the work of the
   // interpolated force of every nonlinear bar against the energy its layer has stored. It measures

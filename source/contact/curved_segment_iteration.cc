@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +29,18 @@ namespace fuga
     state.dislocations = predicted_dislocations;
     release(course.drive, tau, state);
     complete_state(context, course, tau, state);
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        context.scheme.set_strength(k, state.strengths[k]);
     if (!iterate(tau, state))
       return {};
 
     context.scheme.linearise(state);
-    const std::optional<JointRates> rates = context.scheme.rates(course.drive);
+    const std::optional<JointRates> rates =
+      context.scheme.rates(drive_at(context.elements, course, state));
     if (!rates)
+      return {};
+    if (is_behind_pole())
       return {};
     point.rates = *rates;
     return point;

@@ -7,6 +7,7 @@
 #include <fuga/contact/implicit_step.h>
 #include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,11 @@ namespace fuga
           standstill.forget();
         else
           note_zero_step(state, result);
+        if (segment->ends_at_limit())
+          {
+            take_limit(state, segment->at(length).rates, result);
+            return result;
+          }
       }
     standstill.forget();
     make_cut(state, result, observer);
@@ -192,8 +198,11 @@ namespace fuga
         course.factor_rates = history.rates(state.t);
         course.t_end        = history.next_corner(state.t);
         course.length       = course.t_end - state.t;
+        course.share        = history.strength_share(state.t);
+        course.share_rate   = history.strength_share_rate(state.t);
       }
     set_reactions(state, course.factor_rates, course.drive);
+    course.drive = drive_at(elements, course, state);
     return course;
   }
 
@@ -214,7 +223,8 @@ namespace fuga
                             PathResult &result)
   {
     if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
-        !system.opening_water().empty() || state.is_unsettled())
+        !system.opening_water().empty() || state.is_unsettled() ||
+        history.strength_share_rate(state.t) != 0.)
       return false;
     for (const ContactElement &element : elements)
       if (!element.friction.is_plain())
@@ -240,7 +250,7 @@ namespace fuga
   EventPath::make_segment(const Course &course, const PathPoint &start)
   {
     const PathContext context{elements, system, boundary, scheme};
-    if (scheme.is_nonlinear())
+    if (scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state))
       return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
     return std::make_unique<StraightSegment>(context, course, start);
   }

@@ -108,6 +108,17 @@ namespace fuga
     critical.determinant_signs = {scheme.determinant_sign()};
   }
 
+  // The curve of a scheme ends where its matrix becomes singular; what it moved along is the
+  // mechanism.
+  void
+  EventPath::take_limit(const JointState &state, const JointRates &motion, PathResult &result) const
+  {
+    result.t               = state.t;
+    result.verdict         = Verdict::limit_load;
+    result.mechanism_jumps = mechanism_jumps(motion, system);
+    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+  }
+
   void
   EventPath::lose_equilibrium(JointState &state,
                               const Continuation &continuation,

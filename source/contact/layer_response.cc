@@ -188,8 +188,17 @@ namespace fuga
   }
 
   double
-  cohesive_strength_rate(const ContactElement &element, const Drive &drive)
+  tensile_strength_rate(const ContactElement &element, const Drive &drive)
   {
-    return drive.release.empty() ? 0. : -std::abs(drive.release[element.tangential_bar]);
+    return drive.strength.empty() ? 0. : drive.strength[element.normal_bar];
+  }
+
+  double
+  shear_strength_rate(const ContactElement &element, const Drive &drive)
+  {
+    double rate = drive.release.empty() ? 0. : -std::abs(drive.release[element.tangential_bar]);
+    if (!drive.strength.empty())
+      rate += drive.strength[element.tangential_bar];
+    return rate;
   }
 } // namespace fuga

@@ -8,10 +8,15 @@
 
 namespace fuga
 {
-  LoadHistory::LoadHistory(std::vector<double> corner_times, std::vector<Vector> factors_at_corners)
-    : corners(std::move(corner_times)), values(std::move(factors_at_corners))
+  LoadHistory::LoadHistory(std::vector<double> corner_times,
+                           std::vector<Vector> factors_at_corners,
+                           Vector shares_at_corners)
+    : corners(std::move(corner_times))
+    , values(std::move(factors_at_corners))
+    , shares(std::move(shares_at_corners))
   {
     if (corners.size() < 2 || corners.size() != values.size() ||
+        (!shares.empty() && shares.size() != corners.size()) ||
         !std::is_sorted(corners.begin(), corners.end(), std::less_equal<>()))
       throw std::invalid_argument("A load history needs increasing corners with one vector each.");
   }
@@ -20,6 +25,23 @@ namespace fuga
   LoadHistory::n_patterns() const
   {
     return static_cast<unsigned int>(values.front().size());
+  }
+
+  LoadHistory
+  LoadHistory::until(const double corner) const
+  {
+    const auto n = std::upper_bound(corners.begin(), corners.end(), corner) - corners.begin();
+    return {{corners.begin(), corners.begin() + n},
+            {values.begin(), values.begin() + n},
+            shares.empty() ? Vector() : Vector(shares.begin(), shares.begin() + n)};
+  }
+
+  LoadHistory
+  LoadHistory::reducing_strength(const double share_at_end) const
+  {
+    Vector reduced(corners.size(), 1.);
+    reduced.back() = share_at_end;
+    return {corners, values, reduced};
   }
 
   double
@@ -69,5 +91,24 @@ namespace fuga
     for (std::size_t j = 0; j < result.size(); ++j)
       result[j] = (values[k + 1][j] - values[k][j]) / length;
     return result;
+  }
+
+  double
+  LoadHistory::strength_share(const double t) const
+  {
+    if (shares.empty())
+      return 1.;
+    const std::size_t k = segment_after(t);
+    const double s      = (t - corners[k]) / (corners[k + 1] - corners[k]);
+    return (1. - s) * shares[k] + s * shares[k + 1];
+  }
+
+  double
+  LoadHistory::strength_share_rate(const double t) const
+  {
+    if (shares.empty())
+      return 0.;
+    const std::size_t k = segment_after(t);
+    return (shares[k + 1] - shares[k]) / (corners[k + 1] - corners[k]);
   }
 } // namespace fuga

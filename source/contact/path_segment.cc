@@ -46,6 +46,13 @@ namespace fuga
     const Vector factors = along(course.factors, tau, course.factor_rates);
     set_water(context.elements, context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        if (context.elements[k].friction.reduced)
+          reduce(state.strengths[k],
+                 context.elements[k].friction,
+                 context.elements[k].area,
+                 course.share + tau * course.share_rate);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];

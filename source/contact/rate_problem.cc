@@ -127,7 +127,7 @@ namespace fuga
               switches.push_back({k, state_on_closing(state, candidate, rates)});
             continue;
           }
-        if (candidate.grazing && dN > N_noise)
+        if (candidate.grazing && dN - tensile_strength_rate(element, drive) > N_noise)
           {
             switches.push_back({k, ContactState::open});
             continue;
@@ -145,7 +145,7 @@ namespace fuga
         const double sign =
           candidate.shear == ShearPosition::at_apex ? std::copysign(1., dT) : candidate.sign;
         const double shear_noise = noise.force(element.tangential_bar) + f * N_noise;
-        if (sign * dT + f * dN - cohesive_strength_rate(element, drive) > shear_noise)
+        if (sign * dT + f * dN - shear_strength_rate(element, drive) > shear_noise)
           switches.push_back(
             {k, sign > 0. ? ContactState::slip_forward : ContactState::slip_backward});
       }

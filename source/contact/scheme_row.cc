@@ -126,14 +126,12 @@ namespace fuga
             const ContactState state,
             const Drive &drive)
   {
-    if (drive.release.empty())
-      return 0.;
     switch (row.demand)
       {
         case Demand::no_force:
-          return drive.release[row.bar];
+          return drive.release.empty() ? 0. : drive.release[row.bar];
         case Demand::sliding:
-          return slip_sign(state) * cohesive_strength_rate(element, drive);
+          return slip_sign(state) * shear_strength_rate(element, drive);
         case Demand::layer:
         case Demand::riding:
           return 0.;

@@ -131,13 +131,18 @@ namespace fuga
     return !singular;
   }
 
-  // The inverse need not follow a nonlinear layer at every step: that of a nearby stiffness serves
-  // as the first approximation of a refined solution, the paper's idea on the small system.
+  // The inverse need not follow a nonlinear layer, or a friction that is being reduced, at every
+  // step: that of a nearby stiffness serves as the first approximation of a refined solution, the
+  // paper's idea on the small system.
   void
   WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
   {
+    const auto follows = [this](const SchemeRow &row) {
+      return row.demand == SchemeRow::Demand::layer ||
+             (row.demand == SchemeRow::Demand::sliding && strengths[row.element].share < 1.);
+    };
     for (const SchemeRow &row : wanted)
-      if (row.demand == SchemeRow::Demand::layer && position[row.bar] != no_row && !has_row(row))
+      if (follows(row) && position[row.bar] != no_row && !has_row(row))
         {
           SchemeRow &present = rows[position[row.bar]];
           if (present.demand != row.demand)

@@ -211,6 +211,7 @@ namespace fuga
                                                              stages_section(),
                                                              constants_section(),
                                                              solver_section(),
+                                                             safety_section(),
                                                              sweep_section(),
                                                              monitors_section(),
                                                              output_section()};

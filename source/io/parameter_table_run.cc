@@ -62,6 +62,28 @@ namespace fuga
   }
 
   SectionDeclaration
+  parameter_entries::safety_section()
+  {
+    return {
+      "Safety",
+      "Factors of safety, found exactly by events, each from the state at the end of the stages. "
+      "Without an entry nothing is computed.",
+      {defaulted(
+         "Strength reduction",
+         "no",
+         choice("no|yes"),
+         "Friction, cohesion and tensile strength are divided by a factor that grows from 1 "
+         "until equilibrium is lost; loads stand still."),
+       optional("Joints", text(), "List of the joints that are reduced; without it all."),
+       optional("Load factor",
+                text(),
+                "List of loads, or of stages whose loads are meant: they grow in proportion, by a "
+                "factor from 1 on, until equilibrium is lost; the other loads stand still."),
+       defaulted("Largest factor", "10", number_above(1), "Where a search ends without result.")},
+      {}};
+  }
+
+  SectionDeclaration
   parameter_entries::sweep_section()
   {
     const std::string values = " Numbers a, b, c or a range first : step : last.";

@@ -175,10 +175,11 @@ namespace fuga
     parameters.model          = read_model(values);
     parameters.joints         = read_joints(values, parameters.model.constants);
     parameters.variants       = read_variants(values, parameters.joints, parameters.model);
-    parameters.solver         = read_solver(values.section("Solver"));
-    parameters.output         = read_output(values, file);
-    parameters.mesh_file      = read_mesh_file(values.section("Mesh"), file);
-    parameters.echo           = values.echo();
+    read_safety(values, parameters);
+    parameters.solver    = read_solver(values.section("Solver"));
+    parameters.output    = read_output(values, file);
+    parameters.mesh_file = read_mesh_file(values.section("Mesh"), file);
+    parameters.echo      = values.echo();
     return parameters;
   }
 } // namespace fuga

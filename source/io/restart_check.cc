@@ -117,6 +117,14 @@ namespace fuga
                         "a stage more changes all of its patterns",
                         *added.begin(),
                         load.name));
+    const bool has_searches =
+      std::any_of(parameters.model.stages.begin(),
+                  parameters.model.stages.end(),
+                  [](const StageDefinition &s) { return s.purpose != StagePurpose::loading; });
+    if (!added.empty() && has_searches)
+      changes.push_back(fmt::format("Stages/{}: added, but the results hold factors of safety of the "
+                                    "state before it",
+                                    *added.begin()));
     const FileIdentity mesh = identify_file(parameters.mesh_file);
     if (!(mesh == checkpoint.mesh))
       changes.push_back(fmt::format("the mesh {}: another content ({} bytes, were {})",

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace fuga
 {
   std::string
@@ -63,6 +65,15 @@ namespace fuga
     return "";
   }
 
+  const char *const SafetyFactor::largest_factor_reached = "largest factor reached";
+  const char *const SafetyFactor::not_computed           = "not computed";
+
+  bool
+  SafetyFactor::found() const
+  {
+    return verdict != largest_factor_reached && verdict != not_computed;
+  }
+
   namespace
   {
     using Json = nlohmann::ordered_json;
@@ -94,6 +105,32 @@ namespace fuga
               {"determinant_signs", critical.determinant_signs},
               {"decisions", summary.path.n_non_unique},
               {"elements", elements}};
+    }
+
+    /** By method; the factor is null where none was found. */
+    Json
+    safety_section(const std::vector<SafetyFactor> &factors)
+    {
+      Json json = Json::object();
+      for (const SafetyFactor &safety : factors)
+        {
+          std::string key = safety.method;
+          std::replace(key.begin(), key.end(), ' ', '_');
+          Json &entry = json[key];
+          entry       = {{"factor", safety.found() ? Json(safety.factor) : Json()},
+                         {"verdict", safety.verdict}};
+          if (safety.verdict == SafetyFactor::largest_factor_reached)
+            entry["factor_at_least"] = safety.factor;
+          if (safety.mechanism != MechanismKind::none)
+            {
+              entry["mechanism"]        = mechanism_name(safety.mechanism);
+              entry["mechanism_joints"] = safety.moving_joints;
+            }
+          entry[safety.method == "load factor" ? "loads" : "joints"] = safety.acts_on;
+          if (safety.verdict != SafetyFactor::not_computed)
+            entry["t"] = safety.t;
+        }
+      return json;
     }
 
     Json
@@ -175,6 +212,8 @@ namespace fuga
                               {"path_length", beyond.length},
                               {"t", beyond.t},
                               {"steps", beyond.n_steps}};
+    if (!summary.safety.empty())
+      json["safety"] = safety_section(summary.safety);
     if (!summary.critical_elements.empty())
       json["friction_beyond_critical"] = critical_section(summary);
     json["load_factors"] = object(summary.load_factors);

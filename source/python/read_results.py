@@ -28,6 +28,8 @@ def print_run(results):
     if "limit_load" in summary:
         limit = summary["limit_load"]
         print(f"limit load: mechanism {limit['mechanism']}, factors {limit['load_factors']}")
+    for method, found in summary.get("safety", {}).items():
+        print(f"safety by {method.replace('_', ' ')}: {found['factor']}, {found['verdict']}")
     print(f"certificate {summary['certificate']['worst']:.1e}, {len(results.events.frame)} events, "
           f"{len(results.levels)} load levels")
     kinds = results.events.frame.groupby(["joint", "from", "to"]).size()

@@ -145,7 +145,7 @@ namespace
       layered = std::make_unique<LayeredSystem>(system, elements);
       scheme  = std::make_unique<WorkingScheme>(elements, *layered);
       problem = std::make_unique<RateProblem>(elements, *layered, *scheme);
-      drive   = {multiply(layered->reactions(), Vector{1.}), {}};
+      drive   = {multiply(layered->reactions(), Vector{1.}), {}, {}};
       return problem->solve(state, set, drive);
     }
 

@@ -153,6 +153,16 @@ TEST(Restart, LinearLayer)
   EXPECT_GT(check("scene_g_f06.prm", {"Output/Fields=never"}, 25), 30u);
 }
 
+// The search for factors of safety is done again as a whole.
+TEST(Restart, FactorsOfSafety)
+{
+  EXPECT_GT(
+    check("scene_g_f06.prm",
+          {"Output/Fields=never", "Safety/Strength reduction=yes", "Safety/Load factor=water"},
+          4),
+    30u);
+}
+
 TEST(Restart, LawNine)
 {
   EXPECT_GT(check("paper_3_cubic_root.prm", {"Output/Fields=never"}, 12), 11u);

@@ -64,7 +64,8 @@ namespace
             const double f,
             const std::string &loads,
             const std::string &first,
-            const std::string &second)
+            const std::string &second,
+            const std::vector<std::string> &overrides = {})
   {
     const std::string name = temporary_directory() + "/block.prm";
     std::ofstream(name) << "subsection Mesh\nset File = " << block_mesh()
@@ -84,7 +85,7 @@ namespace
                         << loads
                         << "end\nsubsection Stages\nsubsection first\nset Loads = " << first
                         << ": t\nend\nsubsection second\nset Loads = " << second << "\nend\nend\n";
-    return run_scene(name);
+    return run_scene(name, overrides);
   }
 
   std::vector<double>
@@ -171,6 +172,40 @@ TEST_P(RigidBlock, OnAnIncline)
         {
           EXPECT_EQ(result.at("mechanism"), mechanism);
         }
+    }
+}
+
+// Factors of safety on an incline. Strength reduction: (f + c b/N)/tan α by sliding, whatever slips
+// or has opened before (cohesion: below the first opening, where bonds would be lost); load factor
+// of the share along the base: sliding as well, or toppling at tan α = b/h. By equilibrium, exact.
+TEST_P(RigidBlock, SafetyOnAnIncline)
+{
+  const std::string loads = "subsection down\nset Type = weight\nset Value = 0; -1\nend\n"
+                            "subsection along\nset Type = weight\nset Value = 1; 0\nend\n";
+  for (const auto &[f, c, slope, share, mechanism] : {std::tuple(0.3, 0., 0.2, 0.3, "sliding"),
+                                                      {0.21, 0., 0.2, 0.21, "sliding"},
+                                                      {0.3, 0.1, 0.15, 0., ""},
+                                                      {0.8, 0., 0.2, 0.5, "overturning"}})
+    {
+      SCOPED_TRACE(fmt::format("f = {}, c = {}", f, c));
+      const SceneRun run = run_block(GetParam(),
+                                     f,
+                                     loads,
+                                     "down",
+                                     fmt::format("along: {}*t", slope),
+                                     {"Safety/Strength reduction=yes",
+                                      "Safety/Load factor=along",
+                                      fmt::format("Joints/base/Cohesion={}", c)});
+      EXPECT_EQ(run.exit_code, 0);
+      EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
+      const auto &reduction = run.summary.at("safety").at("strength_reduction");
+      EXPECT_NEAR(reduction.at("factor").get<double>(), (f + c) / slope, 1e-12);
+      EXPECT_EQ(reduction.at("mechanism"), "sliding");
+      if (*mechanism == '\0')
+        continue;
+      const auto &load_factor = run.summary.at("safety").at("load_factor");
+      EXPECT_NEAR(load_factor.at("factor").get<double>(), share / slope, 1e-9);
+      EXPECT_EQ(load_factor.at("mechanism"), mechanism);
     }
 }
 

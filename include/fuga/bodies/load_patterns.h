@@ -13,6 +13,8 @@ namespace fuga
   {
     std::vector<double> corners = {0.};
     std::vector<Vector> values;
+    /** Behind it stand searches for safety: no load changes with time any more. */
+    double end_of_loading = 0.;
 
     /** A history that makes the factor of a load jump in the beginning of a stage. */
     struct Jump

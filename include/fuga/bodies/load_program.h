@@ -36,6 +36,8 @@ namespace fuga
     std::vector<std::string> report;
     /** Factor of every load at the corners of the history, whatever became of it as patterns. */
     LoadHistory load_factors;
+    /** Load time at which the loads end and the searches for safety begin. */
+    double end_of_loading = 0.;
 
     /** Factors of the loads at a load time, by name. */
     std::map<std::string, double>

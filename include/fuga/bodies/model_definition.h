@@ -170,7 +170,21 @@ namespace fuga
     std::string origin;
   };
 
-  /** One load stage: t runs from its number (from 0) to the next one. */
+  /** What a stage is for. */
+  enum class StagePurpose
+  {
+    loading,
+    /** Loads stand still while the strength of joints falls, see FrictionLaw::reduced. */
+    strength_reduction,
+    /** Some loads grow in proportion until nothing can carry them. */
+    load_factor
+  };
+
+  /**
+   * One load stage: t runs from its number (from 0) to the next one. Stages that look for a factor
+   * of safety stand behind all others, each begins with the state at the end of the loads, and they
+   * do not come one after another.
+   */
   struct StageDefinition
   {
     struct History
@@ -186,6 +200,12 @@ namespace fuga
     /** Number of load levels written; level i is at the fraction i/levels. */
     unsigned int levels = 1;
     std::string origin;
+
+    StagePurpose purpose = StagePurpose::loading;
+    /** Of a search for safety: the factor at its end, > 1. */
+    double largest_factor = 1.;
+    /** Of a load factor: the loads that grow. */
+    std::vector<unsigned int> increased_loads = {};
   };
 
   /**

@@ -146,6 +146,12 @@ namespace fuga
   class Judge : private JudgeMemory
   {
   public:
+    /** Energies are judged by the largest load up to @p end_of_loading. */
+    Judge(const ContactSystem &system,
+          const std::vector<ContactElement> &elements,
+          const LoadHistory &history,
+          const double end_of_loading);
+
     Judge(const ContactSystem &system,
           const std::vector<ContactElement> &elements,
           const LoadHistory &history);
@@ -215,6 +221,8 @@ namespace fuga
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
     void
     check_rise(const std::size_t k, const JointState &from, const JointState &to);
+    void
+    check_reduction(const JointState &state, Certificate &result) const;
     void
     check_strength(const std::size_t k, const Strength &left, Certificate &result) const;
 

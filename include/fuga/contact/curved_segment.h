@@ -74,11 +74,12 @@ namespace fuga
   }
 
   /**
-   * The path of a working scheme with nonlinear layers: a smooth curve, followed by a tangent
-   * predictor and an iterated corrector. The end is located on the curve itself: the event function
-   * is interpolated by cubics between solved points, the bracket shrinks until the function
-   * vanishes at a solved point, and every other event function is watched at every point, so none
-   * is skipped. The loss of slip (re-stick) is one of these events.
+   * The path of a working scheme with nonlinear layers, or of one whose friction is being reduced:
+   * a smooth curve, followed by a tangent predictor and an iterated corrector. The end is located
+   * on the curve itself: the event function is interpolated by cubics between solved points, the
+   * bracket shrinks until the function vanishes at a solved point, and every other event function
+   * is watched at every point, so none is skipped. The loss of slip (re-stick) is one of these
+   * events.
    */
   class CurvedSegment : public PathSegment
   {
@@ -95,6 +96,11 @@ namespace fuga
     at(const double tau) override;
     std::vector<double>
     stations() const override;
+    bool
+    ends_at_limit() const override
+    {
+      return at_limit;
+    }
     std::vector<std::size_t>
     resticking() const override;
 
@@ -138,6 +144,17 @@ namespace fuga
     give_up() const;
     Vector
     interpolate(const std::size_t a, const double tau) const;
+    bool
+    is_reduction() const
+    {
+      return course.share_rate != 0.;
+    }
+    bool
+    is_behind_pole() const;
+    double
+    step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    double
+    reduction_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     double
     energy_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     std::size_t
@@ -151,6 +168,9 @@ namespace fuga
     std::vector<PathPoint> points;
     std::vector<std::vector<EventFunction>> functions;
     std::vector<std::size_t> lost_slip;
+    /** Of the scheme at the start of a strength reduction. */
+    int determinant_sign = 0;
+    bool at_limit        = false;
   };
 } // namespace fuga
 

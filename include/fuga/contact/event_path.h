@@ -286,6 +286,8 @@ namespace fuga
              const Course &course,
              const std::vector<double> &levels,
              PathObserver &observer);
+    void
+    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
     JointState
     report_piecewise(PathSegment &segment,
                      const Course &course,

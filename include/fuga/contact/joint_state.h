@@ -92,6 +92,9 @@ namespace fuga
     Vector reactions;
     Vector release;
     Vector missing_water = {};
+    /** Rates at which a strength reduction takes the strength of each bar at its present pressure,
+     * ≤ 0: of f|N| + cA by tangential bars, of σ_t A by normal ones. Empty without reduction. */
+    Vector strength = {};
   };
 } // namespace fuga
 

@@ -85,9 +85,13 @@ namespace fuga
   double
   shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Rate of the cohesive strength under a drive. */
+  /** Rate of the tensile strength σ_t A under a drive. */
   double
-  cohesive_strength_rate(const ContactElement &element, const Drive &drive);
+  tensile_strength_rate(const ContactElement &element, const Drive &drive);
+
+  /** Rate of the shear strength under a drive, the pressure given. */
+  double
+  shear_strength_rate(const ContactElement &element, const Drive &drive);
 } // namespace fuga
 
 #endif

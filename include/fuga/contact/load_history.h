@@ -17,12 +17,21 @@ namespace fuga
   {
   public:
     /**
-     * @p corners increasing, first 0; @p factors one vector per corner, n_patterns long.
+     * @p corners increasing, first 0; @p factors one vector per corner, n_patterns long; @p shares
+     * of the strength that are left at the corners, ]0, 1], without them 1.
      */
-    LoadHistory(std::vector<double> corners, std::vector<Vector> factors);
+    LoadHistory(std::vector<double> corners, std::vector<Vector> factors, Vector shares = {});
 
     unsigned int
     n_patterns() const;
+
+    /** The history up to one of its corners. */
+    LoadHistory
+    until(const double corner) const;
+
+    /** The same loads; behind the last corner but one the strength falls to a share at the end. */
+    LoadHistory
+    reducing_strength(const double share_at_end) const;
 
     double
     end() const;
@@ -43,12 +52,20 @@ namespace fuga
     Vector
     rates(const double t) const;
 
+    /** Share of strength that a strength reduction leaves: linear between corners. */
+    double
+    strength_share(const double t) const;
+
+    double
+    strength_share_rate(const double t) const;
+
   private:
     std::size_t
     segment_after(const double t) const;
 
     std::vector<double> corners;
     std::vector<Vector> values;
+    Vector shares;
   };
 } // namespace fuga
 

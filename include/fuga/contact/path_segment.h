@@ -28,7 +28,11 @@ namespace fuga
     double t_end = 0.;
     Vector factors;
     Vector factor_rates;
+    /** At τ = 0; see drive_at() in strength_reduction.h. */
     Drive drive;
+    /** Of a strength reduction: the share 1/F of strength that is left is share + τ share_rate. */
+    double share      = 1.;
+    double share_rate = 0.;
     /** Range of τ. */
     double length = 0.;
   };
@@ -61,6 +65,13 @@ namespace fuga
     /** Parameters, from 0 to the end, between which state and energies are smooth and resolved. */
     virtual std::vector<double>
     stations() const = 0;
+
+    /** The end is none of the scheme's boundaries: no equilibrium was found behind it. */
+    virtual bool
+    ends_at_limit() const
+    {
+      return false;
+    }
 
     /** Slipping elements whose slip comes to rest at the end; the rates alone cannot tell (they
      * vanish). */
@@ -104,9 +115,8 @@ namespace fuga
   void
   release(const Drive &drive, const double tau, JointState &state);
 
-  /** The parts of a state that follow from dislocations alone: forces p = R a - W d, time, slips,
-   * water.
-   */
+  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, time,
+   * slips, water, reduced strengths. */
   void
   complete_state(const PathContext &context,
                  const Course &course,

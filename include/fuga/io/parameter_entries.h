@@ -76,6 +76,8 @@ namespace fuga
     SectionDeclaration
     solver_section();
     SectionDeclaration
+    safety_section();
+    SectionDeclaration
     sweep_section();
     SectionDeclaration
     monitors_section();

@@ -73,6 +73,13 @@ namespace fuga
                 const std::vector<JointParameters> &joints,
                 const ModelDefinition &model);
 
+  /**
+   * Section Safety: appends the stages that look for a factor of safety and marks the joints whose
+   * strength is reduced. @throws InputError
+   */
+  void
+  read_safety(const ParameterValues &values, Parameters &parameters);
+
   /** What several sections together can get wrong. @throws InputError naming both culprits. */
   void
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);

@@ -30,6 +30,30 @@ namespace fuga
     std::array<double, 3> position;
   };
 
+  /** What a search for a factor of safety found. */
+  struct SafetyFactor
+  {
+    /** "strength reduction" or "load factor". */
+    std::string method;
+    /** The verdict that ended the search, or "largest factor reached", or "not computed". */
+    std::string verdict;
+    /** Factor at the end of the search: the factor of safety if equilibrium was lost there. */
+    double factor = 1.;
+    /** Load time at the end of the search. */
+    double t                = 0.;
+    MechanismKind mechanism = MechanismKind::none;
+    /** Joints that the mechanism moves. */
+    std::vector<std::string> moving_joints;
+    /** The joints that are reduced, the loads that grow. */
+    std::vector<std::string> acts_on;
+
+    static const char *const largest_factor_reached;
+    static const char *const not_computed;
+
+    bool
+    found() const;
+  };
+
   /** What was computed, by counts; see README, "Results". */
   struct WorkSummary
   {
@@ -71,6 +95,7 @@ namespace fuga
     PathResult path;
     /** The elements of PathResult::critical. */
     std::vector<NamedElement> critical_elements;
+    std::vector<SafetyFactor> safety;
     IterationCount iterations;
     Certificate certificate;
   };

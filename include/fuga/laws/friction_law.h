@@ -40,6 +40,8 @@ namespace fuga
     double dilatancy = 0.;
     /** Largest rise of the lips [m]. */
     double dilation_limit = std::numeric_limits<double>::infinity();
+    /** f, c and σ_t are divided by the factor of a strength reduction. */
+    bool reduced = false;
 
     /** No shear can ever be carried: the tangential bars need not exist. */
     bool
@@ -74,6 +76,9 @@ namespace fuga
     double tension = 0.;
     /** tan ψ, or 0 when the lips have risen to the limit. */
     double dilatancy = 0.;
+    /** 1/F: share of the strength that a strength reduction leaves; contained in f, cA and σ_t A.
+     */
+    double share = 1.;
 
     bool
     has_bond() const
@@ -85,15 +90,29 @@ namespace fuga
     operator==(const Strength &other) const
     {
       return friction == other.friction && cohesion == other.cohesion && tension == other.tension &&
-             dilatancy == other.dilatancy;
+             dilatancy == other.dilatancy && share == other.share;
     }
   };
+
+  /** What is left of a strength is reduced to a share of what the law says. */
+  inline void
+  reduce(Strength &strength, const FrictionLaw &law, const double area, const double share)
+  {
+    const bool residual =
+      strength.friction < strength.share * 0.5 * (law.coefficient + residual_friction(law));
+    strength.friction = share * (residual ? residual_friction(law) : law.coefficient);
+    if (strength.cohesion > 0.)
+      strength.cohesion = share * (law.cohesion * area);
+    if (strength.tension > 0.)
+      strength.tension = share * (law.tensile_strength * area);
+    strength.share = share;
+  }
 
   /** The strength of an element of the given area before anything happened. */
   inline Strength
   virgin_strength(const FrictionLaw &law, const double area)
   {
-    return {law.coefficient, law.cohesion * area, law.tensile_strength * area, law.dilatancy};
+    return {law.coefficient, law.cohesion * area, law.tensile_strength * area, law.dilatancy, 1.};
   }
 } // namespace fuga
 

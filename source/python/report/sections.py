@@ -65,8 +65,28 @@ def verdict_words(summary):
     return "limit", heading, sentences
 
 
+def safety_words(summary):
+    """A sentence for each factor of safety that was looked for."""
+    sentences = []
+    for method, found in summary.get("safety", {}).items():
+        subject = ", ".join(escape(name) for name in found.get("joints", found.get("loads", [])))
+        text = f"Factor of safety by {method.replace('_', ' ')} ({subject}): "
+        if found["factor"] is not None:
+            text += number(found["factor"], 9) + f", {escape(found['verdict'])}"
+            if "mechanism" in found:
+                moving = ", ".join(escape(name) for name in found["mechanism_joints"])
+                text += f", mechanism {escape(found['mechanism'])} of {moving}"
+        elif "factor_at_least" in found:
+            text += "above " + number(found["factor_at_least"], 9) + ", the largest factor asked for"
+        else:
+            text += "not computed, because the loads are not carried to their end"
+        sentences.append(text + ".")
+    return sentences
+
+
 def verdict_box(summary):
     kind, heading, sentences = verdict_words(summary)
+    sentences += safety_words(summary)
     lines = "".join(f"<p>{sentence}</p>" for sentence in sentences if sentence)
     return (f'<div class="verdict {kind}" id="verdict"><strong>{escape(heading)}</strong>{lines}'
             f"<p>Exit code {number(summary['exit_code'])}.</p></div>")
