@@ -24,6 +24,7 @@ make_mesh msh41 crack.msh crack.geo
 make_mesh msh41 cross.msh cross.geo
 make_mesh msh41 wall.msh wall.geo
 make_mesh msh41 dam.msh dam.geo
+make_mesh msh41 retaining_wall.msh retaining_wall.geo
 for n in 9 33 129; do
   python3 scene_g.py "$n" "scene_g_$n.msh"
 done

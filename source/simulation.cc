@@ -23,6 +23,7 @@ namespace fuga
     , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
+              model.joints_there,
               model.stage_names,
               model.normals,
               model.monitors,
@@ -61,6 +62,11 @@ namespace fuga
         if (outcome.path.verdict != Verdict::done &&
             outcome.path.beyond.end == BeyondLimit::End::none)
           write_last_state();
+        if (outcome.path.verdict == Verdict::done && !model.is_last_phase())
+          {
+            end_of_phase = outcome.path;
+            return ExitCode::done;
+          }
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
       }
@@ -82,7 +88,7 @@ namespace fuga
     judge.follow(from, to, length);
     tables.watch(to.state);
     last_state = to.state;
-    log.progress(to.state.t, model.loads.history.end());
+    log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
   }
 
   template <int dim>
@@ -107,7 +113,7 @@ namespace fuga
     if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
       write_monitors(state.t,
                      "event",
-                     judge.coordinates(layered.jumps(state.dislocations, state.forces)),
+                     judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t),
                      model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
@@ -149,7 +155,7 @@ namespace fuga
     model.timer.finish("path");
     Certificate certificate = judge.judge(state);
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);
-    const Vector x          = judge.coordinates(jumps);
+    const Vector x          = judge.coordinates(jumps, state.t);
     const Vector a          = model.loads.history.factors(state.t);
     const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
     if (with_fields)
