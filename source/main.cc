@@ -7,7 +7,7 @@
 #include <fuga/io/report.h>
 #include <fuga/io/threads.h>
 #include <fuga/io/version.h>
-#include <fuga/simulation.h>
+#include <fuga/phases.h>
 #include <fuga/sweep.h>
 
 #include <deal.II/base/config.h>
@@ -201,7 +201,8 @@ namespace
       }
     auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
                                                  parameters.output.log != LogDetail::quiet);
-    const Model<2> model(parameters);
+    auto model   = std::make_unique<const Model<2>>(
+      parameters, checkpoint ? checkpoint->construction : ConstructionState());
     waiting.reset();
     if (line.check_only)
       {
@@ -209,10 +210,9 @@ namespace
         return 0;
       }
     const auto run = [&] {
-      if (!parameters.variants.empty())
-        return Sweep<2>(model).run();
-      Simulation<2> simulation(model);
-      return checkpoint ? simulation.resume(*checkpoint) : simulation.run();
+      return parameters.variants.empty()
+               ? run_all_phases<2>(std::move(model), checkpoint ? &*checkpoint : nullptr)
+               : Sweep<2>(*model).run();
     };
     const ExitCode code = run();
     if (parameters.output.report && code != ExitCode::input_error)

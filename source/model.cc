@@ -9,24 +9,53 @@
 namespace fuga
 {
   template <int dim>
-  Model<dim>::Model(const Parameters &run_parameters)
+  Model<dim>::Model(const Parameters &run_parameters, const ConstructionState &state)
+    : Model(run_parameters, state, nullptr)
+  {
+  }
+
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters, const PhaseEnd &before)
+    : Model(run_parameters, {before.stage, {}, {}, {}, {}}, &before)
+  {
+  }
+
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters,
+                    const ConstructionState &state,
+                    const PhaseEnd *before)
     : parameters(run_parameters)
-    , mesh((timer.book("start", seconds_since_process_start()),
-            split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions())))
-    , bodies((timer.finish("mesh"), mesh),
-             parameters.model,
-             frictionless_joints(),
-             Condensation::with_loads)
+    , timer(before ? before->timer : PhaseTimer())
+    , shared_mesh(before ? before->mesh : read_mesh())
+    , mesh(*shared_mesh)
+    , bodies(mesh, parameters.model, frictionless_joints(), Condensation::with_loads, state.stage)
+    , construction(state)
     , monitor_points(find_monitor_points())
-    , loads(make_loads())
+    , loads(make_loads(before))
     , monitors(make_monitors())
     , joint_names(find_joint_names())
     , stage_names(find_stage_names())
     , normals(find_normals())
+    , joints_there(find_joints_there())
   {
+    if (before)
+      take_over_joints(*before);
+    if (construction.stage > 0)
+      bodies.set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
     for (const auto &[name, seconds] : bodies.phase_seconds())
       timer.set_apart(name, seconds);
     timer.finish("elements and loads");
+  }
+
+  template <int dim>
+  std::shared_ptr<const JointedMesh>
+  Model<dim>::read_mesh() const
+  {
+    timer.book("start", seconds_since_process_start());
+    auto result = std::make_shared<const JointedMesh>(
+      split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions()));
+    timer.finish("mesh");
+    return result;
   }
 
   template <int dim>
@@ -56,10 +85,16 @@ namespace fuga
   // All that can be wrong in joints and loads is found before the bodies are condensed.
   template <int dim>
   LoadProgram
-  Model<dim>::make_loads()
+  Model<dim>::make_loads(const PhaseEnd *before)
   {
     check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);
     LoadProgram program = make_load_program(parameters.model, bodies);
+    if (construction.stage == 0)
+      check_later_phases();
+    if (!is_last_phase())
+      program.history = program.history.until(next_stage());
+    if (construction.stage > 0)
+      begin_phase(program, before);
     bodies.set_load_patterns(std::move(program.patterns));
     return program;
   }
@@ -113,6 +148,16 @@ namespace fuga
     for (std::size_t k = 0; k < bodies.elements().size(); ++k)
       result.push_back(bodies.normal(k));
     return result;
+  }
+
+  template <int dim>
+  std::vector<bool>
+  Model<dim>::find_joints_there() const
+  {
+    std::vector<bool> there(parameters.joints.size(), false);
+    for (const JointFace &face : bodies.joint_faces())
+      there[face.joint] = true;
+    return there;
   }
 
   template <int dim>

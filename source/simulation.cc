@@ -24,6 +24,7 @@ namespace fuga
     , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
+              model.joints_there,
               model.stage_names,
               model.normals,
               model.monitors,
@@ -62,6 +63,11 @@ namespace fuga
         if (outcome.path.verdict != Verdict::done &&
             outcome.path.beyond.end == BeyondLimit::End::none)
           write_last_state();
+        if (outcome.path.verdict == Verdict::done && !model.is_last_phase())
+          {
+            end_of_phase = outcome.path;
+            return ExitCode::done;
+          }
         find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
@@ -84,7 +90,7 @@ namespace fuga
     judge.follow(from, to, length);
     tables.watch(to.state);
     last_state = to.state;
-    log.progress(to.state.t, model.loads.history.end());
+    log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
   }
 
   template <int dim>
@@ -109,7 +115,7 @@ namespace fuga
     if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
       write_monitors(state.t,
                      "event",
-                     judge.coordinates(layered.jumps(state.dislocations, state.forces)),
+                     judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t),
                      model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
@@ -151,7 +157,7 @@ namespace fuga
     model.timer.finish("path");
     Certificate certificate = judge.judge(state);
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);
-    const Vector x          = judge.coordinates(jumps);
+    const Vector x          = judge.coordinates(jumps, state.t);
     const Vector a          = model.loads.history.factors(state.t);
     const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
     if (with_fields)

@@ -78,20 +78,28 @@ namespace fuga
     if (!keeps_checkpoints() || searching)
       return;
     model.timer.finish("path");
-    const auto begin      = std::chrono::steady_clock::now();
-    checkpoint.parameters = parameters.echo;
-    checkpoint.mesh       = mesh_identity;
-    checkpoint.judge      = judge.memory();
-    checkpoint.record     = *this;
-    checkpoint.tables     = history.memory();
-    checkpoint.fields     = fields.memory();
-    checkpoint.log        = log.memory();
+    const auto begin = std::chrono::steady_clock::now();
+    fill(checkpoint);
     fuga::write_checkpoint(parameters.output.directory, checkpoint);
     last_checkpoint    = std::chrono::steady_clock::now();
     cost_of_checkpoint = std::chrono::duration<double>(last_checkpoint - begin).count();
     model.timer.finish("checkpoints");
     if (checkpoint_action)
       checkpoint_action();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::fill(Checkpoint &checkpoint) const
+  {
+    checkpoint.parameters   = parameters.echo;
+    checkpoint.mesh         = mesh_identity;
+    checkpoint.construction = model.construction;
+    checkpoint.judge        = judge.memory();
+    checkpoint.record       = *this;
+    checkpoint.tables       = history.memory();
+    checkpoint.fields       = fields.memory();
+    checkpoint.log          = log.memory();
   }
 
   template <int dim>

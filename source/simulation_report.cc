@@ -104,7 +104,7 @@ namespace fuga
                                        shear_description(j),
                                        strength_description(data.friction));
         const double compliance = joint.laws[2 * j]->initial_compliance();
-        if (compliance > 0.)
+        if (compliance > 0. && length > 0.)
           text += fmt::format("; rho E / B = {:.3g}", compliance * softest_body / length);
         if (data.normal_layer_modulus() > 0.)
           text += fmt::format(", layer modulus {:.4g} {}",
@@ -263,6 +263,8 @@ namespace fuga
                                     closed_water(model.loads.history.factors(last_state.t))));
     for (std::size_t j = 0; j < resultants.size(); ++j)
       {
+        if (!model.joints_there[j])
+          continue;
         const JointResultant &r = resultants[j];
         std::string text        = "no force";
         if (r.share_stick + r.share_slip > 0.)

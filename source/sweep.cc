@@ -164,7 +164,8 @@ namespace fuga
                            judge.dissipation(),
                            {model.parameters.model.thickness,
                             model.parameters.model.assumption == PlaneAssumption::axisymmetric});
-        const Vector x = judge.coordinates(jumps), a = history.factors(observer.last_state.t);
+        const Vector x = judge.coordinates(jumps, observer.last_state.t),
+                     a = history.factors(observer.last_state.t);
         for (const Monitor &monitor : model.monitors)
           row.displacements.push_back(monitor.displacement(x, a));
       }

@@ -9,11 +9,13 @@
 #include <fuga/bodies/monitor.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/parameters.h>
+#include <fuga/phase_end.h>
 
 namespace fuga
 {
   /**
-   * What all variants of a problem share: the mesh, the bodies, condensed once, and the loads. The
+   * What all variants of a problem share: the mesh, the bodies, condensed once, and the loads; of
+   * one phase of construction, if bodies are built or removed on the way. The
    * members are in the order in which data goes through them. Construction reads and checks
    * everything; nothing is written.
    */
@@ -21,19 +23,31 @@ namespace fuga
   class Model
   {
   public:
-    /** @throws InputError, NumericalFailure */
-    explicit Model(const Parameters &parameters);
+    /**
+     * The first phase of construction, or the one with the state @p construction that a checkpoint
+     * remembers.
+     * @throws InputError, NumericalFailure
+     */
+    explicit Model(const Parameters &parameters, const ConstructionState &construction = {});
+
+    /** The phase behind @p before. */
+    Model(const Parameters &parameters, const PhaseEnd &before);
 
     const Parameters parameters;
     mutable PhaseTimer timer;
-    const JointedMesh mesh;
+    const std::shared_ptr<const JointedMesh> shared_mesh;
+    const JointedMesh &mesh;
     CondensedSystem<dim> bodies;
+    /** What this phase took over. */
+    ConstructionState construction;
     /** Found before the bodies are condensed, as loads and joints are. */
     const std::vector<MonitorPoint<dim>> monitor_points;
     const LoadProgram loads;
     const std::vector<Monitor> monitors;
     const std::vector<std::string> joint_names, stage_names;
     const std::vector<std::array<double, 3>> normals;
+    /** Whether a joint has bodies on both sides. */
+    const std::vector<bool> joints_there;
 
     PathOptions
     path_options() const;
@@ -42,7 +56,41 @@ namespace fuga
     std::vector<std::pair<std::string, std::size_t>>
     sizes() const;
 
+    /** The state of the joints behind another phase; empty else. */
+    JointState first_state;
+
+    /** The stage behind this phase. */
+    unsigned int
+    next_stage() const
+    {
+      return end_of_phase(parameters.model, construction.stage);
+    }
+
+    bool
+    is_last_phase() const
+    {
+      return next_stage() == parameters.model.stages.size();
+    }
+
+    /** What is built, removed and grouted when this phase begins. */
+    std::string
+    change_of_construction() const;
+
   private:
+    Model(const Parameters &parameters,
+          const ConstructionState &construction,
+          const PhaseEnd *before);
+
+    void
+    check_later_phases() const;
+    void
+    check_temperatures(const LoadProgram &program, const unsigned int stage) const;
+    void
+    begin_phase(LoadProgram &program, const PhaseEnd *before);
+    void
+    take_over_joints(const PhaseEnd &before);
+    std::shared_ptr<const JointedMesh>
+    read_mesh() const;
     std::vector<JointDefinition>
     joint_definitions() const;
     std::vector<bool>
@@ -50,7 +98,7 @@ namespace fuga
     std::vector<MonitorPoint<dim>>
     find_monitor_points() const;
     LoadProgram
-    make_loads();
+    make_loads(const PhaseEnd *before);
     std::vector<Monitor>
     make_monitors() const;
     std::vector<std::string>
@@ -59,6 +107,8 @@ namespace fuga
     find_stage_names() const;
     std::vector<std::array<double, 3>>
     find_normals() const;
+    std::vector<bool>
+    find_joints_there() const;
   };
 } // namespace fuga
 

@@ -11,6 +11,7 @@
 #include <fuga/table_range.h>
 
 #include <functional>
+#include <optional>
 
 namespace fuga
 {
@@ -47,6 +48,21 @@ namespace fuga
      */
     ExitCode
     resume(const Checkpoint &checkpoint);
+
+    /** Whether run() or another one ended between two phases of construction. */
+    bool
+    is_between_phases() const
+    {
+      return end_of_phase.has_value();
+    }
+
+    /** What the next phase has to know then. */
+    PhaseEnd
+    leave_phase();
+
+    /** Goes on with a phase behind the one that ended so, for which the model was made. */
+    ExitCode
+    enter_phase(const PhaseEnd &before);
 
     /** Has @p action called behind every checkpoint. If it throws, the run ends there. */
     void
@@ -112,6 +128,9 @@ namespace fuga
     write_checkpoint(const Outcome &outcome);
     void
     write_checkpoint(Checkpoint &&checkpoint);
+    /** All that a checkpoint keeps but the cut. */
+    void
+    fill(Checkpoint &checkpoint) const;
     void
     log_header();
     void
@@ -164,6 +183,7 @@ namespace fuga
     bool searching = false;
     FileIdentity mesh_identity;
     std::function<void()> checkpoint_action;
+    std::optional<PathResult> end_of_phase;
     std::chrono::steady_clock::time_point last_checkpoint;
     double cost_of_checkpoint = 0.;
   };

@@ -128,7 +128,7 @@ namespace fuga
               "{}there is no body '{}'. Bodies: {}.", start, target, listed(mesh.body_names)));
           return;
         }
-      if (load.kind == LoadKind::uplift)
+      if (load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap)
         {
           std::vector<std::string> joints;
           for (const auto &joint : mesh.joints)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/dofs/dof_handler.h>
+
 #include <deal.II/lac/vector.h>
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/elimination_order.h>
+#include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/rigid_pieces.h>
 #include <fuga/bodies/uplift_assembly.h>
@@ -23,11 +26,12 @@ namespace fuga
   CondensedSystem<dim>::CondensedSystem(const JointedMesh &jointed,
                                         const ModelDefinition &model_definition,
                                         const std::vector<bool> &frictionless,
-                                        const Condensation condensation)
+                                        const Condensation condensation,
+                                        const unsigned int stage)
     : mesh(jointed), model(model_definition)
   {
     check_names(mesh, model);
-    space = std::make_unique<Discretization<dim>>(mesh, model);
+    space = std::make_unique<Discretization<dim>>(mesh, model, stage);
     check_outer_faces(*space);
     timer.finish("mesh and degrees of freedom");
     find_coordinates(frictionless);
@@ -199,6 +203,8 @@ namespace fuga
                                    ? UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
                                 .assemble(load, LevelHistory(load, model.constants)(t))
                                    : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
+    if (load.kind == LoadKind::imposed_gap)
+      pattern.jumps = imposed_gap<dim>(load, model.constants, t, mesh, *bars);
     timer.finish("loads");
     return pattern;
   }
@@ -272,6 +278,7 @@ namespace fuga
     projection->project_loads(F, motion_loads);
     water_of_open   = columns_of(patterns, &LoadPattern::opening_water);
     water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
+    E               = imposed_jumps_of(patterns, bars->bars().size());
     timer.finish("condensation of loads");
   }
 
@@ -331,7 +338,7 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::by_degrees_of_freedom(const Vector &u) const
   {
-    dealii::Vector<double> result(static_cast<unsigned int>(u.size()));
+    dealii::Vector<double> result(space->dof_handler().n_dofs());
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         result[space->dof(node, c)] = u[node * dim + c];

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/bodies/construction.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/disjoint_sets.h>
 
@@ -99,13 +100,16 @@ namespace fuga
 
 
   template <int dim>
-  Discretization<dim>::Discretization(const JointedMesh &jointed, const ModelDefinition &model)
+  Discretization<dim>::Discretization(const JointedMesh &jointed,
+                                      const ModelDefinition &model,
+                                      const unsigned int stage)
     : axisymmetric(model.assumption == PlaneAssumption::axisymmetric)
     , thickness(model.thickness)
     , reference(shape_of_cells(jointed), model.polynomial_degree, axisymmetric)
     , cell_mapping(reference.make_mapping())
     , mesh(std::make_unique<dealii::Triangulation<dim>>())
     , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
+    , there(bodies_in_stage(jointed.body_names, model, stage))
   {
     create_mesh(jointed, model.refinements);
     dofs = std::make_unique<dealii::DoFHandler<dim>>(*mesh);
@@ -177,8 +181,12 @@ namespace fuga
     nodes_of_cells.reserve(mesh->n_active_cells() * n_local);
     bodies.reserve(mesh->n_active_cells());
     node_dofs.reserve(dofs->n_dofs());
+    cell_numbers.assign(mesh->n_active_cells(), no_cell);
     for (const auto &cell : dofs->active_cell_iterators())
       {
+        if (!there[cell->material_id()])
+          continue;
+        cell_numbers[cell->active_cell_index()] = static_cast<unsigned int>(bodies.size());
         bodies.push_back(cell->material_id());
         cell->get_dof_indices(indices);
         for (unsigned int i = 0; i < n_local; ++i)
@@ -212,10 +220,13 @@ namespace fuga
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
             {
-              const auto id = cell->face(f)->boundary_id();
-              outer_faces.push_back({cell->active_cell_index(),
-                                     f,
-                                     id == JointedMesh::no_label - 1 ? JointedMesh::no_label : id});
+              const auto id       = cell->face(f)->boundary_id();
+              const auto label    = id == JointedMesh::no_label - 1 ? JointedMesh::no_label : id;
+              const auto in_table = cell_numbers[cell->active_cell_index()];
+              if (in_table == no_cell)
+                absent_labels.insert(label);
+              else
+                outer_faces.push_back({in_table, f, label});
             }
   }
 
@@ -227,9 +238,13 @@ namespace fuga
     DisjointSets sets(n_cells());
     for (const auto &cell : mesh->active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
-        if (!cell->at_boundary(f) &&
-            cell->neighbor(f)->active_cell_index() < cell->active_cell_index())
-          sets.unite(cell->active_cell_index(), cell->neighbor(f)->active_cell_index());
+        if (!cell->at_boundary(f))
+          {
+            const unsigned int one   = cell_numbers[cell->active_cell_index()],
+                               other = cell_numbers[cell->neighbor(f)->active_cell_index()];
+            if (one != no_cell && other < one)
+              sets.unite(one, other);
+          }
     piece_count = sets.number(pieces);
   }
 

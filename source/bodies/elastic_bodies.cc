@@ -274,13 +274,17 @@ namespace fuga
   template <int dim>
   template <typename Action>
   void
-  ElasticBodies<dim>::for_each_cell_force(const Vector &u, const Action &action) const
+  ElasticBodies<dim>::for_each_cell_force(const Vector &u,
+                                          const Action &action,
+                                          const std::vector<bool> *only) const
   {
     const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
     CellStiffness stiffness(*this);
     Vector local(n_local), force(n_local);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
+        if (only && !(*only)[discretization.cell_body(cell)])
+          continue;
         const unsigned int *nodes = discretization.cell_nodes(cell);
         // A shift of the whole cell causes no force, and no rounding error either; but a growing
         // radius does cause forces.
@@ -298,14 +302,16 @@ namespace fuga
 
   template <int dim>
   Vector
-  ElasticBodies<dim>::forces(const Vector &u) const
+  ElasticBodies<dim>::forces(const Vector &u, const std::vector<bool> *only) const
   {
     Vector result(discretization.n_dofs(), 0.);
     for_each_cell_force(
-      u, [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *) {
+      u,
+      [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *) {
         for (std::size_t i = 0; i < force.size(); ++i)
           result[nodes[i / dim] * dim + i % dim] += force[i];
-      });
+      },
+      only);
     return result;
   }
 

@@ -135,10 +135,37 @@ namespace fuga
   }
 
 
+  // A joint is built as a whole, so that the areas of its elements and what they have felt remain.
+  template <int dim>
+  bool
+  JointGeometry<dim>::is_there(const JointedMesh::Joint &joint) const
+  {
+    const bool obstacle = joint.minus_label == JointedMesh::no_label;
+    if (!discretization.lacks_faces_of(joint.plus_label) &&
+        (obstacle || !discretization.lacks_faces_of(joint.minus_label)))
+      return true;
+    std::size_t n_plus = 0, n_minus = 0;
+    for (const auto &face : discretization.boundary_faces())
+      if (face.label == joint.plus_label)
+        ++n_plus;
+      else if (!obstacle && face.label == joint.minus_label)
+        ++n_minus;
+    if (n_plus == 0 || (!obstacle && n_minus == 0))
+      return false;
+    throw InputError(
+      fmt::format("Joint '{}': the bodies along one of its sides are not all there at "
+                  "the same time. A joint is built, or removed, as a whole: divide its "
+                  "line into one per stage and make every part a joint.",
+                  joint.name));
+  }
+
+
   template <int dim>
   auto
   JointGeometry<dim>::match_lips(const JointedMesh::Joint &joint) const -> std::vector<MatchedFace>
   {
+    if (!is_there(joint))
+      return {};
     std::vector<MatchedFace> matched;
     std::vector<const BoundaryFace *> minus;
     std::vector<dealii::Point<dim>> centers;

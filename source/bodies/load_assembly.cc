@@ -24,7 +24,9 @@ namespace fuga
       if (load.kind == LoadKind::weight && load.expressions.empty())
         return dim == 2 ? std::vector<std::string>{"0", "-1"}
                         : std::vector<std::string>{"0", "0", "-1"};
-      const bool is_scalar = load.kind == LoadKind::pressure || load.kind == LoadKind::temperature;
+      const bool is_scalar = load.kind == LoadKind::pressure ||
+                             load.kind == LoadKind::temperature ||
+                             load.kind == LoadKind::imposed_gap;
       const std::size_t expected = load.kind == LoadKind::depth_pressure ? 0 : is_scalar ? 1 : dim;
       if (load.expressions.size() != expected)
         throw InputError(fmt::format("{}: it has {} expressions and needs {}.",
@@ -102,6 +104,8 @@ namespace fuga
           pattern.prescribed.assign(discretization.n_dofs(), 0.);
           set_displacement(load, field, pattern.prescribed);
           break;
+        case LoadKind::imposed_gap:
+          break; // no force, and of the joints nothing is known here
       }
     return pattern;
   }

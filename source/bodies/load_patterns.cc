@@ -15,7 +15,8 @@ namespace fuga
     size_of(const LoadPattern &pattern)
     {
       double sum = 0.;
-      for (const Vector *part : {&pattern.forces, &pattern.prescribed, &pattern.opening_water})
+      for (const Vector *part :
+           {&pattern.forces, &pattern.prescribed, &pattern.opening_water, &pattern.jumps})
         for (const double value : *part)
           sum += std::abs(value);
       return sum;
@@ -25,8 +26,10 @@ namespace fuga
     double
     distance_to_mean(LoadPattern middle, const LoadPattern &a, const LoadPattern &b)
     {
-      for (Vector LoadPattern::*part :
-           {&LoadPattern::forces, &LoadPattern::prescribed, &LoadPattern::opening_water})
+      for (Vector LoadPattern::*part : {&LoadPattern::forces,
+                                        &LoadPattern::prescribed,
+                                        &LoadPattern::opening_water,
+                                        &LoadPattern::jumps})
         for (std::size_t i = 0; i < (middle.*part).size(); ++i)
           (middle.*part)[i] -= ((a.*part)[i] + (b.*part)[i]) / 2.;
       return size_of(middle);
@@ -107,7 +110,7 @@ namespace fuga
         LoadPattern next = system.assemble_load(load, t);
         const bool same  = has_last && next.forces == last.forces &&
                           next.prescribed == last.prescribed &&
-                          next.opening_water == last.opening_water;
+                          next.opening_water == last.opening_water && next.jumps == last.jumps;
         if (has_last && !same)
           distance =
             std::max(distance,

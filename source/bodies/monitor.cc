@@ -9,6 +9,22 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** The response of what strains a body: without the shape in which it is free of stress, which
+     * is in force with the carried load, the last but one of the patterns. */
+    template <int dim>
+    LinearResponse
+    straining(const CondensedSystem<dim> &system, const Vector &force, const Material &material)
+    {
+      LinearResponse response = system.response(force);
+      const double free       = system.stress_free_value(force, material.built_at);
+      if (free != 0.)
+        response.patterns[response.patterns.size() - 2] -= free;
+      return response;
+    }
+  } // namespace
+
   template <int dim>
   Monitor::Monitor(const MonitorDefinition &definition,
                    const MonitorPoint<dim> &point,
@@ -24,8 +40,10 @@ namespace fuga
         its_position[i] = point.position()[i];
         components.push_back(system.response(point.unit_force(i)));
         for (unsigned int j = 0; definition.stress && j < dim; ++j)
-          gradient.push_back(system.response(point.gradient_force(i, j)));
+          gradient.push_back(straining(system, point.gradient_force(i, j), material));
       }
+    if (definition.stress)
+      radial = straining(system, point.unit_force(0), material);
   }
 
   std::array<double, 3>
@@ -51,7 +69,7 @@ namespace fuga
         du[i][j] = gradient[2 * i + j].value(x, a);
     double hoop = 0.;
     if (assumption == PlaneAssumption::axisymmetric)
-      hoop = its_position[0] == 0. ? du[0][0] : components[0].value(x, a) / its_position[0];
+      hoop = its_position[0] == 0. ? du[0][0] : radial.value(x, a) / its_position[0];
     const StressState<2> s = elastic_stress<2>(material, assumption, du, hoop, thermal_strain);
     return {{s.in_plane[0][0], s.in_plane[1][1], s.across, s.in_plane[0][1]}};
   }

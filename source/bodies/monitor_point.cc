@@ -60,6 +60,7 @@ namespace fuga
     : discretization(space), point(find_position(mesh, definition))
   {
     const unsigned int body = index_of(mesh.body_names, definition.body);
+    bool is_inside          = false;
     for (const auto &cell : discretization.triangulation().active_cell_iterators())
       {
         if (!definition.body.empty() && cell->material_id() != body)
@@ -67,7 +68,11 @@ namespace fuga
         const auto inside = coordinates_in<dim>(cell, discretization.mapping(), point);
         if (!inside)
           continue;
-        Shares found = shares_in(cell->active_cell_index(), *inside);
+        is_inside                 = true;
+        const unsigned int number = discretization.cell_number(cell->active_cell_index());
+        if (number == Discretization<dim>::no_cell)
+          continue;
+        Shares found = shares_in(number, *inside);
         // Neighbours share the nodes of their face; the lips of a joint do not.
         if (!shares.empty() &&
             !std::equal(found.begin(),
@@ -90,7 +95,7 @@ namespace fuga
         if (cell->material_id() == its_body)
           add_gradients(cell, *inside);
       }
-    if (shares.empty())
+    if (!is_inside)
       fail_outside(definition);
   }
 
@@ -159,7 +164,8 @@ namespace fuga
                                  dealii::Quadrature<dim>(in_reference_cell),
                                  dealii::update_gradients);
     values.reinit(cell);
-    const unsigned int *nodes = discretization.cell_nodes(cell->active_cell_index());
+    const unsigned int *nodes =
+      discretization.cell_nodes(discretization.cell_number(cell->active_cell_index()));
     for (unsigned int i = 0; i < discretization.reference_element().n_nodes(); ++i)
       gradients[nodes[i]] += values.shape_grad(i, 0);
     ++n_cells;

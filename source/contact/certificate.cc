@@ -166,6 +166,19 @@ namespace fuga
   }
 
   Vector
+  Judge::coordinates(const Vector &bar_jumps, const double t) const
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    if (E.empty())
+      return coordinates(bar_jumps);
+    Vector of_bodies     = bar_jumps;
+    const Vector imposed = multiply(E, history.factors(t));
+    for (std::size_t i = 0; i < of_bodies.size(); ++i)
+      of_bodies[i] -= imposed[i];
+    return coordinates(of_bodies);
+  }
+
+  Vector
   Judge::loads(const double t) const
   {
     return multiply(system.load_patterns(), history.factors(t));
@@ -205,19 +218,42 @@ namespace fuga
   void
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
-    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces));
-    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces));
+    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces), from.state.t);
+    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), to.state.t);
+    // Imposed jumps have one rate along the piece, which the difference of both rates does not
+    // know.
     const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
     const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
     Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
     add_water(from.state, f0);
     add_water(to.state, f1);
+    for (std::size_t i = 0; i < system.carried_load().size(); ++i)
+      {
+        f0[i] -= system.carried_load()[i];
+        f1[i] -= system.carried_load()[i];
+      }
     for (std::size_t i = 0; i < x0.size(); ++i)
       {
         const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
         ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
       }
+    add_work_of_imposed_jumps(from, to, length);
     check_slip(from, to, length);
+  }
+
+  // ∫p·E da: what the forces of the bars do when the lips are put apart, or are taken off.
+  void
+  Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    if (E.empty())
+      return;
+    const Vector e0 = multiply(E, history.factors(from.state.t)),
+                 e1 = multiply(E, history.factors(to.state.t));
+    for (std::size_t i = 0; i < e0.size(); ++i)
+      ledger.external_work +=
+        (e1[i] - e0[i]) * (0.5 * (from.state.forces[i] + to.state.forces[i]) +
+                           length / 12. * (from.rates.forces[i] - to.rates.forces[i]));
   }
 
   void
@@ -226,6 +262,28 @@ namespace fuga
     on_track             = false;
     ledger.external_work = ledger.dissipation = std::numeric_limits<double>::quiet_NaN();
     element_dissipation.assign(elements.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  double
+  Judge::energy_of_bodies(const Vector &x, const Vector &elastic) const
+  {
+    double energy = energy_of_bodies_before + 0.5 * dot(x, elastic);
+    if (!system.carried_load().empty())
+      energy -= dot(x, system.carried_load());
+    return energy;
+  }
+
+  // The energy of layers that are removed with their bodies is taken out from outside.
+  void
+  Judge::begin_phase(const JudgeMemory &memory, const JointState &state)
+  {
+    restore(memory);
+    ledger.external_work -= ledger.layer;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      ledger.external_work += stored_energy(k, state);
+    const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
+    energy_of_bodies_before = 0.;
+    energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system.stiffness(), x));
   }
 
   // Forces and moments on every floating body, relative to what the largest force would cause.
@@ -259,7 +317,7 @@ namespace fuga
   Judge::judge(const JointState &state)
   {
     const Vector delta = jumps(state.dislocations, state.forces);
-    const Vector x     = coordinates(delta);
+    const Vector x     = coordinates(delta, state.t);
     Vector f           = loads(state.t);
     add_water(state, f);
     const Vector Sx = multiply(system.stiffness(), x);
@@ -287,7 +345,7 @@ namespace fuga
     result.body_equilibrium = body_equilibrium_error(state);
 
     // ½ x·S x by the elastic forces just checked, for the same reason.
-    ledger.bodies = 0.5 * dot(x, elastic);
+    ledger.bodies = energy_of_bodies(x, elastic);
     ledger.layer  = 0.;
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
@@ -300,7 +358,7 @@ namespace fuga
       {
         largest_energy = std::max({largest_energy,
                                    std::abs(ledger.external_work),
-                                   ledger.bodies,
+                                   std::abs(ledger.bodies),
                                    ledger.layer,
                                    ledger.dissipation});
         // Early in a run energies are small, and so would be the scale: the load still to come is

@@ -8,6 +8,7 @@
 #include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/strength_reduction.h>
+#include <fuga/contact/virgin_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ namespace fuga
   EventPath::run(const std::vector<double> &levels, PathObserver &observer)
   {
     PathCut start;
-    start.state  = virgin_state();
+    start.state  = virgin_state(elements, system.n_bars(), !system.opening_water().empty());
     start.scheme = scheme.memory();
     return resume(start, levels, observer);
   }
@@ -148,34 +149,6 @@ namespace fuga
       state.t,
       standstill.n_steps(),
       standstill.n_repetitions()));
-  }
-
-  JointState
-  EventPath::virgin_state() const
-  {
-    JointState state;
-    state.states.assign(elements.size(), ContactState::stick);
-    state.forces.assign(system.n_bars(), 0.);
-    state.dislocations.assign(system.n_bars(), 0.);
-    state.slips.assign(elements.size(), 0.);
-    state.dilations.assign(elements.size(), 0.);
-    state.unreleased.assign(system.n_bars(), 0.);
-    if (!system.opening_water().empty())
-      {
-        state.water.assign(system.n_bars(), 0.);
-        state.missing_water = state.water;
-      }
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        state.strengths.push_back(virgin_strength(elements[k].friction, elements[k].area));
-        if (elements[k].initial_gap > 0.)
-          {
-            // Lips that never touched have no bond.
-            state.states[k]             = ContactState::open;
-            state.strengths[k].cohesion = state.strengths[k].tension = 0.;
-          }
-      }
-    return state;
   }
 
   Course

@@ -17,6 +17,16 @@ namespace fuga
     return follow(levels, reports);
   }
 
+  PathResult
+  EventPath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
+  {
+    PathCut start    = end;
+    start.scheme     = scheme.memory();
+    start.resticking = {};
+    start.n_reports  = 0;
+    return resume(start, levels, observer);
+  }
+
   void
   EventPath::make_cut(const JointState &state, const PathResult &result, ReportCounter &observer)
   {

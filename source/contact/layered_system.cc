@@ -114,6 +114,19 @@ namespace fuga
     for (std::size_t i = 0; i < compliances.size(); ++i)
       largest = std::max(largest, W(i, i));
     Q = system.opening_water();
+    add_imposed_jumps(system);
+  }
+
+  // δ = B x + E a is d + D p: towards the bodies an imposed jump is a dislocation of the other
+  // sign.
+  void
+  LayeredSystem::add_imposed_jumps(const ContactSystem &system)
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    for (std::size_t j = 0; j < E.n_columns(); ++j)
+      for (std::size_t bar = 0; bar < n_bars(); ++bar)
+        if (E(bar, j) != 0.)
+          blas::axpy(n_bars(), E(bar, j), W.column(bar), R.column(j));
   }
 
   // The bars are split at the bodies' own stiffness: each half uses the formula that does not

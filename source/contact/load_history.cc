@@ -21,6 +21,18 @@ namespace fuga
       throw std::invalid_argument("A load history needs increasing corners with one vector each.");
   }
 
+  LoadHistory
+  LoadHistory::with_carried_loads(const double begin) const
+  {
+    LoadHistory result = *this;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      {
+        result.values[i].push_back(1.);
+        result.values[i].push_back(std::clamp(begin + 1. - corners[i], 0., 1.));
+      }
+    return result;
+  }
+
   unsigned int
   LoadHistory::n_patterns() const
   {

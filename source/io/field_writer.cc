@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/io/field_writer.h>
@@ -14,6 +15,7 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -97,6 +99,34 @@ namespace fuga
     });
   }
 
+  // Bodies that were built in different stages are strained by different displacements.
+  template <int dim>
+  std::vector<typename FieldWriter<dim>::Part>
+  FieldWriter<dim>::parts(const dealii::Vector<double> &displacement) const
+  {
+    const std::vector<bool> &there = system.discretization().bodies_there();
+    std::vector<Part> result       = {{there, displacement}};
+    for (const StressFreeShape &shape : system.stress_free_shapes())
+      {
+        Part part{std::vector<bool>(there.size(), false), displacement};
+        for (std::size_t i = 0; i < shape.dofs.size(); ++i)
+          part.straining[static_cast<unsigned int>(shape.dofs[i])] -= shape.displacements[i];
+        for (const Material &material : model.materials)
+          if (const unsigned int body = index_of(body_names, material.body);
+              material.built_at == shape.stage && there[body])
+            {
+              part.bodies[body]           = true;
+              result.front().bodies[body] = false;
+            }
+        result.push_back(std::move(part));
+      }
+    const auto is_empty = [](const Part &part) {
+      return std::find(part.bodies.begin(), part.bodies.end(), true) == part.bodies.end();
+    };
+    result.erase(std::remove_if(result.begin(), result.end(), is_empty), result.end());
+    return result;
+  }
+
   template <int dim>
   void
   FieldWriter<dim>::write_bodies(const double t,
@@ -108,16 +138,36 @@ namespace fuga
     const Discretization<dim> &space = system.discretization();
     const StressPostprocessor<dim> stresses(model, body_names, temperature);
     const DisplacementOutput<dim> displacements;
+    dealii::Vector<float> body(space.triangulation().n_active_cells());
+    for (const auto &cell : space.triangulation().active_cell_iterators())
+      body[cell->active_cell_index()] = static_cast<float>(cell->material_id());
+    const auto build = [&](dealii::DataOut<dim> &output, const dealii::Vector<double> &straining) {
+      output.set_flags(vtk_flags());
+      output.attach_dof_handler(space.dof_handler());
+      output.add_data_vector(displacement, displacements);
+      output.add_data_vector(straining, stresses);
+      output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
+      output.build_patches(space.mapping(), model.polynomial_degree);
+    };
     dealii::DataOut<dim> output;
-    dealii::Vector<float> body(static_cast<unsigned int>(space.n_cells()));
-    for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
-      body[cell] = static_cast<float>(space.cell_body(cell));
-    output.set_flags(vtk_flags());
-    output.attach_dof_handler(space.dof_handler());
-    output.add_data_vector(displacement, displacements);
-    output.add_data_vector(displacement, stresses);
-    output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
-    output.build_patches(space.mapping(), model.polynomial_degree);
+    if (space.is_complete() && system.stress_free_shapes().empty())
+      build(output, displacement);
+    else
+      {
+        bool is_first = true;
+        for (const Part &part : parts(displacement))
+          {
+            dealii::DataOut<dim> more;
+            dealii::DataOut<dim> &selected = is_first ? output : more;
+            selected.set_cell_selection([&part](const auto &cell) {
+              return cell->is_active() && part.bodies[cell->material_id()];
+            });
+            build(selected, part.straining);
+            if (!is_first)
+              output.merge_patches(more);
+            is_first = false;
+          }
+      }
     std::ostringstream content;
     output.write_vtu(content);
     add("bodies", bodies, t, content.str());

@@ -177,6 +177,8 @@ namespace fuga
       }
     for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
       {
+        if (!context.joints_there[joint])
+          continue;
         const JointResultant &r = joint_resultants[joint];
         resultants.add(t);
         resultants.add(context.joint_names[joint]);

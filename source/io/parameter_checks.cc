@@ -63,7 +63,7 @@ namespace fuga
                           const ModelDefinition &model)
     {
       if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature ||
-          load.kind == LoadKind::uplift)
+          load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap)
         return;
       for (const std::string &target : load.targets)
         if (const BoundaryCondition *condition = find_condition(model, target);
@@ -76,13 +76,13 @@ namespace fuga
     }
 
 
-    /** Water needs a joint to be in. */
+    /** Water, and an imposed gap, need a joint. */
     void
     check_joints(const ParameterSection &section,
                  const LoadDefinition &load,
                  const std::vector<std::string> &joints)
     {
-      if (load.kind != LoadKind::uplift)
+      if (load.kind != LoadKind::uplift && load.kind != LoadKind::imposed_gap)
         return;
       for (const std::string &target : load.targets)
         if (std::find(joints.begin(), joints.end(), target) == joints.end())

@@ -64,7 +64,8 @@ namespace fuga
          {"Tailwater level", "Drain distance", "Drain efficiency", "Pressure profile"}},
         {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
         {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
-        {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}}};
+        {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}},
+        {"imposed gap", LoadKind::imposed_gap, {"Joints", "Value"}, {}}};
       return types;
     }
 
@@ -114,7 +115,9 @@ namespace fuga
       else if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
         load.targets = section.list("Bodies");
       else
-        load.targets = section.list(load.kind == LoadKind::uplift ? "Joints" : "Boundaries");
+        load.targets = section.list(
+          load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap ? "Joints"
+                                                                              : "Boundaries");
     }
 
 
@@ -167,8 +170,9 @@ namespace fuga
       if (!section.given("Value"))
         return {"0", "-1"}; // a weight: all other types need it
       const std::vector<std::string> expressions = split_pieces(section.text("Value"), ';');
-      const bool is_scalar = kind == LoadKind::pressure || kind == LoadKind::temperature;
-      const std::size_t n  = is_scalar ? 1 : model.dimension;
+      const bool is_scalar = kind == LoadKind::pressure || kind == LoadKind::temperature ||
+                             kind == LoadKind::imposed_gap;
+      const std::size_t n = is_scalar ? 1 : model.dimension;
       if (expressions.size() != n)
         section.fail(
           "Value",

@@ -75,7 +75,17 @@ namespace fuga
                    "0",
                    number_from(0),
                    "Strain per change of temperature [1/K]; acts only through a load of type "
-                   "temperature.")},
+                   "temperature."),
+         optional(
+           "Built at stage",
+           text(),
+           "Stage at whose beginning the body is put, free of stress, where the mesh has it, "
+           "upon what is there by then; without this entry it is there from the start. What "
+           "acts on it already rises from nothing in this stage."),
+         optional("Removed at stage",
+                  text(),
+                  "Stage at whose beginning the body is taken away; what it carried falls to "
+                  "nothing in this stage.")},
         {"structure", "foundation"}};
     }
 
@@ -129,28 +139,29 @@ namespace fuga
         required(
           "Type",
           choice("weight|seismic|temperature|pressure|hydrostatic|earth pressure|westergaard|"
-                 "uplift|traction|point force|displacement"),
+                 "uplift|traction|point force|displacement|imposed gap"),
           "Weight of bodies, weight times seismic coefficients, change of temperature, "
           "pressure towards the body, pressure of still water, of earth, of water moved by "
           "an earthquake, of water in a joint, traction vector, force at a point, displacement of "
           "fixed "
-          "components.",
+          "components, change of the gap of joints by a saw or a jack.",
           {"weight", "pressure"}),
         optional("Bodies",
                  text(),
                  "For weight, seismic, temperature: list of bodies; without it all of them."),
         optional("Boundaries",
                  text(),
-                 "For all other types but point force and uplift: list of boundaries.",
+                 "For all other types but point force, uplift and imposed gap: list of boundaries.",
                  {"", "upstream"}),
         optional("Point", text(), "For a point force: named point, or coordinates: x, y."),
         optional("Value",
                  text(),
-                 "For weight, temperature, pressure, traction, point force, displacement: "
-                 "expressions of x, y and the load time t, separated by ';': one for a "
-                 "pressure [MPa] or temperature [K], else one per component [MPa, MN, m] (an empty "
-                 "one leaves a displacement free); the direction of a weight is 0; -1 without this "
-                 "entry.",
+                 "For weight, temperature, pressure, traction, point force, displacement, imposed "
+                 "gap: expressions of x, y and the load time t, separated by ';': one for a "
+                 "pressure [MPa], temperature [K] or gap [m], else one per component [MPa, MN, m] "
+                 "(an empty one leaves a displacement free); the direction of a weight is 0; -1 "
+                 "without this entry. A positive gap is sawn off between the lips, a negative one "
+                 "is filled in.",
                  {"0; -1", "0.0144"})};
     }
 
@@ -183,7 +194,11 @@ namespace fuga
                    integer(1, 1e6),
                    "Number of equal steps after which results are written; no influence on "
                    "them.",
-                   {"1", "10"})},
+                   {"1", "10"}),
+         optional("Grouted joints",
+                  text(),
+                  "List of joints whose open parts are filled at the beginning of the stage: they "
+                  "have no gap then, no stress, and all of their strength.")},
         {"weight", "push"}};
     }
 

@@ -50,7 +50,7 @@ namespace fuga
       return {
         optional("Joints",
                  text(),
-                 "For uplift: list of joints. Where a joint is open, the pressure of the reservoir "
+                 "For uplift and imposed gap: list of joints. Uplift: where a joint is open, the pressure of the reservoir "
                  "acts in it; it comes in when an element opens, and is squeezed out when it "
                  "closes."),
         optional("Upstream end",

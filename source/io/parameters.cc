@@ -101,6 +101,7 @@ namespace fuga
       model.boundary_conditions = read_boundaries(values);
       model.loads               = read_loads(values, model);
       model.stages              = read_stages(values, model);
+      read_construction(values, model);
       if (model.stages.empty())
         throw InputError(fmt::format("{}: there are no stages, so that nothing would happen. Add a "
                                      "section Stages with one subsection per load stage.",
@@ -176,6 +177,7 @@ namespace fuga
     parameters.joints         = read_joints(values, parameters.model.constants);
     parameters.variants       = read_variants(values, parameters.joints, parameters.model);
     read_safety(values, parameters);
+    check_sweep_of_construction(values, parameters);
     parameters.solver    = read_solver(values.section("Solver"));
     parameters.output    = read_output(values, file);
     parameters.mesh_file = read_mesh_file(values.section("Mesh"), file);

@@ -141,6 +141,11 @@ class Results:
         """The load times at which there are results."""
         return sorted(self.history.frame["t"].unique().tolist())
 
+    def levels_of(self, joint, levels=None):
+        """Those levels (of the given ones) at which the joint is there: one that is built later has fewer."""
+        there = set(self._joints[joint]["t"])
+        return [t for t in (self.levels if levels is None else levels) if t in there]
+
     def representative_levels(self, number=6):
         """At most so many levels: ends of stages and the last, and evenly between them."""
         levels = numpy.array(self.levels)
@@ -166,7 +171,8 @@ class Results:
     def profile(self, joint=None, t=None):
         """The profile of a joint (default: the first) at the level nearest to t (default: the last)."""
         frame = self._joints[joint or self.joints[0]]
-        level = self.levels[-1] if t is None else min(self.levels, key=lambda level: abs(level - t))
+        levels = self.levels_of(joint or self.joints[0])
+        level = levels[-1] if t is None else min(levels, key=lambda level: abs(level - t))
         return Profile(level, frame[frame["t"] == level])
 
     def strength_parameters(self, joint):

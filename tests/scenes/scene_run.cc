@@ -3,7 +3,7 @@
 
 #include "scenes/scene_run.h"
 
-#include <fuga/simulation.h>
+#include <fuga/phases.h>
 
 #include <sys/wait.h>
 
@@ -228,11 +228,8 @@ namespace fuga::tests
     const std::string directory = temporary_directory();
     parameters.output.directory = directory;
     SceneRun run;
-    {
-      const Model<2> model(parameters);
-      Simulation<2> simulation(model);
-      run.exit_code = static_cast<int>(simulation.run());
-    }
+    run.exit_code =
+      static_cast<int>(run_all_phases<2>(std::make_unique<const Model<2>>(parameters)));
     run.events     = parse_csv(file_text(directory + "/events.csv"));
     run.history    = parse_csv(file_text(directory + "/joint_history.csv"));
     run.resultants = parse_csv(file_text(directory + "/resultants.csv"));

@@ -47,7 +47,7 @@ namespace fuga::stress
                      const Vector &slip_before) const
   {
     StepSolution result;
-    result.x      = judge.coordinates(layered.jumps(state.dislocations, state.forces));
+    result.x      = judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t);
     result.forces = state.forces;
     result.slip   = state.slips;
     result.states = state.states;

@@ -7,6 +7,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/base/phase_timer.h>
+#include <fuga/bodies/construction.h>
 #include <fuga/bodies/equilibrium_error.h>
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/bodies/rigid_projection.h>
@@ -68,6 +69,10 @@ namespace fuga
     int n_processes                = 0;
   };
 
+  /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
+   * its nodes in deal.II's numbering (the largest number for an obstacle). */
+  using ElementIdentity = std::array<std::size_t, 3>;
+
   /** When the bodies are factorised: the expensive part. */
   enum class Condensation
   {
@@ -87,13 +92,15 @@ namespace fuga
   public:
     /**
      * Discretises, checks, assembles and factorises. @p frictionless: joints that never carry shear;
-     * they get no tangential bars, provided that the structure is held without them.
+     * they get no tangential bars, provided that the structure is held without them. @p stage: the
+     * bodies that are there in it.
      * @throws InputError, NumericalFailure
      */
     CondensedSystem(const JointedMesh &mesh,
                     const ModelDefinition &model,
                     const std::vector<bool> &frictionless,
-                    const Condensation condensation = Condensation::at_once);
+                    const Condensation condensation = Condensation::at_once,
+                    const unsigned int stage        = 0);
 
     ~CondensedSystem() override;
 
@@ -111,6 +118,12 @@ namespace fuga
 
     const DenseMatrix &
     jump_operator() const override;
+
+    const DenseMatrix &
+    imposed_jumps() const override
+    {
+      return E;
+    }
 
     const DenseMatrix &
     rigid_motions() const override
@@ -162,6 +175,41 @@ namespace fuga
     /** Condenses the patterns; they stay here for recover() and equilibrium_error(). */
     void
     set_load_patterns(std::vector<LoadPattern> patterns);
+
+    /** Says that pattern @p number is what an earlier phase of construction left, and that the bars
+     *  feel @p jumps of it. To be called behind set_load_patterns(). */
+    void
+    set_carried_load(const std::size_t number, const Vector &jumps);
+
+    const Vector &
+    carried_load() const override
+    {
+      return carried;
+    }
+
+    /** Displacements in which bodies built later are free of stress. */
+    void
+    set_stress_free_shapes(std::vector<StressFreeShape> new_shapes)
+    {
+      shapes = std::move(new_shapes);
+    }
+
+    const std::vector<StressFreeShape> &
+    stress_free_shapes() const
+    {
+      return shapes;
+    }
+
+    /** Work of nodal forces (entry node * dim + component) on the shape of bodies built in @p stage. */
+    double
+    stress_free_value(const Vector &force, const unsigned int stage) const;
+
+    std::vector<ElementIdentity>
+    identities() const;
+
+    /** Gᵀ p, entry node * dim + component. */
+    Vector
+    bar_forces(const Vector &p) const;
 
     /** The displacement of all degrees of freedom for load factors @p a and interface coordinates @p
      * x. */
@@ -305,10 +353,12 @@ namespace fuga
     std::unique_ptr<SchurSolver> solver;
     std::unique_ptr<RigidProjection> projection;
 
-    DenseMatrix S, F, motions, motion_loads, water_of_open, water_of_closed;
+    DenseMatrix S, F, E, motions, motion_loads, water_of_open, water_of_closed;
     /** The interface coordinates of the rigid motions. */
     DenseMatrix motion_coordinates;
     std::vector<LoadPattern> patterns;
+    Vector carried;
+    std::vector<StressFreeShape> shapes;
     std::vector<JointFace> faces;
     std::vector<std::string> lines;
 

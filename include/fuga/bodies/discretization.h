@@ -10,6 +10,8 @@
 #include <fuga/bodies/reference_element.h>
 #include <fuga/mesh/joint_splitter.h>
 
+#include <set>
+
 namespace dealii
 {
   template <int dim, int spacedim>
@@ -30,6 +32,7 @@ namespace fuga
   {
   public:
     static constexpr unsigned int no_node = static_cast<unsigned int>(-1);
+    static constexpr unsigned int no_cell = static_cast<unsigned int>(-1);
 
     struct BoundaryFace
     {
@@ -39,9 +42,12 @@ namespace fuga
       unsigned int label = 0;
     };
 
-    /** @throws InputError for mixed or degenerate cells, for elements that do not exist, and for
+    /** The tables have the bodies that are there in @p stage; deal.II's objects have all.
+     *  @throws InputError for mixed or degenerate cells, for elements that do not exist, and for
      *  places beyond the axis of an axisymmetric model. */
-    Discretization(const JointedMesh &mesh, const ModelDefinition &model);
+    Discretization(const JointedMesh &mesh,
+                   const ModelDefinition &model,
+                   const unsigned int stage = 0);
 
     ~Discretization();
 
@@ -73,6 +79,13 @@ namespace fuga
     n_cells() const
     {
       return bodies.size();
+    }
+
+    /** Number in the tables of a cell that deal.II knows by @p active_cell_index, or no_cell. */
+    unsigned int
+    cell_number(const unsigned int active_cell_index) const
+    {
+      return cell_numbers[active_cell_index];
     }
 
     std::size_t
@@ -142,6 +155,26 @@ namespace fuga
       return vertex_nodes.at(vertex);
     }
 
+    /** By body, whether it is there. */
+    const std::vector<bool> &
+    bodies_there() const
+    {
+      return there;
+    }
+
+    bool
+    is_complete() const
+    {
+      return n_cells() == cell_numbers.size();
+    }
+
+    /** Whether faces with this label belong to bodies that are not there. */
+    bool
+    lacks_faces_of(const unsigned int label) const
+    {
+      return absent_labels.count(label) > 0;
+    }
+
     const std::vector<BoundaryFace> &
     boundary_faces() const
     {
@@ -201,6 +234,10 @@ namespace fuga
     std::unique_ptr<dealii::FiniteElement<dim, dim>> element;
     std::unique_ptr<dealii::DoFHandler<dim, dim>> dofs;
 
+    const std::vector<bool> there;
+    /** From deal.II's numbers of active cells to those of the tables. */
+    std::vector<unsigned int> cell_numbers;
+    std::set<unsigned int> absent_labels;
     std::vector<unsigned int> nodes_of_cells;
     std::vector<unsigned int> bodies;
     std::vector<unsigned int> pieces;

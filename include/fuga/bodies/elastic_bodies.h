@@ -43,9 +43,10 @@ namespace fuga
     SymmetricTriplets
     assemble(const InterfaceCoordinates<dim> &coordinates) const;
 
-    /** K u: the nodal forces that hold the displacement u. */
+    /** K u: the nodal forces that hold the displacement u; of all bodies, or by their numbers @p only
+     *  some. */
     Vector
-    forces(const Vector &u) const;
+    forces(const Vector &u, const std::vector<bool> *only = nullptr) const;
 
     /** The same; @p terms: Σ|Kᵢⱼuⱼ|, what the rounding errors of forces and displacements are in
      * proportion to. */
@@ -60,10 +61,12 @@ namespace fuga
     class CellStiffness;
 
     /** Calls @p action(nodes, u of the cell relative to its first node, forces, stiffness) for every
-     * cell. */
+     * cell, or those of some bodies only. */
     template <typename Action>
     void
-    for_each_cell_force(const Vector &u, const Action &action) const;
+    for_each_cell_force(const Vector &u,
+                        const Action &action,
+                        const std::vector<bool> *only = nullptr) const;
 
     void
     add_plain_cells(const NodeGraph<dim> &graph,

@@ -78,6 +78,10 @@ namespace fuga
       std::vector<unsigned int> plus_nodes, minus_nodes;
     };
 
+    /** Whether it has bodies on both sides. @throws InputError if only parts of it have. */
+    bool
+    is_there(const JointedMesh::Joint &joint) const;
+
     std::vector<MatchedFace>
     match_lips(const JointedMesh::Joint &joint) const;
 

@@ -22,6 +22,8 @@ namespace fuga
     /** For water in joints, per bar: forces that press the lips apart, in closed elements (`forces`
      * contains them) and in addition where an element opens. Empty for other loads. */
     Vector closed_water = {}, opening_water = {};
+    /** Imposed jumps of the bars [m]; empty if there are none. */
+    Vector jumps = {};
   };
 
   /** "file:line: Load 'name'", for messages. */

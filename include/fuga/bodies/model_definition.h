@@ -23,6 +23,9 @@ namespace fuga
     double weight_density = 0.;
     /** α ≥ 0 [1/K]; acts only through a load of kind temperature. */
     double thermal_expansion = 0.;
+    /** The body is there from the beginning of the first of these stages to that of the second. */
+    unsigned int built_at   = 0;
+    unsigned int removed_at = static_cast<unsigned int>(-1);
   };
 
   /** What is assumed of the direction across the plane; without meaning in 3D. */
@@ -69,7 +72,10 @@ namespace fuga
     /** Force at a named point or at the vertex at given coordinates [MN]. */
     point_force,
     /** Settlement: displacement of fixed components of the named boundaries [m]. */
-    displacement
+    displacement,
+    /** What is taken off between the lips of the named joints [m]: a saw cut; filled in if
+       negative: a jack, a wedge. */
+    imposed_gap
   };
 
   /**
@@ -134,11 +140,12 @@ namespace fuga
   {
     std::string name;
     LoadKind kind = LoadKind::weight;
-    /** Bodies (weight, temperature), points (point_force), joints (uplift) or, else, boundaries. */
+    /** Bodies (weight, temperature), points (point_force), joints (uplift, imposed_gap) or, else,
+     *  boundaries. */
     std::vector<std::string> targets;
-    /** muParser expressions of x, y (, z), t: one for a pressure or temperature, none for a depth
-     *  pressure, else one per component; an empty expression of a displacement load leaves that
-     *  component alone. t is the load time. */
+    /** muParser expressions of x, y (, z), t: one for a pressure, temperature or gap, none for a
+     *  depth pressure, else one per component; an empty expression of a displacement load leaves
+     * that component alone. t is the load time. */
     std::vector<std::string> expressions;
     /** For a point force without target: the coordinates. */
     bool has_coordinates              = false;
@@ -206,6 +213,8 @@ namespace fuga
     double largest_factor = 1.;
     /** Of a load factor: the loads that grow. */
     std::vector<unsigned int> increased_loads = {};
+    /** Joints whose gaps are filled, without stress, at the beginning. */
+    std::vector<std::string> grouted_joints = {};
   };
 
   /**

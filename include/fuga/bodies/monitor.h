@@ -67,6 +67,8 @@ namespace fuga
     std::vector<LinearResponse> components;
     /** ∂u_i/∂x_j, row by row; empty without stress. */
     std::vector<LinearResponse> gradient;
+    /** Of the strain around the axis. */
+    LinearResponse radial;
   };
 } // namespace fuga
 

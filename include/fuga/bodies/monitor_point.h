@@ -11,7 +11,8 @@
 
 namespace fuga
 {
-  /** Where a monitor lies in the mesh: its cell and the shape functions there. */
+  /** Where a monitor lies in the mesh: its cell and the shape functions there. It does not move
+   * while its body is not there. */
   template <int dim>
   class MonitorPoint
   {

@@ -110,6 +110,8 @@ namespace fuga
     double wrong_slip_work   = 0.;
     double largest_slip_work = 0.;
     double wrong_rise        = 0.;
+    /** Of earlier phases of construction. */
+    double energy_of_bodies_before = 0.;
   };
 
   template <typename Memory, typename Visitor, only_for<Memory, JudgeMemory> = 0>
@@ -125,7 +127,8 @@ namespace fuga
            largest_load,
            wrong_slip_work,
            largest_slip_work,
-           wrong_rise] = memory;
+           wrong_rise,
+           energy_of_bodies_before] = memory;
     visit("ledger", ledger);
     visit("on_track", on_track);
     visit("element_dissipation", element_dissipation);
@@ -136,6 +139,7 @@ namespace fuga
     visit("wrong_slip_work", wrong_slip_work);
     visit("largest_slip_work", largest_slip_work);
     visit("wrong_rise", wrong_rise);
+    visit("energy_of_bodies_before", energy_of_bodies_before);
   }
 
   /**
@@ -194,7 +198,15 @@ namespace fuga
       static_cast<JudgeMemory &>(*this) = memory;
     }
 
-    /** Interface coordinates x of given jumps. */
+    /** Goes on judging, in @p state, where the judge of an earlier phase of construction was. */
+    void
+    begin_phase(const JudgeMemory &memory, const JointState &state);
+
+    /** Interface coordinates x of the jumps at load time @p t. */
+    Vector
+    coordinates(const Vector &jumps, const double t) const;
+
+    /** The same where nothing is imposed: of a motion, or of rates. */
     Vector
     coordinates(const Vector &jumps) const;
 
@@ -210,6 +222,11 @@ namespace fuga
     /** Adds Bᵀ ω. */
     void
     add_water(const JointState &state, Vector &loads) const;
+    /** Of the bodies, for coordinates x and the elastic forces S x. */
+    double
+    energy_of_bodies(const Vector &x, const Vector &elastic) const;
+    void
+    add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length);
     double
     body_equilibrium_error(const JointState &state) const;
     void

@@ -11,11 +11,12 @@ namespace fuga
   /**
    * What the contact layer knows of the bodies: a small symmetric system
    *
-   *     S x + Bᵀ p = F a(t),      δ = B x,                                   (doc/theory.md, eq. 2)
+   *     S x + Bᵀ p = F a(t),      δ = B x + E a(t),                    (doc/theory.md, eq. 2, 2a)
    *
    * with x the interface coordinates (in a finite element model the jumps themselves, B = I, but
    * for the nodes where joints cross), p the bar forces (tension positive), δ the jumps
-   * (plus minus minus, opening positive) and a(t) the factors of the load patterns at load time t.
+   * (plus minus minus, opening positive) that the joints feel, E the imposed jumps (what is sawn
+   * off, or filled in, between the lips) and a(t) the factors of the load patterns at load time t.
    *
    * S is symmetric and positive semidefinite; S + Bᵀ B must be positive definite: the bodies are
    * held when every bar is rigid. Units: forces MN, jumps m (any consistent system).
@@ -36,6 +37,25 @@ namespace fuga
     /** B, n_bars x n_coordinates. An empty matrix stands for the identity. */
     virtual const DenseMatrix &
     jump_operator() const = 0;
+
+    /** E, n_bars x n_patterns [m]. An empty matrix stands for zero. */
+    virtual const DenseMatrix &
+    imposed_jumps() const
+    {
+      static const DenseMatrix none;
+      return none;
+    }
+
+    /**
+     * The condensed force of what earlier phases of construction left, a part of F a that does not
+     * change; empty if there is none. The work on it counts as energy of the bodies.
+     */
+    virtual const Vector &
+    carried_load() const
+    {
+      static const Vector none;
+      return none;
+    }
 
     /**
      * Rigid motions of the bodies that no support holds: n_bars x n_motions, the jump that a unit

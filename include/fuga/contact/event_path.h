@@ -207,6 +207,14 @@ namespace fuga
     PathResult
     resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer);
 
+    /**
+     * Follows the loads from a state in which the path of another problem ended: the one before a
+     * change of construction. Of @p end, state, result, iterations and next level count.
+     * @throws NumericalFailure, as run().
+     */
+    PathResult
+    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer);
+
     /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
     const PathCut &
     last_cut() const
@@ -225,8 +233,6 @@ namespace fuga
     }
 
   private:
-    JointState
-    virgin_state() const;
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer);
     void

@@ -90,6 +90,8 @@ namespace fuga
     eliminate_in_jumps(const ContactSystem &system);
     void
     eliminate_with_jump_operator(const ContactSystem &system);
+    void
+    add_imposed_jumps(const ContactSystem &system);
 
     Vector compliances;
     DenseMatrix W;

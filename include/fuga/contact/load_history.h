@@ -44,6 +44,11 @@ namespace fuga
     double
     last_corner(const double t) const;
 
+    /** This history with two patterns more: one that is constant, and one that falls from 1 at load
+     *  time @p begin, a corner, to 0 at begin + 1. */
+    LoadHistory
+    with_carried_loads(const double begin) const;
+
     /** a(t). */
     Vector
     factors(const double t) const;

@@ -4,6 +4,7 @@
 #ifndef fuga_io_checkpoint_h
 #define fuga_io_checkpoint_h
 
+#include <fuga/bodies/construction.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/field_writer.h>
@@ -52,6 +53,7 @@ namespace fuga
     std::string verdict;
     int exit_code = 0;
 
+    ConstructionState construction;
     PathCut cut;
     JudgeMemory judge;
     RunRecord record;
@@ -64,14 +66,24 @@ namespace fuga
   void
   for_each_field(Point &checkpoint, Visitor &&visit)
   {
-    auto
-      &[parameters, mesh, finished, verdict, exit_code, cut, judge, record, tables, fields, log] =
-        checkpoint;
+    auto &[parameters,
+           mesh,
+           finished,
+           verdict,
+           exit_code,
+           construction,
+           cut,
+           judge,
+           record,
+           tables,
+           fields,
+           log] = checkpoint;
     visit("parameters", parameters);
     visit("mesh", mesh);
     visit("finished", finished);
     visit("verdict", verdict);
     visit("exit_code", exit_code);
+    visit("construction", construction);
     visit("cut", cut);
     visit("judge", judge);
     visit("record", record);

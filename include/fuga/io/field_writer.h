@@ -9,6 +9,8 @@
 #include <fuga/bodies/temperature_field.h>
 #include <fuga/io/joint_results.h>
 
+#include <deal.II/lac/vector.h>
+
 namespace fuga
 {
   /** The files of a run and their load times, by collection. */
@@ -32,7 +34,8 @@ namespace fuga
   /**
    * Writes the fields of one load level as VTU files and keeps the PVD collections that ParaView
    * opens:
-   *  - bodies.pvd: displacement, stress tensor, principal stresses, von Mises stress, body;
+   *  - bodies.pvd: of the bodies that are there displacement, stress tensor, principal stresses,
+   * von Mises stress, body;
    *  - joints.pvd: one line cell per joint face with gap, closure, slip, ... at its contact
    * elements;
    *  - joints_exploded.pvd: the same on both lips, moved apart along the normal so that they can be
@@ -71,6 +74,16 @@ namespace fuga
     restore(const FieldCollections &collections);
 
   private:
+    /** Bodies by number, and the displacement that strains them. */
+    struct Part
+    {
+      std::vector<bool> bodies;
+      dealii::Vector<double> straining;
+    };
+
+    std::vector<Part>
+    parts(const dealii::Vector<double> &displacement) const;
+
     void
     add(const std::string &name,
         Collection &collection,

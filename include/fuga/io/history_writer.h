@@ -20,6 +20,8 @@ namespace fuga
   {
     const std::vector<ContactElement> &elements;
     const std::vector<std::string> &joint_names;
+    /** Whether a joint has bodies on both sides. */
+    const std::vector<bool> &joints_there;
     const std::vector<std::string> &stage_names;
     const std::vector<std::array<double, 3>> &normals;
     const std::vector<Monitor> &monitors;

@@ -67,6 +67,14 @@ namespace fuga
   std::vector<MonitorDefinition>
   read_monitors(const ParameterValues &values, const unsigned int dimension);
 
+  /** When bodies are built and removed, and joints grouted. @throws InputError */
+  void
+  read_construction(const ParameterValues &values, ModelDefinition &model);
+
+  /** @throws InputError if variants are to be run of something that is built in stages. */
+  void
+  check_sweep_of_construction(const ParameterValues &values, const Parameters &parameters);
+
   /** All combinations of section Sweep; none without that section. @throws InputError */
   std::vector<Variant>
   read_variants(const ParameterValues &values,

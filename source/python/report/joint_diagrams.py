@@ -24,6 +24,7 @@ def _along(axes, results):
 
 def _levels_diagram(results, joint, levels, panels):
     """One line per level in each panel; panels are (values of a profile, label of the axis)."""
+    levels = results.levels_of(joint, levels)
     figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(WIDTH, len(panels) + 3.1))
     profiles = [results.profile(joint, t) for t in levels]
     for one, (values_of, label) in zip(axes, panels):
@@ -64,6 +65,7 @@ def _strength_words(results, joint):
 
 def shear_and_strength(results, joint, levels):
     """One small diagram per level: the shear stress inside its limits \u00b1(f p + c)."""
+    levels = results.levels_of(joint, levels)
     rows = (len(levels) + 1) // 2
     figure, axes = plt.subplots(rows, 2, sharex=True, sharey=True, squeeze=False,
                                 figsize=(WIDTH, 0.5 + 1.75 * rows))

@@ -2,6 +2,8 @@
 # Copyright (C) 2026 by the Fuga authors
 """Diagrams over the load time: displacements, events, states, safety, energies."""
 
+import math
+
 import matplotlib.pyplot as plt
 import numpy
 import pandas
@@ -104,11 +106,13 @@ def state_intervals(results, joint):
     if results.summary.get("events", {}).get("implicit_steps", 0):
         starts = dict(zip(results.levels, [0.0] + results.levels[:-1]))
         return [(row.element, row.state, starts[row.t], row.t) for row in frame.itertuples()]
+    first = results.levels_of(joint)[0]
+    built = 0.0 if first == results.levels[0] else math.ceil(first - 1e-9) - 1.0
     intervals = []
     events = results.events.frame
     by_element = dict(list(events[events["joint"] == joint].groupby("element")))
     for element, state in frame.groupby("element", sort=True)["state"].first().items():
-        begin = 0.0
+        begin = built
         changes = by_element.get(element)
         if changes is not None:
             state = changes["from"].iloc[0]

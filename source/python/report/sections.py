@@ -107,8 +107,9 @@ def resultant_tables(results, levels):
             "about the centroid of the joint, counter-clockwise. All levels: resultants.csv.</p>")
     names = [name for name in frame.columns if name not in ("t", "joint")]
     for k, joint in enumerate(results.joints):
-        rows = frame[frame["joint"] == joint].set_index("t").loc[levels]
-        head = ["", "unit"] + [f"t = {t:.6g}" for t in levels]
+        there = results.levels_of(joint, levels)
+        rows = frame[frame["joint"] == joint].set_index("t").loc[there]
+        head = ["", "unit"] + [f"t = {t:.6g}" for t in there]
         body = [[name.replace("_", " "), units[name] or "\u2013"] + _cells(name, rows[name]) for name in names]
         text += f"<h3>Joint \u201c{escape(joint)}\u201d</h3>" + table(body, head, f"resultants-{k}")
     return text

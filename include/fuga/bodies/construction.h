@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_construction_h
+#define fuga_bodies_construction_h
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/base/fields.h>
+#include <fuga/bodies/model_definition.h>
+
+namespace fuga
+{
+  /** Whether a body is there in a stage. */
+  bool
+  is_there(const Material &material, const unsigned int stage);
+
+  /** The same for bodies by name. */
+  std::vector<bool>
+  bodies_in_stage(const std::vector<std::string> &body_names,
+                  const ModelDefinition &model,
+                  const unsigned int stage);
+
+  /**
+   * The first stages of all phases, in which the same bodies are there and no joint is grouted: 0,
+   * and every stage that begins with building, removing or grouting.
+   */
+  std::vector<unsigned int>
+  first_stages_of_phases(const ModelDefinition &model);
+
+  /** The stage behind the phase that begins with stage @p first. */
+  unsigned int
+  end_of_phase(const ModelDefinition &model, const unsigned int first);
+
+  /**
+   * The displacement in which bodies that were built later are free of stress: on the nodes that
+   * they share with older bodies, what these had done by then. Elsewhere it is zero.
+   */
+  struct StressFreeShape
+  {
+    /** In which the bodies were built. */
+    unsigned int stage = 0;
+    /** Degrees of freedom, in deal.II's numbering. */
+    std::vector<std::size_t> dofs;
+    /** [m] */
+    Vector displacements;
+  };
+
+  template <typename Shape, typename Visitor, only_for<Shape, StressFreeShape> = 0>
+  void
+  for_each_field(Shape &shape, Visitor &&visit)
+  {
+    auto &[stage, dofs, displacements] = shape;
+    visit("stage", stage);
+    visit("dofs", dofs);
+    visit("displacements", displacements);
+  }
+
+  /** What a phase of construction takes over from the one before; empty for the first phase. */
+  struct ConstructionState
+  {
+    /** The first stage of the phase. */
+    unsigned int stage = 0;
+    /** At its beginning, of all degrees of freedom in deal.II's numbering [m]. */
+    Vector displacement;
+    /** Bar forces then, less those of water in open elements [MN]. */
+    Vector forces;
+    /** What the bars feel besides the jump of the bodies and the imposed gaps [m]. */
+    Vector jump_offsets;
+    std::vector<StressFreeShape> shapes;
+  };
+
+  template <typename State, typename Visitor, only_for<State, ConstructionState> = 0>
+  void
+  for_each_field(State &state, Visitor &&visit)
+  {
+    auto &[stage, displacement, forces, jump_offsets, shapes] = state;
+    visit("stage", stage);
+    visit("displacement", displacement);
+    visit("forces", forces);
+    visit("jump_offsets", jump_offsets);
+    visit("shapes", shapes);
+  }
+} // namespace fuga
+
+#endif
