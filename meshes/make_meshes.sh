@@ -26,6 +26,7 @@ make_mesh msh41 wall.msh wall.geo
 make_mesh msh41 dam.msh dam.geo
 make_mesh msh41 footing.msh footing.geo
 make_mesh msh41 arch.msh arch.geo
+make_mesh msh41 pier.msh pier.geo
 make_mesh msh41 anchor.msh anchor.geo
 make_mesh msh41 hertz.msh hertz.geo
 make_mesh msh41 retaining_wall.msh retaining_wall.geo
