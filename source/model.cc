@@ -92,7 +92,10 @@ namespace fuga
     if (construction.stage == 0)
       check_later_phases();
     if (!is_last_phase())
-      program.history = program.history.until(next_stage());
+      {
+        program.history        = program.history.until(next_stage());
+        program.end_of_loading = program.history.end();
+      }
     if (construction.stage > 0)
       begin_phase(program, before);
     bodies.set_load_patterns(std::move(program.patterns));

@@ -128,7 +128,7 @@ namespace fuga
   void
   Simulation<dim>::reached(const std::size_t index, const JointState &state)
   {
-    const bool last    = state.t >= model.loads.end_of_loading;
+    const bool last    = model.is_last_phase() && state.t >= model.loads.end_of_loading;
     const bool written = parameters.output.fields == FieldOutput::levels ||
                          (parameters.output.fields == FieldOutput::end && last);
     write_state(state, written);
