@@ -37,7 +37,8 @@ namespace fuga
       return free_motions.size();
     }
 
-    /** Displacement of all nodes (entry node * dim + component) in one of these motions. */
+    /** Displacement of all nodes (entry node * dim + component) in one of these motions: of the
+     * size of one, also at the corner that a rotation moves farthest. */
     Vector
     free_motion(const std::size_t number) const;
 
