@@ -8,6 +8,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/field_expression.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -37,7 +38,7 @@ namespace fuga
                                         const std::string &description)
     : what(description)
     , parser(std::make_unique<dealii::FunctionParser<dim>>(
-        static_cast<unsigned int>(expressions.size())))
+        std::max(1U, static_cast<unsigned int>(expressions.size()))))
   {
     const std::string variables = dealii::FunctionParser<dim>::default_variable_names();
     std::vector<std::string> filled;
@@ -47,6 +48,8 @@ namespace fuga
         for (unsigned int c = 0; c < dim; ++c)
           uniform = uniform && !expression_uses(expression, std::string(1, "xyz"[c]));
       }
+    if (filled.empty())
+      filled = {"0"}; // a load that is described by numbers alone
     std::map<std::string, double> all_constants = constants;
     all_constants.emplace("pi", dealii::numbers::PI);
     try
