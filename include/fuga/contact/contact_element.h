@@ -13,8 +13,9 @@
 namespace fuga
 {
   /**
-   * The paper's frame-bar contact element: a normal and a tangential bar between the two nodes of a
-   * pair. Pure data. The state, the forces and the jumps live in ContactState and JointState.
+   * The paper's frame-bar contact element: a normal and a tangential bar (in 3D: two) between the
+   * two nodes of a pair. Pure data. The state, the forces and the jumps live in ContactState and
+   * JointState.
    */
   struct ContactElement
   {
@@ -25,6 +26,9 @@ namespace fuga
     unsigned int normal_bar = no_bar;
     /** Row of the tangential bar, or no_bar. */
     unsigned int tangential_bar = no_bar;
+    /** In 3D, row of the bar along the second tangent; no_bar in 2D and without friction. The
+     * normal and both tangents form a right-handed orthonormal frame n = t1 x t2. */
+    unsigned int second_tangential_bar = no_bar;
     /** Which joint, and which element of it (counted along the joint). */
     unsigned int joint  = 0;
     unsigned int number = 0;
@@ -46,6 +50,12 @@ namespace fuga
     has_tangential_bar() const
     {
       return tangential_bar != no_bar;
+    }
+
+    bool
+    has_second_tangential_bar() const
+    {
+      return second_tangential_bar != no_bar;
     }
   };
 } // namespace fuga
