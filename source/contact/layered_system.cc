@@ -98,13 +98,16 @@ namespace fuga
   {
     std::size_t n_bars = 0;
     for (const ContactElement &element : elements)
-      n_bars += element.has_tangential_bar() ? 2 : 1;
+      n_bars += element.n_bars();
     compliances.assign(n_bars, 0.);
     for (const ContactElement &element : elements)
       {
         compliances.at(element.normal_bar) = bar_compliance(*element.normal_law, element.area);
         if (element.has_tangential_bar())
           compliances.at(element.tangential_bar) = bar_compliance(*element.shear_law, element.area);
+        if (element.has_second_tangential_bar())
+          compliances.at(element.second_tangential_bar) =
+            bar_compliance(*element.shear_law, element.area);
       }
     if (system.jump_operator().empty())
       eliminate_in_jumps(system);

@@ -57,6 +57,12 @@ namespace fuga
     {
       return second_tangential_bar != no_bar;
     }
+
+    unsigned int
+    n_bars() const
+    {
+      return has_second_tangential_bar() ? 3 : has_tangential_bar() ? 2 : 1;
+    }
   };
 } // namespace fuga
 
