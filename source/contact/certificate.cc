@@ -71,6 +71,8 @@ namespace fuga
           add(*element.normal_law, element.area, element.normal_bar);
           if (element.has_tangential_bar())
             add(*element.shear_law, element.area, element.tangential_bar);
+          if (element.has_second_tangential_bar())
+            add(*element.shear_law, element.area, element.second_tangential_bar);
         }
       return weights;
     }
@@ -155,6 +157,8 @@ namespace fuga
         add(*element.normal_law, element.area, element.normal_bar);
         if (element.has_tangential_bar())
           add(*element.shear_law, element.area, element.tangential_bar);
+        if (element.has_second_tangential_bar())
+          add(*element.shear_law, element.area, element.second_tangential_bar);
       }
     return result;
   }

@@ -72,8 +72,7 @@ namespace fuga
   {
     const ContactElement &element = elements[k];
     const double pressure         = -state.forces[element.normal_bar] / element.area;
-    const double shear =
-      element.has_tangential_bar() ? state.forces[element.tangential_bar] / element.area : 0.;
+    const double shear            = shear_force(k, state) / element.area;
     if (element.coupling != nullptr)
       {
         const auto [w, e] = element.coupling->deformation(pressure, shear);
@@ -144,7 +143,9 @@ namespace fuga
                                (from.state.unreleased[n] != 0. || to.state.unreleased[n] != 0.);
         const bool rising  = is_slipping(state) && from.state.strengths[k].dilatancy > 0.;
         const bool sliding = element.has_tangential_bar() && state != ContactState::stick;
-        if (!unloading && !sliding)
+        if (element.has_second_tangential_bar())
+          check_slip_in_plane(k, from, to, length);
+        if (element.has_second_tangential_bar() || (!unloading && !sliding))
           continue;
 
         const Layer layer0 = layer_rates(k, from), layer1 = layer_rates(k, to);
@@ -213,7 +214,7 @@ namespace fuga
     const std::size_t n           = element.normal_bar;
     const double N                = state.forces[n];
     const double gap              = element.initial_gap + delta[n] - state.dilations[k];
-    const double T = element.has_tangential_bar() ? state.forces[element.tangential_bar] : 0.;
+    const double T                = shear_force(k, state);
     raise(result.tension, N - std::max(left.tension, state.unreleased[n]), largest_force);
     check_strength(k, left, result);
     if (state.states[k] == ContactState::open)
@@ -232,6 +233,12 @@ namespace fuga
     const double strength = left.friction * (left.tension > 0. ? -N : std::max(-N, 0.)) +
                             left.cohesion + std::abs(state.unreleased[element.tangential_bar]);
     raise(result.cone, std::abs(T) - strength, largest_force);
+    if (element.has_second_tangential_bar())
+      {
+        if (is_slipping(state.states[k]))
+          raise(result.slip_direction, std::abs(T - strength), largest_force);
+        return;
+      }
     raise(result.layer_law,
           std::abs(delta[element.tangential_bar] - state.slips[k] - elastic.shear),
           largest_jump);

@@ -52,7 +52,7 @@ namespace fuga
           {elements, system, boundary, scheme}, step.course, {state, step.motion.rates});
         const double length = segment.find_end();
         const Vector before = system.jumps(state.dislocations, state.forces);
-        state               = report_piecewise(segment, step.course, {}, observer);
+        state               = report_piecewise(segment, step.course, {}, next_level, observer);
         const Vector after  = system.jumps(state.dislocations, state.forces);
         double growth       = 0.;
         for (std::size_t i = 0; i < after.size(); ++i)

@@ -42,6 +42,8 @@ namespace fuga
         opening = std::max(opening, std::abs(jumps[element.normal_bar]));
         if (element.has_tangential_bar())
           sliding = std::max(sliding, std::abs(jumps[element.tangential_bar]));
+        if (element.has_second_tangential_bar())
+          sliding = std::max(sliding, std::abs(jumps[element.second_tangential_bar]));
       }
     if (opening <= no_jump * sliding)
       return MechanismKind::sliding;

@@ -32,7 +32,7 @@ namespace fuga
     double cone = 0.;
     /** No force in open elements. */
     double complementarity = 0.;
-    /** T·ṡ ≥ 0, and slip only at the strength. */
+    /** T·ṡ ≥ 0, slip only at the strength, and in 3D in the direction of T. */
     double slip_direction = 0.;
     /** N and T follow from closure and elastic shear by the laws of the layer, the rise of the lips
      * from their slip. */
@@ -236,6 +236,14 @@ namespace fuga
                   Certificate &result) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
+    void
+    check_slip_in_plane(const std::size_t k,
+                        const PathPoint &from,
+                        const PathPoint &to,
+                        const double length);
+    /** T; with two tangential bars |T|. 0 without any. */
+    double
+    shear_force(const std::size_t k, const JointState &state) const;
     void
     check_rise(const std::size_t k, const JointState &from, const JointState &to);
     void

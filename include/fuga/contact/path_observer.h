@@ -55,6 +55,18 @@ namespace fuga
     {
     }
   };
+
+  /**
+   * Reports a segment whose end has been found, from station to station, with a stop at every
+   * requested
+   * load time from number @p next_level on, which is counted up. Returns the state at the end.
+   */
+  JointState
+  report_piecewise(PathSegment &segment,
+                   const Course &course,
+                   const std::vector<double> &levels,
+                   std::size_t &next_level,
+                   PathObserver &observer);
 } // namespace fuga
 
 #endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_cone_boundary_h
+#define fuga_contact_cone_boundary_h
+
+#include <fuga/contact/contact_boundary.h>
+
+#include <array>
+#include <cmath>
+
+namespace fuga
+{
+  /** A vector in the tangent plane of an element, in the directions of its tangential bars. */
+  using TangentVector = std::array<double, 2>;
+
+  inline double
+  dot(const TangentVector &a, const TangentVector &b)
+  {
+    return a[0] * b[0] + a[1] * b[1];
+  }
+
+  /** a turned by a right angle. */
+  inline TangentVector
+  normal_to(const TangentVector &a)
+  {
+    return {{-a[1], a[0]}};
+  }
+
+  inline double
+  length(const TangentVector &a)
+  {
+    return std::hypot(a[0], a[1]);
+  }
+
+  /** The part of a bar vector that lies in the tangent plane of an element. */
+  inline TangentVector
+  tangential(const ContactElement &element, const Vector &of_bars)
+  {
+    return {{of_bars[element.tangential_bar], of_bars[element.second_tangential_bar]}};
+  }
+
+  /** It has a tangent plane and friction in it. Without friction its tangential bars, if it has
+   * any, carry nothing. */
+  inline bool
+  has_friction(const ContactElement &element)
+  {
+    return element.has_second_tangential_bar() && element.friction.coefficient > 0.;
+  }
+
+  /**
+   * ContactBoundary with Coulomb's circular cone |T| ≤ f|N|, T in the tangent plane. In the state
+   * slip the direction is that of T.
+   */
+  class ConeBoundary
+  {
+  public:
+    ConeBoundary(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    /** As ContactBoundary::set_scales(). */
+    void
+    set_scales(const JointState &state, const Vector &factors, const double widening);
+
+    /** All elements on a boundary, slipping ones included; their `sign` has no meaning. */
+    std::vector<BoundaryElement>
+    elements_on_boundary(const JointState &state) const;
+
+    /**
+     * Length τ along the straight line state + τ rates after which the first boundary is reached,
+     * for a stuck element the smallest root of |T + τ Ṫ|² = f²(N + τ Ṅ)²; infinity if none is.
+     */
+    double
+    distance(const JointState &state, const JointRates &rates, const Drive &drive) const;
+
+    /** Something that must stay positive, and its rate along the path. */
+    struct Reserve
+    {
+      double value     = 0.;
+      double rate      = 0.;
+      double tolerance = 0.;
+    };
+
+    /**
+     * The reserves of all elements at a point: gap of open elements, pressure and strength left of
+     * closed ones; always in the same order for the same states.
+     */
+    std::vector<Reserve>
+    reserves(const JointState &state, const JointRates &rates) const;
+
+    double
+    force_tolerance(const std::size_t bar) const
+    {
+      return scales.force_tolerance(bar);
+    }
+
+    /** Force below which the strength of an element, or its distance from it, is zero [MN]. */
+    double
+    strength_tolerance(const std::size_t element) const;
+
+    double
+    gap_tolerance() const
+    {
+      return scales.gap_tolerance();
+    }
+
+  private:
+    double
+    distance_of(const std::size_t k,
+                const JointState &state,
+                const JointRates &rates,
+                const ContactBoundary::RateNoise &noise) const;
+
+    const std::vector<ContactElement> &elements;
+    ContactBoundary scales;
+    const LayeredSystem &system;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_cone_path_h
+#define fuga_contact_cone_path_h
+
+#include <fuga/contact/cone_rate_problem.h>
+#include <fuga/contact/cone_segment.h>
+#include <fuga/contact/contact_path.h>
+#include <fuga/contact/report_counter.h>
+#include <fuga/contact/standstill.h>
+
+namespace fuga
+{
+  /**
+   * The path in three dimensions, with Coulomb's circular cone: elements have two tangential bars,
+   * or none (doc/theory.md, section on three dimensions). Layers are linear or rigid, friction is
+   * that of Coulomb alone, and joints have no water. In the state slip the direction is that of the
+   * tangential force; the slips along both tangents are the dislocations of the tangential bars.
+   */
+  class ConePath : public ContactPath
+  {
+  public:
+    /** @throws InputError if a joint has a law that is not available in three dimensions. */
+    ConePath(const std::vector<ContactElement> &elements,
+             const LayeredSystem &system,
+             const LoadHistory &history,
+             const PathOptions &options);
+
+    PathResult
+    run(const std::vector<double> &levels, PathObserver &observer) override;
+
+    /** @throws InputError: a path in three dimensions cannot be cut. */
+    PathResult
+    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) override;
+
+    /** @throws InputError, as resume(). */
+    PathResult
+    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) override;
+
+    /** Never set. */
+    const PathCut &
+    last_cut() const override
+    {
+      return cut;
+    }
+
+    IterationCount
+    iterations() const override
+    {
+      return iteration_count;
+    }
+
+    const SchemeWork &
+    work() const override
+    {
+      return scheme_work;
+    }
+
+  private:
+    Course
+    next_course(const JointState &state) const;
+    double
+    widening_of_tolerances() const;
+    bool
+    release_open_elements(const JointState &state, const std::vector<BoundaryElement> &set);
+    ConeContinuation
+    decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
+    void
+    adopt(JointState &state,
+          const std::vector<BoundaryElement> &set,
+          const std::vector<ContactState> &states,
+          PathObserver &observer,
+          PathResult &result);
+    void
+    note_zero_step(const JointState &state, PathResult &result);
+    void
+    lose_equilibrium(JointState &state,
+                     const ConeContinuation &continuation,
+                     PathObserver &observer,
+                     PathResult &result);
+    void
+    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const LoadHistory &history;
+    ConeBoundary boundary;
+    ReleasedSystem released;
+    ConeRateProblem rate_problem;
+    Standstill standstill;
+    /** Last slip direction of every element. */
+    std::vector<TangentVector> directions;
+    std::vector<std::size_t> resticking;
+    IterationCount iteration_count;
+    SchemeWork scheme_work;
+    std::vector<bool> ever_active;
+    PathCut cut;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_cone_rate_problem_h
+#define fuga_contact_cone_rate_problem_h
+
+#include <fuga/contact/cone_boundary.h>
+#include <fuga/contact/released_system.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /** How a path with circular friction cones goes on. */
+  struct ConeContinuation
+  {
+    bool exists = false;
+    JointRates rates;
+    /** Of the elements of the boundary set, in their order. */
+    std::vector<ContactState> states;
+    /** Unit slip directions of the slipping ones among them. */
+    std::vector<TangentVector> directions;
+    unsigned int n_schemes = 0;
+    /** Set if nothing exists because a motion meets no resistance. */
+    bool has_mechanism = false;
+    JointRates mechanism;
+  };
+
+  /**
+   * The rate problem for elements with circular friction cones (doc/theory.md, section on three
+   * dimensions). With v the rates of dislocation and q = r - W v those of the bar forces:
+   *
+   *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ -(e·q_t + f q_n) ≥ 0,   v_n = 0
+   *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,   v_t = 0, or on it and
+   * v_t ∥ q_t
+   *
+   * A semismooth Newton method on the states and slip directions; behind it block Gauss-Seidel
+   * sweeps from element to element, the end of which Newton makes exact. Accepted is only what
+   * satisfies every condition.
+   */
+  class ConeRateProblem
+  {
+  public:
+    ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    /**
+     * @p released: the firmly open bars; @p directions: of all elements, first guess for those at the
+     * apex; @p reactions: rates Ṙ of the forces without dislocations; @p resticking: elements whose
+     * slip has just come to rest.
+     */
+    ConeContinuation
+    solve(const JointState &state,
+          const std::vector<BoundaryElement> &set,
+          const ReleasedSystem &released,
+          const Vector &reactions,
+          const std::vector<TangentVector> &directions,
+          const std::vector<std::size_t> &resticking);
+
+  private:
+    /** One element of the boundary set. */
+    struct Candidate
+    {
+      std::size_t element = 0;
+      /** First of its rows in the reduced system: n, then t1, t2 if it has friction. */
+      std::size_t row         = 0;
+      double friction         = 0.;
+      bool at_apex            = false;
+      bool tangent            = false;
+      bool resting            = false;
+      ContactState state      = ContactState::stick;
+      TangentVector direction = {{1., 0.}};
+      /** Rate of slip. */
+      double slip = 0.;
+    };
+
+    enum class Outcome
+    {
+      solved,
+      singular,
+      cycled
+    };
+
+    Outcome
+    iterate(const unsigned int max_iterations, ConeContinuation &result);
+    bool
+    solve_scheme();
+    bool
+    update_scheme(const bool one_by_one);
+    ContactState
+    next_state(const Candidate &candidate, TangentVector &direction, double &violation) const;
+    bool
+    is_settled() const;
+    void
+    slip_where_neutral();
+    void
+    sweep(const unsigned int n_sweeps);
+    void
+    relax(Candidate &candidate);
+    void
+    take_from_rates();
+    void
+    change_rate(const std::size_t row, const double change);
+    void
+    refresh_forces();
+    double
+    noise(const std::size_t row) const;
+    JointRates
+    full_rates(const ReleasedSystem &released,
+               const Vector &reactions,
+               const Vector &reduced) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    /** The reduced system of the present boundary set. */
+    std::vector<Candidate> candidates;
+    std::vector<std::size_t> bars;
+    DenseMatrix W;
+    Vector r, v, q;
+    /** Null vector of the last singular scheme. */
+    Vector free_motion;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/blas.h>
+#include <fuga/contact/cone_rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Schemes that are tried, all violations changed at once and then the worst one alone. */
+    constexpr unsigned int n_together   = 25;
+    constexpr unsigned int n_iterations = 80;
+    /** Sweeps of Gauss-Seidel before Newton is tried again, and again. */
+    constexpr std::array<unsigned int, 2> n_sweeps = {{400, 4000}};
+  } // namespace
+
+  ConeRateProblem::ConeRateProblem(const std::vector<ContactElement> &contact_elements,
+                                   const LayeredSystem &layered_system)
+    : elements(contact_elements), system(layered_system)
+  {
+  }
+
+  ConeContinuation
+  ConeRateProblem::solve(const JointState &state,
+                         const std::vector<BoundaryElement> &set,
+                         const ReleasedSystem &released,
+                         const Vector &reactions,
+                         const std::vector<TangentVector> &directions,
+                         const std::vector<std::size_t> &resticking)
+  {
+    candidates.clear();
+    bars.clear();
+    free_motion.clear();
+    for (const BoundaryElement &member : set)
+      {
+        const ContactElement &element = elements[member.element];
+        Candidate candidate;
+        candidate.element = member.element;
+        candidate.row     = bars.size();
+        candidate.at_apex = member.shear != ShearPosition::at_strength;
+        candidate.tangent = has_friction(element);
+        candidate.resting =
+          std::find(resticking.begin(), resticking.end(), member.element) != resticking.end();
+        candidate.state = candidate.resting ? ContactState::stick : state.states[member.element];
+        candidate.direction = directions[member.element];
+        bars.push_back(element.normal_bar);
+        if (candidate.tangent)
+          {
+            candidate.friction = element.friction.coefficient;
+            bars.push_back(element.tangential_bar);
+            bars.push_back(element.second_tangential_bar);
+            const TangentVector T = tangential(element, state.forces);
+            if (!candidate.at_apex)
+              candidate.direction = {{T[0] / length(T), T[1] / length(T)}};
+          }
+        candidates.push_back(candidate);
+      }
+    W = released.stiffness(bars);
+    r = released.reactions(reactions, bars);
+    v.assign(bars.size(), 0.);
+    q = r;
+
+    ConeContinuation result;
+    Outcome outcome = iterate(n_iterations, result);
+    for (const unsigned int n : n_sweeps)
+      {
+        if (outcome == Outcome::solved)
+          break;
+        sweep(n);
+        take_from_rates();
+        outcome = iterate(n_iterations, result);
+      }
+    if (outcome != Outcome::solved)
+      {
+        result.has_mechanism = !free_motion.empty();
+        if (result.has_mechanism)
+          {
+            if (dot(r, free_motion) < 0.)
+              for (double &rate : free_motion)
+                rate = -rate;
+            result.mechanism = full_rates(released, Vector(reactions.size(), 0.), free_motion);
+          }
+        return result;
+      }
+    slip_where_neutral();
+    result.exists = true;
+    result.rates  = full_rates(released, reactions, v);
+    for (const Candidate &candidate : candidates)
+      {
+        result.states.push_back(candidate.state);
+        result.directions.push_back(candidate.direction);
+      }
+    return result;
+  }
+
+  JointRates
+  ConeRateProblem::full_rates(const ReleasedSystem &released,
+                              const Vector &reactions,
+                              const Vector &reduced) const
+  {
+    JointRates rates;
+    rates.dislocations.assign(system.n_bars(), 0.);
+    for (std::size_t i = 0; i < bars.size(); ++i)
+      rates.dislocations[bars[i]] = reduced[i];
+    released.complete(reactions, rates.dislocations);
+    rates.forces = reactions;
+    for (std::size_t j = 0; j < rates.dislocations.size(); ++j)
+      if (rates.dislocations[j] != 0.)
+        blas::axpy(rates.forces.size(),
+                   -rates.dislocations[j],
+                   system.stiffness().column(j),
+                   rates.forces.data());
+    return rates;
+  }
+
+  ConeRateProblem::Outcome
+  ConeRateProblem::iterate(const unsigned int max_iterations, ConeContinuation &result)
+  {
+    for (unsigned int i = 0; i < max_iterations + candidates.size(); ++i)
+      {
+        ++result.n_schemes;
+        if (!solve_scheme())
+          return Outcome::singular;
+        if (!update_scheme(i >= n_together) && is_settled())
+          return Outcome::solved;
+      }
+    return Outcome::cycled;
+  }
+
+  void
+  ConeRateProblem::refresh_forces()
+  {
+    q = r;
+    for (std::size_t j = 0; j < v.size(); ++j)
+      if (v[j] != 0.)
+        blas::axpy(q.size(), -v[j], W.column(j), q.data());
+  }
+
+  double
+  ConeRateProblem::noise(const std::size_t row) const
+  {
+    constexpr double rate_tolerance = 1e-10;
+    return rate_tolerance * (std::abs(r[row]) + W(row, row) * max_abs(v));
+  }
+
+  // The state that the present rates ask for, and by how much they contradict the present one.
+  ContactState
+  ConeRateProblem::next_state(const Candidate &candidate,
+                              TangentVector &direction,
+                              double &violation) const
+  {
+    const std::size_t n      = candidate.row;
+    const double f           = candidate.friction;
+    const bool open          = candidate.state == ContactState::open;
+    const double no_force    = noise(n);
+    const double no_velocity = no_force / W(n, n);
+    direction                = candidate.direction;
+    violation                = 0.;
+    if (candidate.at_apex)
+      {
+        if (!open && q[n] > no_force)
+          {
+            violation = q[n];
+            return ContactState::open;
+          }
+        if (open && v[n] >= -no_velocity)
+          return ContactState::open;
+        if (open)
+          violation = -v[n] * W(n, n);
+      }
+    if (!candidate.tangent)
+      return ContactState::stick;
+
+    const TangentVector q_t = {{q[n + 1], q[n + 2]}}, v_t = {{v[n + 1], v[n + 2]}};
+    const double stiffness = 0.5 * (W(n + 1, n + 1) + W(n + 2, n + 2));
+    const double no_shear  = std::max(noise(n + 1), noise(n + 2)) + f * no_force;
+    if (is_slipping(candidate.state))
+      {
+        if (candidate.slip >= -no_shear / stiffness)
+          return candidate.state;
+        violation = -candidate.slip * stiffness;
+        return ContactState::stick;
+      }
+    if (!candidate.at_apex)
+      {
+        violation = std::max(0., dot(candidate.direction, q_t) + f * q[n]);
+        return violation > no_shear ? ContactState::slip_forward : ContactState::stick;
+      }
+    // Closing or stuck at the apex: the force of Alart and Curnier's projection.
+    const double pressure = open ? -v[n] * W(n, n) : -q[n];
+    const TangentVector shear =
+      open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
+    const double excess = length(shear) - f * std::max(pressure, 0.);
+    if (excess <= no_shear)
+      return ContactState::stick;
+    violation = std::max(violation, excess);
+    direction = {{shear[0] / length(shear), shear[1] / length(shear)}};
+    return ContactState::slip_forward;
+  }
+
+  bool
+  ConeRateProblem::update_scheme(const bool one_by_one)
+  {
+    double worst            = -1.;
+    std::size_t worst_index = 0;
+    bool changed            = false;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      {
+        TangentVector direction;
+        double violation;
+        const ContactState next = next_state(candidates[c], direction, violation);
+        if (next == candidates[c].state)
+          continue;
+        changed = true;
+        if (one_by_one)
+          {
+            if (violation > worst)
+              {
+                worst       = violation;
+                worst_index = c;
+              }
+            continue;
+          }
+        candidates[c].state     = next;
+        candidates[c].direction = direction;
+        candidates[c].slip      = 0.;
+      }
+    if (one_by_one && changed)
+      {
+        Candidate &candidate = candidates[worst_index];
+        double violation;
+        TangentVector direction;
+        candidate.state     = next_state(candidate, direction, violation);
+        candidate.direction = direction;
+        candidate.slip      = 0.;
+      }
+    return changed;
+  }
+
+  // Directions at the apex have come to rest as well.
+  bool
+  ConeRateProblem::is_settled() const
+  {
+    for (const Candidate &candidate : candidates)
+      if (candidate.at_apex && is_slipping(candidate.state))
+        {
+          const std::size_t n = candidate.row;
+          for (std::size_t i = 0; i < 2; ++i)
+            if (std::abs(q[n + 1 + i] + candidate.friction * q[n] * candidate.direction[i]) >
+                noise(n + 1 + i) + candidate.friction * noise(n))
+              return false;
+        }
+    return true;
+  }
+
+  // A stuck element on its cone whose force moves along the tangent plane would leave the cone at
+  // second order: it begins to slip with the rate zero.
+  void
+  ConeRateProblem::slip_where_neutral()
+  {
+    const std::vector<Candidate> before = candidates;
+    const Vector v_before = v, q_before = q;
+    bool any = false;
+    for (Candidate &candidate : candidates)
+      {
+        if (candidate.at_apex || candidate.resting || candidate.state != ContactState::stick)
+          continue;
+        const std::size_t n     = candidate.row;
+        const double f          = candidate.friction;
+        const TangentVector q_t = {{q[n + 1], q[n + 2]}};
+        const double no_shear   = std::max(noise(n + 1), noise(n + 2)) + f * noise(n);
+        const double reserve    = -dot(candidate.direction, q_t) - f * q[n];
+        const double turning    = dot(normal_to(candidate.direction), q_t);
+        if (reserve <= no_shear && std::abs(turning) > std::sqrt(no_shear * length(q_t)))
+          {
+            candidate.state = ContactState::slip_forward;
+            any             = true;
+          }
+      }
+    if (!any)
+      return;
+    bool settled = solve_scheme() && is_settled();
+    for (const Candidate &candidate : candidates)
+      {
+        TangentVector direction;
+        double violation;
+        settled = settled && next_state(candidate, direction, violation) == candidate.state;
+      }
+    if (settled)
+      return;
+    candidates = before;
+    v          = v_before;
+    q          = q_before;
+  }
+} // namespace fuga

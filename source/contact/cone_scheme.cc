@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/blas.h>
+#include <fuga/contact/cone_rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** One unknown of a scheme: its column v = x c, the functional of its equation, both of up to
+     * three rows from `row` on, and what the unknown adds to the equation by itself. */
+    struct SchemeUnknown
+    {
+      std::size_t candidate;
+      std::size_t row;
+      std::array<double, 3> column;
+      std::array<double, 3> functional;
+      double own;
+    };
+  } // namespace
+
+  // Newton's step at the apex: with the direction turned by η/s, v_t = ξ e + (ξ/s) η e⊥, and
+  // q_t + f q_n e + f q_n (η/s) e⊥ = 0.
+  bool
+  ConeRateProblem::solve_scheme()
+  {
+    std::vector<SchemeUnknown> unknowns;
+    std::vector<double> turn_scales(candidates.size(), 0.);
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      {
+        const Candidate &candidate = candidates[c];
+        const std::size_t row      = candidate.row;
+        const double f             = candidate.friction;
+        const TangentVector e = candidate.direction, side = normal_to(e);
+        if (candidate.state == ContactState::open)
+          for (std::size_t i = 0; i < (candidate.tangent ? 3u : 1u); ++i)
+            {
+              std::array<double, 3> unit = {{0., 0., 0.}};
+              unit[i]                    = 1. / std::sqrt(W(row + i, row + i));
+              unknowns.push_back({c, row, unit, unit, 0.});
+            }
+        else if (is_slipping(candidate.state))
+          {
+            const double stiffness = 0.5 * (W(row + 1, row + 1) + W(row + 2, row + 2));
+            const double scale     = 1. / std::sqrt(stiffness);
+            unknowns.push_back({c,
+                                row,
+                                {{0., scale * e[0], scale * e[1]}},
+                                {{scale * f, scale * e[0], scale * e[1]}},
+                                0.});
+            if (!candidate.at_apex)
+              continue;
+            const double pressure = f * std::max(-q[row], 0.);
+            const double s        = std::max(candidate.slip, 0.) + pressure / stiffness;
+            turn_scales[c]        = s;
+            const double ratio    = s > 0. ? std::max(candidate.slip, 0.) / s : 1.;
+            const double own      = s > 0. ? pressure / (s * stiffness) : 0.;
+            unknowns.push_back({c,
+                                row,
+                                {{0., scale * ratio * side[0], scale * ratio * side[1]}},
+                                {{0., scale * side[0], scale * side[1]}},
+                                own});
+          }
+      }
+
+    const std::size_t n = unknowns.size();
+    DenseMatrix M(n, n);
+    Vector x(n, 0.);
+    const auto n_rows = [&](const SchemeUnknown &unknown) {
+      return candidates[unknown.candidate].tangent ? 3u : 1u;
+    };
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        Vector image(bars.size(), 0.);
+        for (std::size_t i = 0; i < n_rows(unknowns[j]); ++i)
+          if (unknowns[j].column[i] != 0.)
+            blas::axpy(
+              image.size(), unknowns[j].column[i], W.column(unknowns[j].row + i), image.data());
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t a = 0; a < n_rows(unknowns[i]); ++a)
+            M(i, j) += unknowns[i].functional[a] * image[unknowns[i].row + a];
+        M(j, j) += unknowns[j].own;
+        for (std::size_t a = 0; a < n_rows(unknowns[j]); ++a)
+          x[j] += unknowns[j].functional[a] * r[unknowns[j].row + a];
+      }
+    const auto take = [&](const Vector &solution, Vector &rates) {
+      rates.assign(bars.size(), 0.);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t a = 0; a < n_rows(unknowns[j]); ++a)
+          rates[unknowns[j].row + a] += solution[j] * unknowns[j].column[a];
+    };
+
+    constexpr double smallest_condition = 1e-13;
+    DenseMatrix copy                    = M;
+    const LuFactors factors(std::move(M));
+    if (factors.reciprocal_condition() < smallest_condition)
+      {
+        for (std::size_t j = 0; j < n; ++j)
+          copy(j, j) += smallest_condition;
+        const LuFactors shifted(std::move(copy));
+        Vector null(n, 1.);
+        for (int step = 0; step < 3 && shifted.reciprocal_condition() > 0.; ++step)
+          {
+            shifted.solve(null);
+            const double largest = max_abs(null);
+            for (double &value : null)
+              value /= largest;
+          }
+        take(null, free_motion);
+        return false;
+      }
+    factors.solve(x);
+    take(x, v);
+
+    // The turn, limited to what Newton's step can be trusted with.
+    constexpr double largest_turn = 0.7;
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        Candidate &candidate = candidates[unknowns[j].candidate];
+        if (!is_slipping(candidate.state))
+          continue;
+        const TangentVector e = candidate.direction;
+        const double scale    = length({{unknowns[j].column[1], unknowns[j].column[2]}});
+        candidate.slip        = x[j] * scale;
+        if (!candidate.at_apex)
+          continue;
+        ++j;
+        const double s = turn_scales[unknowns[j].candidate];
+        const double stiffness =
+          0.5 * (W(candidate.row + 1, candidate.row + 1) + W(candidate.row + 2, candidate.row + 2));
+        const double eta  = x[j] / std::sqrt(stiffness);
+        const double turn = std::clamp(
+          s > 0. ? eta / s : std::atan2(eta, candidate.slip), -largest_turn, largest_turn);
+        const TangentVector side = normal_to(e);
+        for (int i = 0; i < 2; ++i)
+          candidate.direction[i] = std::cos(turn) * e[i] + std::sin(turn) * side[i];
+        for (int i = 0; i < 2; ++i)
+          v[candidate.row + 1 + i] = candidate.slip * candidate.direction[i];
+      }
+    refresh_forces();
+    return true;
+  }
+} // namespace fuga
