@@ -56,6 +56,19 @@ namespace fuga
   }
 
   template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::bonded_field(const Vector &forces, const Vector &x) const
+  {
+    Vector y(coordinates->size(), 0.), loads = forces;
+    std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
+    loads.resize(space->n_dofs(), 0.);
+    Vector u = coordinates->distribute(y.data(), {});
+    add_bonded_response(loads, u);
+    add_bonded_response(loads, u); // refines
+    return by_degrees_of_freedom(u);
+  }
+
+  template <int dim>
   typename CondensedSystem<dim>::RigidPart
   CondensedSystem<dim>::rigid_part(const Vector &x) const
   {
@@ -86,7 +99,7 @@ namespace fuga
   {
     timer.restart();
     Vector terms;
-    const Vector elastic = bodies->forces(by_nodes(u), terms);
+    Vector elastic = bodies->forces(by_nodes(u), terms);
     // The rounding of a jump moves both lips against each other. It is that of a sum over all bars,
     // of the size of the motion.
     if (motion.size() > 0)
@@ -111,6 +124,8 @@ namespace fuga
     loads.resize(space->n_dofs(), 0.);
     Vector contact(space->n_dofs(), 0.);
     bars->add_forces(1., p, contact);
+    for (Vector *forces : {&elastic, &terms, &loads})
+      space->hanging_nodes().move_to_masters(*forces);
 
     const EquilibriumError error =
       fuga::equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
@@ -136,7 +151,9 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
   {
-    return by_degrees_of_freedom(bodies->forces(by_nodes(u)));
+    Vector forces = bodies->forces(by_nodes(u));
+    space->hanging_nodes().move_to_masters(forces);
+    return by_degrees_of_freedom(forces);
   }
 
   template <int dim>
@@ -153,8 +170,17 @@ namespace fuga
     return bodies->energy(by_nodes(u));
   }
 
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::cell_energies(const dealii::Vector<double> &u) const
+  {
+    return bodies->cell_energies(by_nodes(u));
+  }
+
   template LinearResponse
   CondensedSystem<2>::response(const Vector &) const;
+  template dealii::Vector<double>
+  CondensedSystem<2>::bonded_field(const Vector &, const Vector &) const;
   template CondensedSystem<2>::RigidPart
   CondensedSystem<2>::rigid_part(const Vector &) const;
   template EquilibriumError
@@ -170,4 +196,6 @@ namespace fuga
   CondensedSystem<2>::jumps(const dealii::Vector<double> &) const;
   template double
   CondensedSystem<2>::bulk_energy(const dealii::Vector<double> &) const;
+  template Vector
+  CondensedSystem<2>::cell_energies(const dealii::Vector<double> &) const;
 } // namespace fuga

@@ -14,6 +14,7 @@
 #include <fuga/bodies/construction.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/disjoint_sets.h>
+#include <fuga/bodies/mesh_refinement.h>
 
 #include <cmath>
 
@@ -111,11 +112,13 @@ namespace fuga
     , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
     , there(bodies_in_stage(jointed.body_names, model, stage))
   {
-    create_mesh(jointed, model.refinements);
+    create_mesh(jointed, model);
     dofs = std::make_unique<dealii::DoFHandler<dim>>(*mesh);
     dofs->distribute_dofs(*element);
     vertex_nodes.assign(jointed.vertices.size(), no_node);
     number_nodes();
+    if (mesh->has_hanging_nodes())
+      hanging = HangingNodes<dim>(*dofs, node_dofs);
     find_boundary_faces();
     find_pieces();
   }
@@ -127,7 +130,7 @@ namespace fuga
 
   template <int dim>
   void
-  Discretization<dim>::create_mesh(const JointedMesh &jointed, const unsigned int refinements)
+  Discretization<dim>::create_mesh(const JointedMesh &jointed, const ModelDefinition &model)
   {
     std::vector<dealii::Point<dim>> vertices(jointed.vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -154,12 +157,19 @@ namespace fuga
         line.boundary_id = face.label + 1;
         faces.boundary_lines.push_back(line);
       }
+    // As p4est balances: across corners too.
+    if (!model.local_refinements.empty())
+      mesh->set_mesh_smoothing(dealii::Triangulation<dim>::limit_level_difference_at_vertices);
     mesh->create_triangulation(vertices, cells, faces);
     for (const auto &face : mesh->active_face_iterators())
       if (face->at_boundary())
         face->set_boundary_id(face->boundary_id() == 0 ? JointedMesh::no_label - 1
                                                        : face->boundary_id() - 1);
-    mesh->refine_global(refinements);
+    mesh->refine_global(model.refinements);
+    for (const auto &marked : model.local_refinements)
+      refine_marked_cells(*mesh, jointed, marked);
+    if (model.refined_once_more)
+      mesh->refine_global(1);
   }
 
 
@@ -238,11 +248,13 @@ namespace fuga
     DisjointSets sets(n_cells());
     for (const auto &cell : mesh->active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
-        if (!cell->at_boundary(f))
+        if (!cell->at_boundary(f) && cell->neighbor(f)->is_active())
           {
             const unsigned int one   = cell_numbers[cell->active_cell_index()],
                                other = cell_numbers[cell->neighbor(f)->active_cell_index()];
-            if (one != no_cell && other < one)
+            // A larger neighbour does not see this cell.
+            if (one != no_cell && other != no_cell &&
+                (other < one || cell->neighbor(f)->level() < cell->level()))
               sets.unite(one, other);
           }
     piece_count = sets.number(pieces);

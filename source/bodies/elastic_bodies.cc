@@ -341,12 +341,22 @@ namespace fuga
   double
   ElasticBodies<dim>::energy(const Vector &u) const
   {
-    double sum = 0.;
+    const Vector of_cells = cell_energies(u);
+    return std::accumulate(of_cells.begin(), of_cells.end(), 0.);
+  }
+
+
+  template <int dim>
+  Vector
+  ElasticBodies<dim>::cell_energies(const Vector &u) const
+  {
+    Vector result;
+    result.reserve(discretization.n_cells());
     for_each_cell_force(
       u, [&](const unsigned int *, const Vector &local, const Vector &force, const double *) {
-        sum += std::inner_product(local.begin(), local.end(), force.begin(), 0.);
+        result.push_back(std::inner_product(local.begin(), local.end(), force.begin(), 0.) / 2.);
       });
-    return sum / 2.;
+    return result;
   }
 
 

@@ -211,14 +211,18 @@ namespace fuga
   InterfaceCoordinates<dim>::InterfaceCoordinates(const Discretization<dim> &discretization,
                                                   const ContactBars<dim> &bars,
                                                   const std::vector<bool> &fixed)
-    : rows(discretization.n_dofs(), unset)
+    : rows(discretization.n_dofs(), unset), hanging(discretization.hanging_nodes())
   {
+    for (const auto &entry : hanging.masters())
+      for (unsigned int c = 0; c < dim; ++c)
+        rows[entry.first * dim + c] = -1; // until add_hanging_nodes()
     for (std::size_t dof = 0; dof < rows.size(); ++dof)
       if (fixed[dof])
         rows[dof] = -1;
     const Builder builder(bars, fixed, rows, hangs_on);
     interface_count = builder.n_interface;
     number(builder);
+    add_hanging_nodes(fixed);
     B = builder.jump_operator();
   }
 
@@ -246,6 +250,31 @@ namespace fuga
           else
             coordinate = plain_coordinate(term.index);
           special[i].push_back({coordinate, term.factor});
+        }
+  }
+
+
+  template <int dim>
+  void
+  InterfaceCoordinates<dim>::add_hanging_nodes(const std::vector<bool> &fixed)
+  {
+    std::vector<Term> of_master;
+    for (const auto &[node, masters] : hanging.masters())
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (fixed[node * dim + c])
+            continue;
+          std::map<unsigned int, double> sum;
+          for (const auto &[master, weight] : masters)
+            {
+              terms_of(master * dim + c, of_master);
+              for (const Term &term : of_master)
+                sum[term.coordinate] += weight * term.factor;
+            }
+          rows[node * dim + c] = -1 - static_cast<int>(special.size());
+          special.emplace_back();
+          for (const auto &[coordinate, factor] : sum)
+            special.back().push_back({coordinate, factor});
         }
   }
 
@@ -298,6 +327,7 @@ namespace fuga
   {
     for (const auto &[dof, support] : hangs_on)
       prescribed[dof] = prescribed[support];
+    hanging.follow_masters(prescribed);
   }
 
 

@@ -147,10 +147,32 @@ namespace fuga
         if (std::abs(share) > 10. * rounding)
           result.push_back({discretization.cell_nodes(cell)[i], share});
       }
+    replace_hanging_nodes(result);
     std::sort(result.begin(), result.end(), [](const NodeShare &a, const NodeShare &b) {
       return a.node < b.node;
     });
     return result;
+  }
+
+
+  template <int dim>
+  void
+  MonitorPoint<dim>::replace_hanging_nodes(Shares &of_nodes) const
+  {
+    const auto &masters = discretization.hanging_nodes().masters();
+    if (masters.empty())
+      return;
+    std::map<unsigned int, double> sums;
+    for (const NodeShare &one : of_nodes)
+      if (const auto hanging = masters.find(one.node); hanging == masters.end())
+        sums[one.node] += one.share;
+      else
+        for (const auto &[master, weight] : hanging->second)
+          sums[master] += weight * one.share;
+    of_nodes.clear();
+    for (const auto &[node, share] : sums)
+      if (std::abs(share) > 10. * rounding)
+        of_nodes.push_back({node, share});
   }
 
 

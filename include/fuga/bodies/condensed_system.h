@@ -216,6 +216,11 @@ namespace fuga
     dealii::Vector<double>
     recover(const Vector &a, const Vector &x) const;
 
+    /** The displacement under nodal forces (entry node * dim + component; empty: none) and
+     * interface coordinates (empty: zero), without supports that move. */
+    dealii::Vector<double>
+    bonded_field(const Vector &forces, const Vector &x) const;
+
     /**
      * The work of the nodal forces @p force (entry node * dim + component) on the displacement, for
      * any x and a: what recover() would give, without recovering (doc/theory.md, section 1).
@@ -260,6 +265,10 @@ namespace fuga
     /** Strain energy of the bodies. */
     double
     bulk_energy(const dealii::Vector<double> &u) const;
+
+    /** That of every cell. */
+    Vector
+    cell_energies(const dealii::Vector<double> &u) const;
 
     const Discretization<dim> &
     discretization() const

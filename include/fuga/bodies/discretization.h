@@ -6,6 +6,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <fuga/bodies/hanging_nodes.h>
 #include <fuga/bodies/model_definition.h>
 #include <fuga/bodies/reference_element.h>
 #include <fuga/mesh/joint_splitter.h>
@@ -175,6 +176,13 @@ namespace fuga
       return absent_labels.count(label) > 0;
     }
 
+    /** None if the mesh is not refined locally; never on a lip in 2D. */
+    const HangingNodes<dim> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
     const std::vector<BoundaryFace> &
     boundary_faces() const
     {
@@ -215,7 +223,7 @@ namespace fuga
 
   private:
     void
-    create_mesh(const JointedMesh &jointed, const unsigned int refinements);
+    create_mesh(const JointedMesh &jointed, const ModelDefinition &model);
 
     void
     number_nodes();
@@ -243,6 +251,7 @@ namespace fuga
     std::vector<unsigned int> pieces;
     unsigned int piece_count = 0;
     std::vector<unsigned int> node_dofs;
+    HangingNodes<dim> hanging;
     std::vector<dealii::Point<dim>> positions;
     std::vector<unsigned int> vertex_nodes;
     std::vector<BoundaryFace> outer_faces;

@@ -57,6 +57,10 @@ namespace fuga
     double
     energy(const Vector &u) const;
 
+    /** The same, cell by cell. */
+    Vector
+    cell_energies(const Vector &u) const;
+
   private:
     class CellStiffness;
 

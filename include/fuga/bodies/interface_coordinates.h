@@ -17,7 +17,8 @@ namespace fuga
    * plus a prescribed part: that of the support it hangs on. Coordinates are numbered from 0; the
    * interface coordinates come last. Where more than two nodes meet (joints cross or touch), or
    * several elements tie the same nodes, the interface coordinates are offsets from one of the
-   * nodes in global directions, and the jump operator is not the identity.
+   * nodes in global directions, and the jump operator is not the identity. Hanging nodes have the
+   * coordinates of their masters.
    */
   template <int dim>
   class InterfaceCoordinates
@@ -112,12 +113,17 @@ namespace fuga
     void
     number(const Builder &builder);
 
+    /** The rows of hanging nodes, from those of their masters. */
+    void
+    add_hanging_nodes(const std::vector<bool> &fixed);
+
     unsigned int n_coordinates   = 0;
     unsigned int interface_count = 0;
     /** A coordinate, or -1 - number of a special row; special row 0 has no terms. */
     std::vector<int> rows;
     std::vector<std::vector<Term>> special;
     std::vector<std::pair<std::size_t, std::size_t>> hangs_on;
+    const HangingNodes<dim> &hanging;
     DenseMatrix B;
   };
 } // namespace fuga

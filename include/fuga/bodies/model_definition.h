@@ -11,6 +11,9 @@
 
 namespace fuga
 {
+  /** A cell of a refined mesh, by its way down from the coarse mesh: deal.II's binary CellId. */
+  using CellKey = std::array<unsigned int, 4>;
+
   /** Linear elastic material of one body. */
   struct Material
   {
@@ -226,8 +229,12 @@ namespace fuga
   {
     unsigned int dimension         = 2;
     unsigned int polynomial_degree = 1;
-    unsigned int refinements       = 0;
-    PlaneAssumption assumption     = PlaneAssumption::plane_strain;
+    /** Refinements of the whole mesh; then of the cells in these lists, one after the other, and of
+     *  what has to follow (refine_marked_cells()); then once more of the whole mesh. */
+    unsigned int refinements = 0;
+    std::vector<std::vector<CellKey>> local_refinements;
+    bool refined_once_more     = false;
+    PlaneAssumption assumption = PlaneAssumption::plane_strain;
     /** Extent across the plane in 2D [m]; without meaning in axisymmetry. */
     double thickness = 1.;
 

@@ -57,6 +57,10 @@ namespace fuga
 
     using Shares = std::vector<NodeShare>;
 
+    /** By those of the nodes they hang on. */
+    void
+    replace_hanging_nodes(Shares &of_nodes) const;
+
     dealii::Point<dim>
     find_position(const JointedMesh &mesh, const MonitorDefinition &definition) const;
     Shares
