@@ -29,6 +29,7 @@ make_mesh msh41 arch.msh arch.geo
 make_mesh msh41 pier.msh pier.geo
 make_mesh msh41 anchor.msh anchor.geo
 make_mesh msh41 hertz.msh hertz.geo
+make_mesh msh41 punch.msh punch.geo
 make_mesh msh41 retaining_wall.msh retaining_wall.geo
 for n in 9 33 129; do
   python3 scene_g.py "$n" "scene_g_$n.msh"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/adaptive_run.h>
 #include <fuga/base/errors.h>
 #include <fuga/io/law_plot.h>
 #include <fuga/io/parameters.h>
@@ -131,6 +132,11 @@ namespace
         fmt::format("{}: a sweep cannot be restarted. Its variants are short runs that share one "
                     "condensation: run without --restart, or take the section Sweep out.",
                     parameters.parameter_file));
+    if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
+      throw InputError(fmt::format(
+        "{}: a run that finds its mesh cannot be restarted. Run without --restart; with "
+        "'Quantity = none' the mesh of the file can be run and restarted.",
+        parameters.accuracy.origin));
     Checkpoint checkpoint = read_checkpoint(parameters.output.directory);
     check_same_problem(checkpoint, parameters);
     return checkpoint;
@@ -210,6 +216,8 @@ namespace
         return 0;
       }
     const auto run = [&] {
+      if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
+        return AdaptiveRun<2>(std::move(model)).run();
       return parameters.variants.empty()
                ? run_all_phases<2>(std::move(model), checkpoint ? &*checkpoint : nullptr)
                : Sweep<2>(*model).run();

@@ -13,9 +13,10 @@
 namespace fuga
 {
   template <int dim>
-  Simulation<dim>::Simulation(const Model<dim> &shared_model)
+  Simulation<dim>::Simulation(const Model<dim> &shared_model, AccuracyReport of_mesh)
     : model(shared_model)
     , parameters(model.parameters)
+    , accuracy(std::move(of_mesh))
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
     , loading(model.loads.history.until(model.loads.end_of_loading))

@@ -24,6 +24,8 @@ namespace fuga
     unfinished.verdict = "unfinished";
     write_summary(unfinished);
     remove_earlier_results(parameters.output.directory, {"summary.json"});
+    if (!accuracy.rounds.empty())
+      write_refinement_table(parameters.output.directory, accuracy);
     publish(true);
     if (keeps_checkpoints())
       mesh_identity = identify_file(parameters.mesh_file);
@@ -35,6 +37,8 @@ namespace fuga
   Simulation<dim>::log_header()
   {
     const Discretization<dim> &space = model.bodies.discretization();
+    for (std::size_t i = 0; i < accuracy.rounds.size(); ++i)
+      log.earlier_line(accuracy.description(i));
     log.line(fmt::format("fuga {}  {}", version, parameters.title));
     log.line(fmt::format("{}: {} cells, {} degrees of freedom, {} contact elements, {} bars",
                          parameters.mesh_file,
@@ -223,6 +227,8 @@ namespace fuga
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
     log_resultants();
+    if (!accuracy.rounds.empty())
+      log.line("Accuracy    " + accuracy.conclusion());
     const IterationCount iterations = path.iterations();
     if (iterations.n_solutions > 0)
       log.line(fmt::format("Iterations  {} in {} solutions, at most {} in one",
@@ -301,6 +307,7 @@ namespace fuga
                                            joint.elements[k].number,
                                            joint.elements[k].position});
     summary.safety            = outcome.safety;
+    summary.accuracy          = accuracy;
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
     summary.sizes             = model.sizes();
     summary.work              = {model.bodies.work(), 1, path.work()};

@@ -4,6 +4,7 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
+#include <fuga/io/accuracy_report.h>
 #include <fuga/io/checkpoint.h>
 #include <fuga/io/summary.h>
 #include <fuga/joint_model.h>
@@ -33,8 +34,9 @@ namespace fuga
   class Simulation : private PathObserver, private RunRecord
   {
   public:
-    /** @throws InputError, NumericalFailure */
-    explicit Simulation(const Model<dim> &model);
+    /** @p accuracy: how the mesh of the model was found, if it was. @throws InputError,
+     * NumericalFailure */
+    explicit Simulation(const Model<dim> &model, AccuracyReport accuracy = {});
 
     ~Simulation() override;
 
@@ -167,6 +169,7 @@ namespace fuga
 
     const Model<dim> &model;
     const Parameters &parameters;
+    const AccuracyReport accuracy;
     const JointModel joint;
     const LayeredSystem layered;
     /** The loads without the searches for safety that follow them. */

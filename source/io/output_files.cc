@@ -50,6 +50,7 @@ namespace fuga
                                 "monitors.csv",
                                 "summary.json",
                                 "sweep.csv",
+                                "refinement.csv",
                                 "report.html",
                                 paraview_script_name,
                                 "log.txt",

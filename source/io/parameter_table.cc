@@ -228,6 +228,7 @@ namespace fuga
                                                              solver_section(),
                                                              safety_section(),
                                                              sweep_section(),
+                                                             accuracy_section(),
                                                              monitors_section(),
                                                              output_section()};
     return sections;

@@ -178,8 +178,9 @@ namespace fuga
     parameters.variants       = read_variants(values, parameters.joints, parameters.model);
     read_safety(values, parameters);
     check_sweep_of_construction(values, parameters);
-    parameters.solver    = read_solver(values.section("Solver"));
-    parameters.output    = read_output(values, file);
+    parameters.solver = read_solver(values.section("Solver"));
+    parameters.output = read_output(values, file);
+    read_accuracy(values, parameters);
     parameters.mesh_file = read_mesh_file(values.section("Mesh"), file);
     parameters.echo      = values.echo();
     return parameters;

@@ -133,6 +133,24 @@ namespace fuga
       return json;
     }
 
+    /** An estimate that is not known is null. */
+    Json
+    accuracy_section(const AccuracyReport &accuracy)
+    {
+      Json rounds = Json::array();
+      for (const AccuracyReport::Round &round : accuracy.rounds)
+        rounds.push_back({{"cells", round.cells},
+                          {"degrees_of_freedom", round.unknowns},
+                          {"contact_elements", round.contact_elements},
+                          {"estimated_error", round.estimate}});
+      return {{"quantity", accuracy.quantity},
+              {"target", accuracy.target},
+              {"estimated_error", accuracy.rounds.back().estimate},
+              {"reached", accuracy.reached},
+              {"end", accuracy.end},
+              {"rounds", rounds}};
+    }
+
     Json
     path_section(const Summary &summary)
     {
@@ -214,6 +232,8 @@ namespace fuga
                               {"steps", beyond.n_steps}};
     if (!summary.safety.empty())
       json["safety"] = safety_section(summary.safety);
+    if (!summary.accuracy.rounds.empty())
+      json["accuracy"] = accuracy_section(summary.accuracy);
     if (!summary.critical_elements.empty())
       json["friction_beyond_critical"] = critical_section(summary);
     json["load_factors"] = object(summary.load_factors);

@@ -293,6 +293,21 @@ def hertz(folder):
         check(0.25 <= lead <= 0.33, f"hertz, node {row['x']:.2f} closes {lead:.3f} elements early")
 
 
+def punch(folder):
+    """Pressure under a frictionless rigid punch (Sadowsky 1928; Johnson, Contact Mechanics, 2.8), where it is wanted to 1 %."""
+    run = Run(folder, "punch_adaptive")
+    accuracy = run.summary["accuracy"]
+    check(accuracy["reached"] and accuracy["estimated_error"] <= 0.01, f"punch, accuracy {accuracy}")
+    close(run.joint("punch")["N"], -1.0, STATICS, "punch, load")
+    exact = [2 / (math.pi * math.sqrt(1 - row["x"]**2)) for row in run.history if row["x"] <= 0.9]
+    inside = [row for row in run.history if row["x"] <= 0.9]
+    square = sum(row["area"] * (row["pressure"] - p)**2 for row, p in zip(inside, exact))
+    size = sum(row["area"] * p**2 for row, p in zip(inside, exact))
+    error = math.sqrt(square / size)
+    check(error <= 0.01, f"punch, pressure to {error:.4f}")
+    check(accuracy["estimated_error"] / 3 <= error <= 2 * accuracy["estimated_error"], f"punch, true error {error:.4f}")
+
+
 def paper(folder):
     """Statics of the paper's problem S0, the same in all variants."""
     N, T = 4 * 12 * 0.024, 0.0144 * 12
@@ -305,7 +320,7 @@ def paper(folder):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for example in (footing, masonry, pier, anchor, hertz, paper):
+    for example in (footing, masonry, pier, anchor, hertz, punch, paper):
         example(folder)
 print("\n".join(complaints) or f"{n_checks} numbers agree")
 sys.exit(1 if complaints else 0)

@@ -3,6 +3,7 @@
 
 #include "scenes/scene_run.h"
 
+#include <fuga/adaptive_run.h>
 #include <fuga/phases.h>
 
 #include <sys/wait.h>
@@ -228,8 +229,10 @@ namespace fuga::tests
     const std::string directory = temporary_directory();
     parameters.output.directory = directory;
     SceneRun run;
-    run.exit_code =
-      static_cast<int>(run_all_phases<2>(std::make_unique<const Model<2>>(parameters)));
+    auto model     = std::make_unique<const Model<2>>(parameters);
+    run.exit_code  = static_cast<int>(parameters.accuracy.quantity == AccuracyTarget::Quantity::none
+                                        ? run_all_phases<2>(std::move(model))
+                                        : AdaptiveRun<2>(std::move(model)).run());
     run.events     = parse_csv(file_text(directory + "/events.csv"));
     run.history    = parse_csv(file_text(directory + "/joint_history.csv"));
     run.resultants = parse_csv(file_text(directory + "/resultants.csv"));

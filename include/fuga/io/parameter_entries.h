@@ -80,6 +80,8 @@ namespace fuga
     SectionDeclaration
     sweep_section();
     SectionDeclaration
+    accuracy_section();
+    SectionDeclaration
     monitors_section();
     SectionDeclaration
     output_section();

@@ -88,6 +88,10 @@ namespace fuga
   void
   read_safety(const ParameterValues &values, Parameters &parameters);
 
+  /** Section Target accuracy. @throws InputError */
+  void
+  read_accuracy(const ParameterValues &values, Parameters &parameters);
+
   /** What several sections together can get wrong. @throws InputError naming both culprits. */
   void
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);

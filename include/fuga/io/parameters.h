@@ -182,6 +182,31 @@ namespace fuga
     Units units;
   };
 
+  /** What section Target accuracy says. */
+  struct AccuracyTarget
+  {
+    enum class Quantity
+    {
+      none,
+      pressure,
+      resultant,
+      monitor
+    };
+
+    Quantity quantity = Quantity::none;
+    /** Joints or monitors that count. */
+    std::vector<unsigned int> items;
+    /** Of a resultant N, T, M, of a monitor x, y, as 0, 1, 2. */
+    std::vector<unsigned int> components;
+    /** Expression of x, y: the pressure counts where it is not 0; empty: everywhere. */
+    std::string where;
+    double relative_error   = 0.;
+    double max_unknowns     = 0.;
+    unsigned int max_rounds = 0;
+    /** file:line of the quantity, for messages. */
+    std::string origin;
+  };
+
   /** One combination of the values of section Sweep. */
   struct Variant
   {
@@ -207,6 +232,7 @@ namespace fuga
     std::vector<JointParameters> joints;
     /** All combinations of section Sweep; empty without it. */
     std::vector<Variant> variants;
+    AccuracyTarget accuracy;
     SolverSettings solver;
     OutputSettings output;
 

@@ -44,6 +44,13 @@ namespace fuga
     void
     line(const std::string &text);
 
+    /** A line that was on the screen before this log began. */
+    void
+    earlier_line(const std::string &text)
+    {
+      record.append(text + "\n");
+    }
+
     /** A line that is also repeated before the closing table. */
     void
     warning(const std::string &text);

@@ -7,6 +7,7 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
+#include <fuga/io/accuracy_report.h>
 #include <fuga/io/parameters.h>
 
 #include <map>
@@ -96,6 +97,7 @@ namespace fuga
     /** The elements of PathResult::critical. */
     std::vector<NamedElement> critical_elements;
     std::vector<SafetyFactor> safety;
+    AccuracyReport accuracy;
     IterationCount iterations;
     Certificate certificate;
   };

@@ -84,9 +84,22 @@ def safety_words(summary):
     return sentences
 
 
+def accuracy_words(summary):
+    """How accurate the quantity of section Target accuracy is, if there is one."""
+    accuracy = summary.get("accuracy")
+    if accuracy is None:
+        return []
+    estimate = accuracy["estimated_error"]
+    text = f"Estimated error of the {escape(accuracy['quantity'])}: "
+    text += "not known" if estimate is None else f"{number(100 * estimate, 3)} %"
+    text += f", target {number(100 * accuracy['target'], 3)} %; mesh {len(accuracy['rounds'])}"
+    return [text + ("." if accuracy["reached"] else f". The target is not reached: {escape(accuracy['end'])}.")]
+
+
 def verdict_box(summary):
     kind, heading, sentences = verdict_words(summary)
     sentences += safety_words(summary)
+    sentences += accuracy_words(summary)
     lines = "".join(f"<p>{sentence}</p>" for sentence in sentences if sentence)
     return (f'<div class="verdict {kind}" id="verdict"><strong>{escape(heading)}</strong>{lines}'
             f"<p>Exit code {number(summary['exit_code'])}.</p></div>")

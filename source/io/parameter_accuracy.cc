@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/construction.h>
+#include <fuga/io/parameter_expressions.h>
+#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_readers.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    using Quantity = AccuracyTarget::Quantity;
+
+    /** Numbers of the names in the list @p entry, or of all @p known if it is not given. */
+    std::vector<unsigned int>
+    read_numbers(const ParameterSection &section,
+                 const std::string &entry,
+                 const std::string &what,
+                 const std::vector<std::string> &known)
+    {
+      std::vector<unsigned int> numbers;
+      for (const std::string &name : section.given(entry) ? section.list(entry) : known)
+        {
+          const auto found = std::find(known.begin(), known.end(), name);
+          if (found == known.end())
+            section.fail(
+              entry,
+              fmt::format(
+                "there is no {} '{}'. {}", what, name, name_hint(name, known, what + "s")));
+          numbers.push_back(static_cast<unsigned int>(found - known.begin()));
+        }
+      return numbers;
+    }
+
+
+    /** An entry that belongs to another quantity says that the user wants something else. */
+    void
+    refuse(const ParameterSection &section, const std::string &entry, const std::string &wanted)
+    {
+      if (section.given(entry))
+        section.fail(entry,
+                     fmt::format("this belongs to Quantity = {}, but here is Quantity = {}. Remove "
+                                 "the line, or change the quantity.",
+                                 wanted,
+                                 section.text("Quantity")));
+    }
+
+
+    Quantity
+    read_quantity(const ParameterSection &section)
+    {
+      const std::string quantity = section.text("Quantity");
+      if (quantity == "contact pressure")
+        return Quantity::pressure;
+      if (quantity == "resultant")
+        return Quantity::resultant;
+      return quantity == "monitor" ? Quantity::monitor : Quantity::none;
+    }
+
+
+    void
+    read_pressure(const ParameterSection &section,
+                  const std::map<std::string, double> &constants,
+                  AccuracyTarget &target)
+    {
+      refuse(section, "Components", "resultant or monitor");
+      if (!section.given("Where"))
+        return;
+      target.where = section.text("Where");
+      check_expression(section, "Where", target.where, ExpressionArguments::place, constants);
+    }
+
+
+    void
+    check_combinations(const ParameterSection &section, const Parameters &parameters)
+    {
+      if (!parameters.variants.empty())
+        section.fail(
+          "Quantity",
+          "the variants of a sweep share one condensation, hence one mesh. Remove the "
+          "section Sweep and run the variants one by one (--set), or remove this entry.");
+      if (first_stages_of_phases(parameters.model).size() > 1)
+        section.fail("Quantity",
+                     "bodies are built or removed, or joints grouted, on the way: the mesh is not "
+                     "adapted to that. Refine it by Mesh/Refinements, and remove this entry.");
+    }
+  } // namespace
+
+
+  void
+  read_accuracy(const ParameterValues &values, Parameters &parameters)
+  {
+    const ParameterSection section = values.section("Target accuracy");
+    AccuracyTarget &target         = parameters.accuracy;
+    target.quantity                = read_quantity(section);
+    target.origin                  = section.origin("Quantity");
+    target.relative_error          = section.number("Relative error");
+    target.max_unknowns            = section.number("Largest number of unknowns");
+    target.max_rounds              = section.integer("Largest number of rounds");
+    if (target.quantity != Quantity::monitor)
+      refuse(section, "Monitors", "monitor");
+    if (target.quantity != Quantity::pressure)
+      refuse(section, "Where", "contact pressure");
+    if (target.quantity == Quantity::none || target.quantity == Quantity::monitor)
+      refuse(section, "Joints", "contact pressure or resultant");
+    if (target.quantity == Quantity::none)
+      {
+        refuse(section, "Components", "resultant or monitor");
+        return;
+      }
+    check_combinations(section, parameters);
+    parameters.output.checkpoint = CheckpointOutput::never; // the mesh is not in it
+    if (target.quantity == Quantity::pressure)
+      read_pressure(section, parameters.model.constants, target);
+
+    std::vector<std::string> names, components = {"x", "y"};
+    if (target.quantity == Quantity::monitor)
+      {
+        for (const MonitorDefinition &monitor : parameters.model.monitors)
+          names.push_back(monitor.name);
+        target.items = read_numbers(section, "Monitors", "monitor", names);
+      }
+    else
+      {
+        for (const JointParameters &joint : parameters.joints)
+          names.push_back(joint.definition.name);
+        target.items = read_numbers(section, "Joints", "joint", names);
+        components   = {"N", "T", "M"};
+      }
+    if (target.items.empty())
+      section.fail("Quantity",
+                   target.quantity == Quantity::monitor
+                     ? "there are no monitors. Add one to section Monitors."
+                     : "there are no joints. Name a monitor instead.");
+    if (target.quantity == Quantity::pressure)
+      return;
+    target.components = read_numbers(section, "Components", "component", components);
+    if (!section.given("Components"))
+      target.components = {0, 1};
+  }
+} // namespace fuga
