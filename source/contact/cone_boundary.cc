@@ -46,7 +46,11 @@ namespace fuga
   void
   ConeBoundary::set_scales(const JointState &state, const Vector &factors, const double widening)
   {
+    constexpr double rounding = 1e-3; // of the relative tolerance: a few times that of numbers
     scales.set_scales(state, factors, widening);
+    smallest_tolerance = 0.;
+    for (std::size_t bar = 0; bar < system.n_bars(); ++bar)
+      smallest_tolerance = std::max(smallest_tolerance, rounding * scales.force_tolerance(bar));
   }
 
   double
@@ -54,7 +58,9 @@ namespace fuga
   {
     const ContactElement &element = elements[k];
     return std::max(force_tolerance(element.tangential_bar),
-                    force_tolerance(element.second_tangential_bar)) +
+                    element.has_second_tangential_bar()
+                      ? force_tolerance(element.second_tangential_bar)
+                      : 0.) +
            element.friction.coefficient * force_tolerance(element.normal_bar);
   }
 

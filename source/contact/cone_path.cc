@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/change_of_state.h>
 #include <fuga/contact/cone_path.h>
+#include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/virgin_state.h>
 
@@ -20,42 +21,33 @@ namespace fuga
     /** A jump below this share of the largest is none. */
     constexpr double no_jump = 1e-6;
 
-    [[noreturn]] void
-    refuse(const std::string &what, const std::string &remedy)
-    {
-      throw InputError(fmt::format("{} is not available in three dimensions. {}", what, remedy));
-    }
-
     void
-    check(const std::vector<ContactElement> &elements,
-          const LayeredSystem &system,
-          const LoadHistory &history,
-          const PathOptions &options)
+    check_path(const LoadHistory &history, const PathOptions &options)
     {
-      for (const ContactElement &element : elements)
-        {
-          if (element.has_tangential_bar() && !element.has_second_tangential_bar())
-            refuse("A contact element with one tangential bar", "It needs two.");
-          if (!element.friction.is_plain())
-            refuse("Friction with cohesion, tensile strength, residual friction or dilatancy",
-                   "Use a friction coefficient alone.");
-          if (element.coupling != nullptr)
-            refuse("A shear stiffness that grows with closure or pressure",
-                   "Use constant stiffnesses.");
-          if (has_nonlinear_closure(element) ||
-              (element.has_tangential_bar() && has_nonlinear_shear(element)))
-            refuse("A nonlinear law of a layer", "Use a rigid or a linear layer.");
-        }
-      if (!system.opening_water().empty())
-        refuse("Water that comes into opening joints",
-               "Give the water pressure in the joint as a load that does not depend on opening.");
+      const auto check = [](const bool asked_for, const char *what) {
+        if (asked_for)
+          throw InputError(std::string(what) +
+                           " is not available for friction with two directions of slip.");
+      };
+      check(options.beyond_limit, "A path beyond the limit load");
       for (double t = 0.; t < history.end(); t = history.next_corner(t))
-        if (history.strength_share(t) != 1. || history.strength_share_rate(t) != 0.)
-          refuse("A strength reduction", "Increase the loads instead.");
-      if (options.beyond_limit)
-        refuse("A path beyond the limit load", "It ends at the limit load.");
+        check(history.strength_share(t) != 1. || history.strength_share_rate(t) != 0.,
+              "A strength reduction");
     }
   } // namespace
+
+  std::string
+  unavailable_in_cone_path(const ContactElement &element)
+  {
+    if (!element.friction.is_plain())
+      return "cohesion, tensile strength, residual friction and dilatancy";
+    if (element.coupling != nullptr)
+      return "a shear stiffness that grows with closure or pressure";
+    if (has_nonlinear_closure(element) ||
+        (element.has_tangential_bar() && has_nonlinear_shear(element)))
+      return "a nonlinear law of the layer";
+    return {};
+  }
 
   ConePath::ConePath(const std::vector<ContactElement> &contact_elements,
                      const LayeredSystem &layered_system,
@@ -67,39 +59,79 @@ namespace fuga
     , boundary(elements, system)
     , released(system)
     , rate_problem(elements, system)
-    , directions(elements.size(), TangentVector{{1., 0.}})
     , ever_active(system.n_bars(), false)
   {
-    check(elements, system, history, options);
+    check_path(history, options);
+    for (const ContactElement &element : elements)
+      if (const std::string what = unavailable_in_cone_path(element); !what.empty())
+        throw InputError("Not available for friction with two directions of slip: " + what + ".");
   }
 
   PathResult
-  ConePath::resume(const PathCut &, const std::vector<double> &, PathObserver &)
+  ConePath::resume(const PathCut &from, const std::vector<double> &levels, PathObserver &observer)
   {
-    refuse("A restart", "Run the whole history.");
+    cut             = from;
+    next_level      = cut.next_level;
+    resticking      = cut.resticking;
+    iteration_count = cut.iterations;
+    standstill      = Standstill();
+    ReportCounter reports(observer, cut.n_reports);
+    return follow(levels, reports);
   }
 
   PathResult
-  ConePath::go_on(const PathCut &, const std::vector<double> &, PathObserver &)
+  ConePath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
   {
-    refuse("Construction in stages", "Build all bodies at the beginning.");
+    PathCut start    = end;
+    start.resticking = {};
+    start.n_reports  = 0;
+    return resume(start, levels, observer);
+  }
+
+  void
+  ConePath::make_cut(const JointState &state, const PathResult &result, ReportCounter &observer)
+  {
+    if (standstill.n_steps() > 0)
+      return; // what is known at this load is not kept
+    observer.start();
+    if (!observer.wants_cuts())
+      return;
+    cut.state      = state;
+    cut.result     = result;
+    cut.iterations = iteration_count;
+    cut.next_level = next_level;
+    cut.resticking = resticking;
   }
 
   PathResult
   ConePath::run(const std::vector<double> &levels, PathObserver &observer)
   {
-    JointState state = virgin_state(elements, system.n_bars(), false);
-    PathResult result;
-    std::size_t next_level = 0;
-    while (state.t < history.end())
+    PathCut start;
+    start.state = virgin_state(elements, system.n_bars(), !system.opening_water().empty());
+    return resume(start, levels, observer);
+  }
+
+  PathResult
+  ConePath::follow(const std::vector<double> &levels, ReportCounter &observer)
+  {
+    JointState state  = cut.state;
+    PathResult result = cut.result;
+    while (state.t < history.end() || state.is_unsettled())
       {
+        make_cut(state, result, observer);
         const Course course = next_course(state);
         boundary.set_scales(state, course.factors, widening_of_tolerances());
+        const auto states                   = state.states;
         const ConeContinuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
             lose_equilibrium(state, continuation, observer, result);
             return result;
+          }
+        if (water_has_changed(elements, system, states, state))
+          {
+            note_zero_step(state, result);
+            continue; // water comes in or is squeezed out before the load goes on
           }
 
         ConeSegment segment({elements, system, boundary, released},
@@ -117,8 +149,7 @@ namespace fuga
             report_piecewise(segment, course, levels, next_level, observer);
             throw;
           }
-        state = report_piecewise(segment, course, levels, next_level, observer);
-        segment.take_directions(directions);
+        state      = report_piecewise(segment, course, levels, next_level, observer);
         resticking = segment.resticking();
         result.t   = state.t;
         ++result.n_steps;
@@ -128,10 +159,15 @@ namespace fuga
           note_zero_step(state, result);
         if (segment.ends_at_limit())
           {
-            take_limit(state, segment.at(length).rates, result);
+            // What closed layers still deform is no part of the mechanism.
+            JointRates motion = segment.at(length).rates;
+            motion.forces.assign(system.n_bars(), 0.);
+            take_limit(state, motion, result);
             return result;
           }
       }
+    standstill.forget();
+    make_cut(state, result, observer);
     return result;
   }
 
@@ -160,12 +196,26 @@ namespace fuga
   ConePath::next_course(const JointState &state) const
   {
     Course course;
-    course.t               = state.t;
-    course.t_end           = history.next_corner(state.t);
-    course.factors         = history.factors(state.t);
-    course.factor_rates    = history.rates(state.t);
-    course.length          = course.t_end - state.t;
+    course.t       = state.t;
+    course.t_end   = state.t;
+    course.factors = history.factors(state.t);
+    if (state.is_unsettled())
+      {
+        course.kind                = Course::Kind::release;
+        course.factor_rates        = Vector(course.factors.size(), 0.);
+        course.drive.missing_water = state.missing_water;
+        for (double &rate : course.drive.missing_water)
+          rate = -rate;
+        course.length = 1.;
+      }
+    else
+      {
+        course.factor_rates = history.rates(state.t);
+        course.t_end        = history.next_corner(state.t);
+        course.length       = course.t_end - state.t;
+      }
     course.drive.reactions = multiply(system.reactions(), course.factor_rates);
+    add_water_rates(elements, system, state, course.factor_rates, course.drive);
     return course;
   }
 
@@ -186,7 +236,8 @@ namespace fuga
         if (element.has_tangential_bar() && (open || !has_friction(element)))
           {
             bars.push_back(element.tangential_bar);
-            bars.push_back(element.second_tangential_bar);
+            if (element.has_second_tangential_bar())
+              bars.push_back(element.second_tangential_bar);
           }
       }
     if (bars == released.released_bars() && !bars.empty())
@@ -209,11 +260,11 @@ namespace fuga
         continuation.mechanism     = released.mechanism();
         return continuation;
       }
-    continuation =
-      rate_problem.solve(state, set, released, course.drive.reactions, directions, resticking);
+    continuation = rate_problem.solve(state, set, released, course.drive.reactions, resticking);
     result.n_schemes += continuation.n_schemes;
     if (!continuation.exists)
       return continuation;
+    directions.assign(elements.size(), TangentVector{{1., 0.}});
     for (std::size_t i = 0; i < set.size(); ++i)
       directions[set[i].element] = continuation.directions[i];
     adopt(state, set, continuation.states, observer, result);
@@ -246,8 +297,9 @@ namespace fuga
         if (state.states[k] == states[i])
           continue;
         events.push_back({state.t, k, state.states[k], states[i]});
-        change_state(
-          elements[k], k, states[i], boundary.force_tolerance(elements[k].normal_bar), state);
+        const double no_force = boundary.force_tolerance(elements[k].normal_bar);
+        change_state(elements[k], k, states[i], no_force, state);
+        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
       }
     result.n_events += events.size();
     if (!events.empty())
@@ -295,7 +347,9 @@ namespace fuga
                  dot(tangential(element, state.forces),
                      tangential(element, result.mechanism_jumps)) >
                    no_jump * length(tangential(element, state.forces)))
-          next = ContactState::slip_forward;
+          next = element.has_second_tangential_bar() || state.forces[element.tangential_bar] > 0.
+                   ? ContactState::slip_forward
+                   : ContactState::slip_backward;
         states.push_back(next);
       }
     adopt(state, set, states, observer, result);

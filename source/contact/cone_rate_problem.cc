@@ -3,9 +3,11 @@
 
 #include <fuga/base/blas.h>
 #include <fuga/contact/cone_rate_problem.h>
+#include <fuga/contact/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fuga
 {
@@ -29,32 +31,32 @@ namespace fuga
                          const std::vector<BoundaryElement> &set,
                          const ReleasedSystem &released,
                          const Vector &reactions,
-                         const std::vector<TangentVector> &directions,
                          const std::vector<std::size_t> &resticking)
   {
     candidates.clear();
     bars.clear();
     free_motion.clear();
+    drift.clear();
     for (const BoundaryElement &member : set)
       {
         const ContactElement &element = elements[member.element];
         Candidate candidate;
-        candidate.element = member.element;
-        candidate.row     = bars.size();
-        candidate.at_apex = member.shear != ShearPosition::at_strength;
-        candidate.tangent = has_friction(element);
+        candidate.element    = member.element;
+        candidate.row        = bars.size();
+        candidate.at_apex    = member.shear != ShearPosition::at_strength;
+        candidate.n_tangents = has_friction(element) ? element.n_bars() - 1 : 0;
         candidate.resting =
           std::find(resticking.begin(), resticking.end(), member.element) != resticking.end();
         candidate.state = candidate.resting ? ContactState::stick : state.states[member.element];
-        candidate.direction = directions[member.element];
         bars.push_back(element.normal_bar);
-        if (candidate.tangent)
+        if (candidate.n_tangents > 0)
           {
             candidate.friction = element.friction.coefficient;
             bars.push_back(element.tangential_bar);
-            bars.push_back(element.second_tangential_bar);
+            if (candidate.n_tangents == 2)
+              bars.push_back(element.second_tangential_bar);
             const TangentVector T = tangential(element, state.forces);
-            if (!candidate.at_apex)
+            if (length(T) > 0.)
               candidate.direction = {{T[0] / length(T), T[1] / length(T)}};
           }
         candidates.push_back(candidate);
@@ -63,6 +65,9 @@ namespace fuga
     r = released.reactions(reactions, bars);
     v.assign(bars.size(), 0.);
     q = r;
+    diagonal.clear();
+    for (const std::size_t bar : bars)
+      diagonal.push_back(system.stiffness()(bar, bar));
 
     ConeContinuation result;
     Outcome outcome = iterate(n_iterations, result);
@@ -76,13 +81,17 @@ namespace fuga
       }
     if (outcome != Outcome::solved)
       {
-        result.has_mechanism = !free_motion.empty();
-        if (result.has_mechanism)
+        // A scheme without resistance, or what every sweep adds to the rates that grow beyond
+        // bounds.
+        for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
           {
-            if (dot(r, free_motion) < 0.)
-              for (double &rate : free_motion)
+            if (motion.empty() || result.has_mechanism)
+              continue;
+            if (dot(r, motion) < 0.)
+              for (double &rate : motion)
                 rate = -rate;
-            result.mechanism = full_rates(released, Vector(reactions.size(), 0.), free_motion);
+            result.mechanism     = full_rates(released, Vector(reactions.size(), 0.), motion);
+            result.has_mechanism = is_free_motion(result.mechanism, system);
           }
         return result;
       }
@@ -91,7 +100,10 @@ namespace fuga
     result.rates  = full_rates(released, reactions, v);
     for (const Candidate &candidate : candidates)
       {
-        result.states.push_back(candidate.state);
+        // Along a single bar slip has a sign, as in the plane.
+        const bool backward =
+          is_slipping(candidate.state) && candidate.n_tangents == 1 && candidate.direction[0] < 0.;
+        result.states.push_back(backward ? ContactState::slip_backward : candidate.state);
         result.directions.push_back(candidate.direction);
       }
     return result;
@@ -144,7 +156,23 @@ namespace fuga
   ConeRateProblem::noise(const std::size_t row) const
   {
     constexpr double rate_tolerance = 1e-10;
-    return rate_tolerance * (std::abs(r[row]) + W(row, row) * max_abs(v));
+    return rate_tolerance * (std::abs(r[row]) + diagonal[row] * max_abs(v));
+  }
+
+  double
+  ConeRateProblem::shear_stiffness(const Candidate &candidate) const
+  {
+    const TangentVector stiffnesses = tangential_rows(candidate, diagonal);
+    return (stiffnesses[0] + stiffnesses[1]) / static_cast<double>(candidate.n_tangents);
+  }
+
+  double
+  ConeRateProblem::shear_noise(const Candidate &candidate) const
+  {
+    double largest = 0.;
+    for (std::size_t i = 1; i <= candidate.n_tangents; ++i)
+      largest = std::max(largest, noise(candidate.row + i));
+    return largest + candidate.friction * noise(candidate.row);
   }
 
   // The state that the present rates ask for, and by how much they contradict the present one.
@@ -157,7 +185,7 @@ namespace fuga
     const double f           = candidate.friction;
     const bool open          = candidate.state == ContactState::open;
     const double no_force    = noise(n);
-    const double no_velocity = no_force / W(n, n);
+    const double no_velocity = no_force / diagonal[n];
     direction                = candidate.direction;
     violation                = 0.;
     if (candidate.at_apex)
@@ -170,14 +198,14 @@ namespace fuga
         if (open && v[n] >= -no_velocity)
           return ContactState::open;
         if (open)
-          violation = -v[n] * W(n, n);
+          violation = -v[n] * diagonal[n];
       }
-    if (!candidate.tangent)
+    if (candidate.n_tangents == 0)
       return ContactState::stick;
 
-    const TangentVector q_t = {{q[n + 1], q[n + 2]}}, v_t = {{v[n + 1], v[n + 2]}};
-    const double stiffness = 0.5 * (W(n + 1, n + 1) + W(n + 2, n + 2));
-    const double no_shear  = std::max(noise(n + 1), noise(n + 2)) + f * no_force;
+    const TangentVector q_t = tangential_rows(candidate, q), v_t = tangential_rows(candidate, v);
+    const double stiffness = shear_stiffness(candidate);
+    const double no_shear  = shear_noise(candidate);
     if (is_slipping(candidate.state))
       {
         if (candidate.slip >= -no_shear / stiffness)
@@ -191,7 +219,7 @@ namespace fuga
         return violation > no_shear ? ContactState::slip_forward : ContactState::stick;
       }
     // Closing or stuck at the apex: the force of Alart and Curnier's projection.
-    const double pressure = open ? -v[n] * W(n, n) : -q[n];
+    const double pressure = open ? -v[n] * diagonal[n] : -q[n];
     const TangentVector shear =
       open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
     const double excess = length(shear) - f * std::max(pressure, 0.);
@@ -249,7 +277,7 @@ namespace fuga
       if (candidate.at_apex && is_slipping(candidate.state))
         {
           const std::size_t n = candidate.row;
-          for (std::size_t i = 0; i < 2; ++i)
+          for (std::size_t i = 0; i < candidate.n_tangents; ++i)
             if (std::abs(q[n + 1 + i] + candidate.friction * q[n] * candidate.direction[i]) >
                 noise(n + 1 + i) + candidate.friction * noise(n))
               return false;
@@ -271,8 +299,8 @@ namespace fuga
           continue;
         const std::size_t n     = candidate.row;
         const double f          = candidate.friction;
-        const TangentVector q_t = {{q[n + 1], q[n + 2]}};
-        const double no_shear   = std::max(noise(n + 1), noise(n + 2)) + f * noise(n);
+        const TangentVector q_t = tangential_rows(candidate, q);
+        const double no_shear   = shear_noise(candidate);
         const double reserve    = -dot(candidate.direction, q_t) - f * q[n];
         const double turning    = dot(normal_to(candidate.direction), q_t);
         if (reserve <= no_shear && std::abs(turning) > std::sqrt(no_shear * length(q_t)))

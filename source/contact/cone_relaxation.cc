@@ -113,25 +113,34 @@ namespace fuga
     blas::axpy(q.size(), -change, W.column(row), q.data());
   }
 
+  // Kept above rounding: where an element carries a mechanism by itself nothing resists.
+  double
+  ConeRateProblem::own_stiffness(const std::size_t row) const
+  {
+    constexpr double rounding = 1e-13;
+    return std::max(W(row, row), rounding * diagonal[row]);
+  }
+
   void
   ConeRateProblem::relax(Candidate &candidate)
   {
     const std::size_t n = candidate.row;
     const double f      = candidate.friction;
-    if (!candidate.tangent)
+    if (candidate.n_tangents == 0)
       {
-        change_rate(n, std::max(0., v[n] + q[n] / W(n, n)) - v[n]);
+        change_rate(n, std::max(0., v[n] + q[n] / own_stiffness(n)) - v[n]);
         return;
       }
-    LocalProblem local;
-    local.friction = f;
-    for (std::size_t i = 0; i < 3; ++i)
+    // A second tangent that is not free: a row of its own without force.
+    LocalProblem local       = {f, {{0., 0., 0.}}, {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
+    const std::size_t n_rows = candidate.n_tangents + 1;
+    for (std::size_t i = 0; i < n_rows; ++i)
       {
         local.r[i] = q[n + i];
-        for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t j = 0; j < n_rows; ++j)
           {
-            local.W[i][j] = W(n + i, n + j);
-            local.r[i] += W(n + i, n + j) * v[n + j];
+            local.W[i][j] = i == j ? own_stiffness(n + i) : W(n + i, n + j);
+            local.r[i] += local.W[i][j] * v[n + j];
           }
       }
     std::array<double, 3> rates = {{0., 0., 0.}};
@@ -142,7 +151,7 @@ namespace fuga
         const double xi = std::max(0., local.slip(candidate.direction));
         rates           = {{0., xi * candidate.direction[0], xi * candidate.direction[1]}};
       }
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < n_rows; ++i)
       change_rate(n + i, rates[i] - v[n + i]);
   }
 
@@ -151,6 +160,9 @@ namespace fuga
   ConeRateProblem::sweep(const unsigned int n_sweeps)
   {
     constexpr double at_rest = 1e-10;
+    double unbounded         = 0.;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      unbounded = std::max(unbounded, 1e9 * std::abs(r[i]) / diagonal[i]);
     v.assign(bars.size(), 0.);
     q = r;
     for (unsigned int i = 0; i < n_sweeps; ++i)
@@ -163,6 +175,13 @@ namespace fuga
           change = std::max(change, std::abs(v[j] - before[j]));
         if (change <= at_rest * max_abs(v))
           return;
+        if (i + 1 == n_sweeps || change > unbounded)
+          {
+            drift = v;
+            for (std::size_t j = 0; j < v.size(); ++j)
+              drift[j] -= before[j];
+            return;
+          }
       }
   }
 
@@ -179,9 +198,9 @@ namespace fuga
             continue;
           }
         candidate.state = ContactState::stick;
-        if (!candidate.tangent)
+        if (candidate.n_tangents == 0)
           continue;
-        const TangentVector v_t = {{v[n + 1], v[n + 2]}};
+        const TangentVector v_t = tangential_rows(candidate, v);
         if (length(v_t) == 0.)
           continue;
         candidate.state = ContactState::slip_forward;

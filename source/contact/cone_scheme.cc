@@ -37,22 +37,22 @@ namespace fuga
         const double f             = candidate.friction;
         const TangentVector e = candidate.direction, side = normal_to(e);
         if (candidate.state == ContactState::open)
-          for (std::size_t i = 0; i < (candidate.tangent ? 3u : 1u); ++i)
+          for (std::size_t i = 0; i <= candidate.n_tangents; ++i)
             {
               std::array<double, 3> unit = {{0., 0., 0.}};
-              unit[i]                    = 1. / std::sqrt(W(row + i, row + i));
+              unit[i]                    = 1. / std::sqrt(diagonal[row + i]);
               unknowns.push_back({c, row, unit, unit, 0.});
             }
         else if (is_slipping(candidate.state))
           {
-            const double stiffness = 0.5 * (W(row + 1, row + 1) + W(row + 2, row + 2));
+            const double stiffness = shear_stiffness(candidate);
             const double scale     = 1. / std::sqrt(stiffness);
             unknowns.push_back({c,
                                 row,
                                 {{0., scale * e[0], scale * e[1]}},
                                 {{scale * f, scale * e[0], scale * e[1]}},
                                 0.});
-            if (!candidate.at_apex)
+            if (!candidate.at_apex || candidate.n_tangents < 2)
               continue;
             const double pressure = f * std::max(-q[row], 0.);
             const double s        = std::max(candidate.slip, 0.) + pressure / stiffness;
@@ -71,7 +71,7 @@ namespace fuga
     DenseMatrix M(n, n);
     Vector x(n, 0.);
     const auto n_rows = [&](const SchemeUnknown &unknown) {
-      return candidates[unknown.candidate].tangent ? 3u : 1u;
+      return candidates[unknown.candidate].n_tangents + 1;
     };
     for (std::size_t j = 0; j < n; ++j)
       {
@@ -94,10 +94,20 @@ namespace fuga
           rates[unknowns[j].row + a] += solution[j] * unknowns[j].column[a];
     };
 
+    // Rows and columns are scaled to a unit diagonal of W before bars were released, so that a
+    // matrix which is small as a whole counts as singular too.
     constexpr double smallest_condition = 1e-13;
-    DenseMatrix copy                    = M;
+    double norm                         = 0.;
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        double sum = 0.;
+        for (std::size_t i = 0; i < n; ++i)
+          sum += std::abs(M(i, j));
+        norm = std::max(norm, sum);
+      }
+    DenseMatrix copy = M;
     const LuFactors factors(std::move(M));
-    if (factors.reciprocal_condition() < smallest_condition)
+    if (n > 0 && factors.reciprocal_condition() * std::min(1., norm) < smallest_condition)
       {
         for (std::size_t j = 0; j < n; ++j)
           copy(j, j) += smallest_condition;
@@ -126,14 +136,13 @@ namespace fuga
         const TangentVector e = candidate.direction;
         const double scale    = length({{unknowns[j].column[1], unknowns[j].column[2]}});
         candidate.slip        = x[j] * scale;
-        if (!candidate.at_apex)
+        if (!candidate.at_apex || candidate.n_tangents < 2)
           continue;
         ++j;
-        const double s = turn_scales[unknowns[j].candidate];
-        const double stiffness =
-          0.5 * (W(candidate.row + 1, candidate.row + 1) + W(candidate.row + 2, candidate.row + 2));
-        const double eta  = x[j] / std::sqrt(stiffness);
-        const double turn = std::clamp(
+        const double s         = turn_scales[unknowns[j].candidate];
+        const double stiffness = shear_stiffness(candidate);
+        const double eta       = x[j] / std::sqrt(stiffness);
+        const double turn      = std::clamp(
           s > 0. ? eta / s : std::atan2(eta, candidate.slip), -largest_turn, largest_turn);
         const TangentVector side = normal_to(e);
         for (int i = 0; i < 2; ++i)

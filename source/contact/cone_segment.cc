@@ -4,6 +4,7 @@
 #include <fuga/base/blas.h>
 #include <fuga/base/errors.h>
 #include <fuga/contact/cone_segment.h>
+#include <fuga/contact/joint_water.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,14 @@ namespace fuga
       return result;
     }
 
+    void
+    set_tangential(const ContactElement &element, const TangentVector &value, Vector &of_bars)
+    {
+      of_bars[element.tangential_bar] = value[0];
+      if (element.has_second_tangential_bar())
+        of_bars[element.second_tangential_bar] = value[1];
+    }
+
     /** Dislocations without those of the slipping elements and of the released bars. */
     Vector
     fixed_dislocations(const ConeContext &context,
@@ -37,8 +46,7 @@ namespace fuga
         dislocations[bar] = 0.;
       for (const SlippingElement &slip : slipping)
         {
-          dislocations[context.elements[slip.element].tangential_bar]        = 0.;
-          dislocations[context.elements[slip.element].second_tangential_bar] = 0.;
+          set_tangential(context.elements[slip.element], {{0., 0.}}, dislocations);
         }
       return dislocations;
     }
@@ -68,7 +76,8 @@ namespace fuga
              slipping,
              context.released,
              context.system.forces(course.factors,
-                                   fixed_dislocations(context, slipping, start.state.dislocations)),
+                                   fixed_dislocations(context, slipping, start.state.dislocations),
+                                   start.state.water),
              course.drive.reactions,
              count)
     , fixed(fixed_dislocations(context, slipping, start.state.dislocations))
@@ -83,8 +92,8 @@ namespace fuga
         first.stage.slips.insert(first.stage.slips.end(), s.begin(), s.end());
         first.stage.directions.push_back(directions[slip.element]);
         first.stage.forces.push_back(start.state.forces[element.normal_bar]);
-        first.stage.forces.push_back(start.state.forces[element.tangential_bar]);
-        first.stage.forces.push_back(start.state.forces[element.second_tangential_bar]);
+        for (const double T : tangential(element, start.state.forces))
+          first.stage.forces.push_back(T);
         first.slip_rates.push_back(
           dot(directions[slip.element], tangential(element, start.rates.dislocations)));
       }
@@ -184,22 +193,13 @@ namespace fuga
   }
 
   void
-  ConeSegment::take_directions(std::vector<TangentVector> &directions) const
-  {
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      directions[slipping[i].element] = curve.back().stage.directions[i];
-  }
-
-  void
   ConeSegment::set_dislocations(const ConeStage &stage, Vector &dislocations) const
   {
     dislocations = fixed;
     for (std::size_t i = 0; i < slipping.size(); ++i)
-      {
-        const ContactElement &element               = context.elements[slipping[i].element];
-        dislocations[element.tangential_bar]        = stage.slips[2 * i];
-        dislocations[element.second_tangential_bar] = stage.slips[2 * i + 1];
-      }
+      set_tangential(context.elements[slipping[i].element],
+                     {{stage.slips[2 * i], stage.slips[2 * i + 1]}},
+                     dislocations);
   }
 
   // State and rates from the slips and the load alone: nothing accumulates from step to step.
@@ -215,7 +215,10 @@ namespace fuga
     for (std::size_t j = 0; j < factors.size(); ++j)
       factors[j] += tau * course.factor_rates[j];
     set_dislocations(station.stage, state.dislocations);
-    const Vector reactions = multiply(context.system.reactions(), factors);
+    release(course.drive, tau, state);
+    set_water(context.elements, context.system, factors, state);
+    const Vector reactions =
+      context.system.forces(factors, Vector(state.dislocations.size(), 0.), state.water);
     context.released.complete(reactions, state.dislocations);
     state.forces = forces_with(context.system, reactions, state.dislocations);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
@@ -231,13 +234,10 @@ namespace fuga
     JointRates &rates  = station.point.rates;
     rates.dislocations.assign(context.system.n_bars(), 0.);
     for (std::size_t i = 0; i < slipping.size(); ++i)
-      {
-        const ContactElement &element = context.elements[slipping[i].element];
-        rates.dislocations[element.tangential_bar] =
-          station.slip_rates[i] * station.stage.directions[i][0];
-        rates.dislocations[element.second_tangential_bar] =
-          station.slip_rates[i] * station.stage.directions[i][1];
-      }
+      set_tangential(context.elements[slipping[i].element],
+                     {{station.slip_rates[i] * station.stage.directions[i][0],
+                       station.slip_rates[i] * station.stage.directions[i][1]}},
+                     rates.dislocations);
     context.released.complete(course.drive.reactions, rates.dislocations);
     rates.forces     = forces_with(context.system, course.drive.reactions, rates.dislocations);
     station.reserves = context.boundary.reserves(station.point.state, station.point.rates);

@@ -11,20 +11,27 @@ namespace fuga
 {
   namespace
   {
-    std::vector<std::size_t>
-    bars_of(const std::vector<ContactElement> &elements,
-            const std::vector<SlippingElement> &slipping)
+    /** The bars of the slipping elements, and which of the rows N, T1, T2 of each they are. */
+    struct SlippingBars
     {
-      std::vector<std::size_t> bars;
-      for (const SlippingElement &slip : slipping)
-        {
-          const ContactElement &element = elements[slip.element];
-          bars.push_back(element.normal_bar);
-          bars.push_back(element.tangential_bar);
-          bars.push_back(element.second_tangential_bar);
-        }
-      return bars;
-    }
+      std::vector<std::size_t> bars, rows;
+
+      SlippingBars(const std::vector<ContactElement> &elements,
+                   const std::vector<SlippingElement> &slipping)
+      {
+        for (std::size_t i = 0; i < slipping.size(); ++i)
+          {
+            const ContactElement &element                = elements[slipping[i].element];
+            const std::array<unsigned int, 3> of_element = {
+              {element.normal_bar, element.tangential_bar, element.second_tangential_bar}};
+            for (std::size_t a = 0; a < element.n_bars(); ++a)
+              {
+                bars.push_back(of_element[a]);
+                rows.push_back(3 * i + a);
+              }
+          }
+      }
+    };
   } // namespace
 
   ConeStageSolver::ConeStageSolver(const std::vector<ContactElement> &elements,
@@ -37,13 +44,28 @@ namespace fuga
     , count(iteration_count)
     , K(3 * slipping.size(), 2 * slipping.size())
   {
-    const std::vector<std::size_t> bars = bars_of(elements, slipping);
-    p0                                  = released.reactions(at_start, bars);
-    p1                                  = released.reactions(rates, bars);
-    const DenseMatrix all               = released.stiffness(bars);
-    for (std::size_t j = 0; j < slipping.size(); ++j)
-      for (std::size_t a = 0; a < 2; ++a)
-        std::copy_n(all.column(3 * j + 1 + a), K.n_rows(), K.column(2 * j + a));
+    const SlippingBars own(elements, slipping);
+    const Vector reduced_start = released.reactions(at_start, own.bars);
+    const Vector reduced_rates = released.reactions(rates, own.bars);
+    const DenseMatrix reduced  = released.stiffness(own.bars);
+    p0.assign(3 * slipping.size(), 0.);
+    p1 = p0;
+    for (std::size_t j = 0; j < own.bars.size(); ++j)
+      {
+        const std::size_t row = own.rows[j];
+        p0[row]               = reduced_start[j];
+        p1[row]               = reduced_rates[j];
+        if (row % 3 == 0)
+          continue;
+        const std::size_t column = 2 * (row / 3) + row % 3 - 1;
+        for (std::size_t i = 0; i < own.bars.size(); ++i)
+          K(own.rows[i], column) = reduced(i, j);
+      }
+    for (const SlippingElement &slip : slipping)
+      {
+        diagonal.push_back(released.own_stiffness(elements[slip.element].tangential_bar));
+        is_plane.push_back(elements[slip.element].has_second_tangential_bar());
+      }
   }
 
   Vector
@@ -97,7 +119,7 @@ namespace fuga
         result.values[2 * i] = e[0] * along[3 * i + 1] + e[1] * along[3 * i + 2] + f * along[3 * i];
         result.values[2 * i + 1] =
           side[0] * stage.forces[3 * i + 1] + side[1] * stage.forces[3 * i + 2];
-        double size = K(3 * i + 1, 2 * i) * largest_slip;
+        double size = diagonal[i] * largest_slip;
         for (std::size_t a = 0; a < 3; ++a)
           size += (a == 0 ? f : 1.) * (std::abs(p0[3 * i + a]) + std::abs(tau * p1[3 * i + a]));
         for (std::size_t a = 0; a < 2; ++a)
@@ -121,7 +143,7 @@ namespace fuga
     for (std::size_t j = 0; j < n; ++j)
       {
         const TangentVector ej = stage.directions[j], sj = normal_to(ej);
-        const double k     = 0.5 * (K(3 * j + 1, 2 * j) + K(3 * j + 2, 2 * j + 1));
+        const double k     = diagonal[j];
         const double shear = ej[0] * stage.forces[3 * j + 1] + ej[1] * stage.forces[3 * j + 2];
         arms[j]            = std::abs(xi[j]) + std::abs(shear) / k;
         if (arms[j] == 0.)
@@ -141,7 +163,8 @@ namespace fuga
                 M(2 * i + 1, 2 * j + a) = dot(side, T);
               }
           }
-        M(2 * j + 1, 2 * j + 1) += shear / arms[j];
+        // Along a single bar nothing turns.
+        M(2 * j + 1, 2 * j + 1) += is_plane[j] ? shear / arms[j] : 1.;
         if (demand == Demand::rates)
           M(2 * j, 2 * j + 1) -=
             (sj[0] * residual.flow[3 * j + 1] + sj[1] * residual.flow[3 * j + 2]) / arms[j];
@@ -185,6 +208,8 @@ namespace fuga
       {
         if (residual.worst <= 1.)
           return true;
+        if (!std::isfinite(residual.worst))
+          return false;
         const bool fresh = needs_factors;
         if (needs_factors)
           factorise(demand, xi, stage, residual);
@@ -196,6 +221,7 @@ namespace fuga
         Vector step = residual.values;
         factorisation.factors->solve(step);
         ++count.n_iterations;
+        count.max_in_one               = std::max<std::size_t>(count.max_in_one, i + 1);
         const ConeStage stage_before   = stage;
         const Vector xi_before         = xi;
         const Residual residual_before = residual;

@@ -162,6 +162,52 @@ namespace fuga::tests
       }
   }
 
+  // Where only one tangential bar is free, in some elements or in all of them, states have the
+  // signs of the plane too.
+  TEST(ConeRandom, ElementsWithOneTangentialBarAreThoseOfTheEventPath)
+  {
+    for (unsigned int seed = 1; seed <= 30; ++seed)
+      {
+        std::mt19937 generator(seed);
+        const std::size_t n = 6;
+        ToySystem system;
+        system.S            = random_stiffness(2 * n, generator);
+        const DenseMatrix F = random_loads(n, generator);
+        system.F            = DenseMatrix(2 * n, 3);
+        for (std::size_t k = 0; k < n; ++k)
+          for (std::size_t a = 0; a < 2; ++a)
+            for (std::size_t j = 0; j < 3; ++j)
+              system.F(2 * k + a, j) = F(3 * k + a, j);
+        FrictionLaw friction;
+        friction.coefficient = 0.5;
+        const ToyJoint joint(n, 1., make_linear_law(0.1), make_linear_law(0.2), friction);
+        const LoadHistory history        = roundabout();
+        const std::vector<double> levels = {1., 2., 3., 4., 5.};
+        const LayeredSystem layered(system, joint.elements);
+        Record record(system, joint.elements, history);
+        EventPath path(joint.elements, layered, history, PathOptions());
+        const PathResult result = path.run(levels, record);
+        const ConeRun run(system, joint.elements, history, levels);
+        ASSERT_EQ(run.result.verdict, result.verdict) << "seed " << seed;
+        ASSERT_EQ(run.record.levels.size(), record.levels.size()) << "seed " << seed;
+        for (std::size_t l = 0; l < levels.size(); ++l)
+          {
+            EXPECT_LT(largest_difference(run.record.levels[l].forces, record.levels[l].forces),
+                      1e-9)
+              << "seed " << seed;
+            EXPECT_EQ(run.record.levels[l].states, record.levels[l].states) << "seed " << seed;
+          }
+        ASSERT_EQ(run.record.events.size(), record.events.size()) << "seed " << seed;
+        for (std::size_t i = 0; i < record.events.size(); ++i)
+          {
+            EXPECT_NEAR(run.record.events[i].t, record.events[i].t, 1e-9) << "seed " << seed;
+            EXPECT_EQ(run.record.events[i].element, record.events[i].element) << "seed " << seed;
+            EXPECT_EQ(run.record.events[i].to, record.events[i].to) << "seed " << seed;
+          }
+        EXPECT_LT(run.record.worst.worst(), 1e-8) << "seed " << seed;
+      }
+  }
+
   // Turning the tangents of every element in their plane changes nothing but the components.
   TEST(ConeRandom, TangentsMayBeTurned)
   {
@@ -208,6 +254,94 @@ namespace fuga::tests
       }
   }
 
+  namespace
+  {
+    /** A rigid plate on n elements at random places, or on a grid; load 0 presses its middle. */
+    ToySystem
+    random_plate(const std::size_t n, const bool on_grid, std::mt19937 &generator)
+    {
+      std::uniform_real_distribution<double> uniform(-1., 1.);
+      ToySystem system;
+      system.S = DenseMatrix(6, 6);
+      system.B = DenseMatrix(3 * n, 6);
+      system.F = DenseMatrix(6, 3);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const double x = on_grid ? static_cast<double>(k % 3) - 1. : uniform(generator);
+          const double y = on_grid ? static_cast<double>(k / 3) - 1. : uniform(generator);
+          for (std::size_t i = 0; i < 3; ++i)
+            system.B(3 * k + i, i) = 1.;
+          system.B(3 * k, 3)     = y;
+          system.B(3 * k, 4)     = -x;
+          system.B(3 * k + 1, 5) = -y;
+          system.B(3 * k + 2, 5) = x;
+        }
+      system.F(0, 0) = -1.;
+      for (std::size_t j = 1; j < 3; ++j)
+        for (std::size_t i = 0; i < 6; ++i)
+          system.F(i, j) = uniform(generator) * (i == 0 ? 0.1 : 0.3);
+      system.motions      = system.B;
+      system.motion_loads = system.F;
+      return system;
+    }
+  } // namespace
+
+  // Elastic bodies and rigid plates, soft, stiff and rigid layers, friction up to 1.2, gaps,
+  // elements without friction, six random load cases one after the other: every path ends with the
+  // history or at a limit load, and satisfies the judge at every event.
+  TEST(ConeRandom, ManyPathsEndProperly)
+  {
+    std::size_t n_limits = 0;
+    for (unsigned int seed = 1; seed <= 150; ++seed)
+      {
+        std::mt19937 generator(seed);
+        const auto pick = [&](const double a, const double b) {
+          return std::uniform_real_distribution<double>(a, b)(generator);
+        };
+        const bool is_plate   = seed % 3 == 0;
+        const std::size_t n   = 4 + generator() % 7;
+        const double friction = std::array<double, 4>{{0.2, 0.5, 0.8, 1.2}}[generator() % 4];
+        const double rho      = std::array<double, 3>{{1e-4, 0.05, 0.5}}[generator() % 3];
+        const bool is_rigid   = !is_plate && generator() % 4 == 0;
+        ToySystem system;
+        if (is_plate)
+          system = random_plate(n, seed % 2 == 0, generator);
+        else
+          {
+            system.S = random_stiffness(3 * n, generator);
+            system.F = random_loads(n, generator);
+          }
+        ConeJoint joint(n,
+                        1.,
+                        is_rigid ? make_rigid_law() : make_linear_law(rho),
+                        is_rigid ? make_rigid_law() : make_linear_law(rho * pick(0.5, 2.)),
+                        friction);
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            if (generator() % 4 == 0)
+              joint.elements[k].initial_gap = pick(0., 0.2) * (is_plate ? rho : 1.);
+            if (!is_plate && generator() % 6 == 0)
+              joint.elements[k].friction.coefficient = 0.;
+          }
+        std::vector<Vector> factors = {{0., 0., 0.}, {1., 0., 0.}};
+        Vector corners              = {0., 1.};
+        for (double corner = 2.; corner <= 6.; ++corner)
+          {
+            corners.push_back(corner);
+            factors.push_back({pick(0.5, 1.2), pick(-1.2, 1.2), pick(-1.2, 1.2)});
+          }
+        const LoadHistory history(corners, factors);
+        const ConeRun run(system, joint.elements, history, {1., 1.5, 3.3, 6.});
+        EXPECT_TRUE(run.result.verdict == Verdict::done ||
+                    (is_plate && run.result.verdict == Verdict::limit_load))
+          << "seed " << seed;
+        // The default bound of a run.
+        EXPECT_LT(run.record.worst.worst(), 1e-9) << "seed " << seed;
+        n_limits += run.result.verdict == Verdict::limit_load ? 1 : 0;
+      }
+    EXPECT_GT(n_limits, 10u);
+  }
+
   // Virgin joints without gaps under one load: everything is decided at the apex of the cones, and
   // the state grows in proportion to the load. Against Gauss-Seidel sweeps on the whole load at
   // once.
@@ -239,6 +373,94 @@ namespace fuga::tests
           value *= 0.25;
         EXPECT_LT(largest_difference(quarter, run.record.levels.front().forces), 1e-12);
         EXPECT_LT(run.record.worst.worst(), 1e-8) << "seed " << seed;
+      }
+  }
+
+  namespace
+  {
+    /** The cut at every report, and the last state. */
+    class Cuts : public PathObserver
+    {
+    public:
+      const ConePath *path = nullptr;
+      std::vector<PathCut> cuts;
+      JointState last;
+      std::size_t n_reports = 0;
+
+      bool
+      wants_cuts() const override
+      {
+        return true;
+      }
+
+      void
+      advanced(const PathPoint &, const PathPoint &to, const double) override
+      {
+        note(to.state);
+      }
+
+      void
+      jumped(const JointState &) override
+      {
+      }
+
+      void
+      changed(const std::vector<ContactEvent> &, const JointState &state) override
+      {
+        note(state);
+      }
+
+      void
+      reached(const std::size_t, const JointState &state) override
+      {
+        note(state);
+      }
+
+    private:
+      void
+      note(const JointState &state)
+      {
+        last = state;
+        ++n_reports;
+        cuts.push_back(path->last_cut());
+      }
+    };
+  } // namespace
+
+  // A path that is followed again from any of its cuts is the unbroken one, bit for bit, and what
+  // was reported before is not repeated.
+  TEST(ConeRandom, PathsCanBeCut)
+  {
+    for (unsigned int seed = 1; seed <= 4; ++seed)
+      {
+        std::mt19937 generator(seed);
+        const std::size_t n = 5;
+        ToySystem system;
+        system.S = random_stiffness(3 * n, generator);
+        system.F = random_loads(n, generator);
+        ConeJoint joint(n, 1., make_linear_law(0.1), make_linear_law(0.1), 0.5);
+        joint.elements[1].initial_gap    = 0.1;
+        const LoadHistory history        = roundabout();
+        const std::vector<double> levels = {0.5, 1.5, 2., 3.3};
+        const LayeredSystem layered(system, joint.elements);
+        ConePath path(joint.elements, layered, history, PathOptions());
+        Cuts unbroken;
+        unbroken.path           = &path;
+        const PathResult result = path.run(levels, unbroken);
+        ASSERT_EQ(result.verdict, Verdict::done);
+        for (std::size_t i = 0; i < unbroken.cuts.size(); i += 53)
+          {
+            ConePath rest(joint.elements, layered, history, PathOptions());
+            Cuts second;
+            second.path                  = &rest;
+            const PathResult rest_result = rest.resume(unbroken.cuts[i], levels, second);
+            EXPECT_EQ(second.n_reports, unbroken.n_reports - i - 1) << "seed " << seed;
+            EXPECT_EQ(rest_result.n_events, result.n_events) << "seed " << seed;
+            if (second.n_reports == 0)
+              continue;
+            EXPECT_EQ(second.last.forces, unbroken.last.forces) << "seed " << seed << ", " << i;
+            EXPECT_EQ(second.last.dislocations, unbroken.last.dislocations) << "seed " << seed;
+          }
       }
   }
 } // namespace fuga::tests

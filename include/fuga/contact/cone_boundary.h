@@ -6,6 +6,7 @@
 
 #include <fuga/contact/contact_boundary.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -33,19 +34,21 @@ namespace fuga
     return std::hypot(a[0], a[1]);
   }
 
-  /** The part of a bar vector that lies in the tangent plane of an element. */
+  /** The part of a bar vector that lies in the tangent plane of an element; where only one
+   * tangential bar is free, the second component is zero. */
   inline TangentVector
   tangential(const ContactElement &element, const Vector &of_bars)
   {
-    return {{of_bars[element.tangential_bar], of_bars[element.second_tangential_bar]}};
+    return {{of_bars[element.tangential_bar],
+             element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.}};
   }
 
-  /** It has a tangent plane and friction in it. Without friction its tangential bars, if it has
+  /** It has tangential bars and friction in them. Without friction its tangential bars, if it has
    * any, carry nothing. */
   inline bool
   has_friction(const ContactElement &element)
   {
-    return element.has_second_tangential_bar() && element.friction.coefficient > 0.;
+    return element.has_tangential_bar() && element.friction.coefficient > 0.;
   }
 
   /**
@@ -87,10 +90,12 @@ namespace fuga
     std::vector<Reserve>
     reserves(const JointState &state, const JointRates &rates) const;
 
+    /** Force below which a bar counts as unloaded [MN]; never below the rounding of the largest
+     * forces. */
     double
     force_tolerance(const std::size_t bar) const
     {
-      return scales.force_tolerance(bar);
+      return std::max(scales.force_tolerance(bar), smallest_tolerance);
     }
 
     /** Force below which the strength of an element, or its distance from it, is zero [MN]. */
@@ -113,6 +118,7 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     ContactBoundary scales;
     const LayeredSystem &system;
+    double smallest_tolerance = 0.;
   };
 } // namespace fuga
 

@@ -12,6 +12,10 @@
 
 namespace fuga
 {
+  /** What the laws of an element contain that ConePath cannot follow; empty if nothing. */
+  std::string
+  unavailable_in_cone_path(const ContactElement &element);
+
   /**
    * The path in three dimensions, with Coulomb's circular cone: elements have two tangential bars,
    * or none (doc/theory.md, section on three dimensions). Layers are linear or rigid, friction is
@@ -21,7 +25,7 @@ namespace fuga
   class ConePath : public ContactPath
   {
   public:
-    /** @throws InputError if a joint has a law that is not available in three dimensions. */
+    /** @throws InputError if something is asked for that is not available with circular cones. */
     ConePath(const std::vector<ContactElement> &elements,
              const LayeredSystem &system,
              const LoadHistory &history,
@@ -30,15 +34,12 @@ namespace fuga
     PathResult
     run(const std::vector<double> &levels, PathObserver &observer) override;
 
-    /** @throws InputError: a path in three dimensions cannot be cut. */
     PathResult
     resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) override;
 
-    /** @throws InputError, as resume(). */
     PathResult
     go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) override;
 
-    /** Never set. */
     const PathCut &
     last_cut() const override
     {
@@ -58,6 +59,10 @@ namespace fuga
     }
 
   private:
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer);
+    void
+    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
     Course
     next_course(const JointState &state) const;
     double
@@ -89,9 +94,10 @@ namespace fuga
     ReleasedSystem released;
     ConeRateProblem rate_problem;
     Standstill standstill;
-    /** Last slip direction of every element. */
+    /** Slip directions that the last decision left. */
     std::vector<TangentVector> directions;
     std::vector<std::size_t> resticking;
+    std::size_t next_level = 0;
     IterationCount iteration_count;
     SchemeWork scheme_work;
     std::vector<bool> ever_active;

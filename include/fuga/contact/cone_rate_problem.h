@@ -44,8 +44,7 @@ namespace fuga
     ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
     /**
-     * @p released: the firmly open bars; @p directions: of all elements, first guess for those at the
-     * apex; @p reactions: rates Ṙ of the forces without dislocations; @p resticking: elements whose
+     * @p released: the firmly open bars; @p reactions: rates Ṙ of the forces without dislocations; @p resticking: elements whose
      * slip has just come to rest.
      */
     ConeContinuation
@@ -53,7 +52,6 @@ namespace fuga
           const std::vector<BoundaryElement> &set,
           const ReleasedSystem &released,
           const Vector &reactions,
-          const std::vector<TangentVector> &directions,
           const std::vector<std::size_t> &resticking);
 
   private:
@@ -62,10 +60,11 @@ namespace fuga
     {
       std::size_t element = 0;
       /** First of its rows in the reduced system: n, then t1, t2 if it has friction. */
-      std::size_t row         = 0;
-      double friction         = 0.;
-      bool at_apex            = false;
-      bool tangent            = false;
+      std::size_t row = 0;
+      double friction = 0.;
+      bool at_apex    = false;
+      /** Tangential rows: none without friction, one where only one bar is free. */
+      std::size_t n_tangents  = 0;
       bool resting            = false;
       ContactState state      = ContactState::stick;
       TangentVector direction = {{1., 0.}};
@@ -94,6 +93,8 @@ namespace fuga
     slip_where_neutral();
     void
     sweep(const unsigned int n_sweeps);
+    double
+    own_stiffness(const std::size_t row) const;
     void
     relax(Candidate &candidate);
     void
@@ -104,6 +105,20 @@ namespace fuga
     refresh_forces();
     double
     noise(const std::size_t row) const;
+    /** The tangential rows of a candidate in v, q or the diagonal; the second is zero if it has
+     * none. */
+    static TangentVector
+    tangential_rows(const Candidate &candidate, const Vector &values)
+    {
+      return {
+        {values[candidate.row + 1], candidate.n_tangents == 2 ? values[candidate.row + 2] : 0.}};
+    }
+    /** Mean stiffness along the tangents, and the noise of the tangential forces and the strength.
+     */
+    double
+    shear_stiffness(const Candidate &candidate) const;
+    double
+    shear_noise(const Candidate &candidate) const;
     JointRates
     full_rates(const ReleasedSystem &released,
                const Vector &reactions,
@@ -116,8 +131,12 @@ namespace fuga
     std::vector<std::size_t> bars;
     DenseMatrix W;
     Vector r, v, q;
+    /** Diagonal of the stiffness before bars were released: the size of the terms in W. */
+    Vector diagonal;
     /** Null vector of the last singular scheme. */
     Vector free_motion;
+    /** What the last sweep of those that did not come to rest changed. */
+    Vector drift;
   };
 } // namespace fuga
 

@@ -58,10 +58,6 @@ namespace fuga
     std::vector<std::size_t>
     resticking() const override;
 
-    /** Overwrites the directions of the slipping elements by those at the end. */
-    void
-    take_directions(std::vector<TangentVector> &directions) const;
-
   private:
     /** A point of the curve with all that steps and events need. */
     struct Station

@@ -124,6 +124,11 @@ namespace fuga
     /** 3n x 2n. */
     DenseMatrix K;
     Vector p0, p1;
+    /** Stiffness of a tangential bar of each element without released bars: the size of terms. */
+    Vector diagonal;
+    /** Whether an element has two tangential bars; where it has one, the rows and columns of the
+     * second are zero. */
+    std::vector<bool> is_plane;
     std::array<Factorisation, 2> factorisations;
   };
 } // namespace fuga

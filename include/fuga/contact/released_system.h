@@ -38,6 +38,13 @@ namespace fuga
     DenseMatrix
     stiffness(const std::vector<std::size_t> &of_bars) const;
 
+    /** The diagonal entry of W, before anything is released [MN/m]. */
+    double
+    own_stiffness(const std::size_t bar) const
+    {
+      return system.stiffness()(bar, bar);
+    }
+
     /** r_c - W_co W_oo⁻¹ r_o for the given bars; @p reactions of all bars [MN]. */
     Vector
     reactions(const Vector &reactions, const std::vector<std::size_t> &of_bars) const;
