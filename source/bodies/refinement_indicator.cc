@@ -35,8 +35,9 @@ namespace fuga
     for (const auto &cell : children.triangulation().active_cell_iterators())
       {
         const auto parent = parents.triangulation().create_cell_iterator(cell->parent()->id());
+        // Where only rigid motions differ, rounding may have either sign.
         result[parents.cell_number(parent->active_cell_index())] +=
-          energies[children.cell_number(cell->active_cell_index())];
+          std::max(0., energies[children.cell_number(cell->active_cell_index())]);
       }
     return result;
   }

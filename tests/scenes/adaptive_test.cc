@@ -268,6 +268,31 @@ TEST(Adaptive, CannotBeRestarted)
 }
 
 
+// Blocks that rock: most cells of a dual field are only moved rigidly, and hold no energy but
+// rounding. The marks remain few, and at a limit load the last states are compared; it is an
+// answer, exit code 3.
+TEST(Adaptive, RockingBlocks)
+{
+  std::vector<std::string> overrides = pressure_within(0.01);
+  overrides.emplace_back("Target accuracy/Largest number of rounds=5");
+  const SceneRun run = run_scene("pier.prm", overrides);
+  const auto &rounds = run.summary.at("accuracy").at("rounds");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_LE(run.certificate(), 1e-9);
+  for (std::size_t i = 1; i < rounds.size(); ++i)
+    EXPECT_LT(rounds[i].at("cells").get<int>(), 2 * rounds[i - 1].at("cells").get<int>());
+  EXPECT_LT(estimate(run), 0.25 * rounds[0].at("estimated_error").get<double>());
+
+  overrides.back() = "Target accuracy/Largest number of rounds=2";
+  overrides.emplace_back("Stages/wind/Loads=wind: 3*t");
+  const SceneRun limit = run_scene("pier.prm", overrides);
+  EXPECT_EQ(limit.exit_code, 3);
+  EXPECT_EQ(limit.summary.at("verdict"), "limit load");
+  EXPECT_EQ(limit.summary.at("accuracy").at("rounds").size(), 2u);
+  EXPECT_FALSE(limit.summary.at("accuracy").at("estimated_error").is_null());
+}
+
+
 // Triangles are refined as a whole.
 TEST(Adaptive, Triangles)
 {
