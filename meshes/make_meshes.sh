@@ -20,6 +20,9 @@ make_mesh msh41 raous_32.msh raous.geo -setnumber n 32
 make_mesh msh41 raous_64.msh raous.geo -setnumber n 64
 make_mesh msh41 patch_quad.msh patch.geo -setnumber size 0.8
 make_mesh msh41 patch_tri.msh patch.geo -setnumber triangles 1
+gmsh -3 -v 2 -format msh41 -o patch_hex.msh patch_3d.geo
+gmsh -3 -v 2 -format msh41 -setnumber tetrahedra 1 -o patch_tet.msh patch_3d.geo
+gmsh -3 -v 2 -format msh41 -o dam_block_3d.msh dam_block_3d.geo
 make_mesh msh41 crack.msh crack.geo
 make_mesh msh41 cross.msh cross.geo
 make_mesh msh41 wall.msh wall.geo

@@ -29,7 +29,7 @@ namespace fuga
      */
     Vector
     unit_jump(const std::vector<ContactElement> &elements,
-              const std::vector<std::array<double, 3>> &normals,
+              const std::vector<ElementFrame> &frames,
               const unsigned int joint,
               const unsigned int component,
               const std::size_t n_bars)
@@ -49,8 +49,9 @@ namespace fuga
           else if (component == 0)
             jump[element.normal_bar] = 1.;
           else if (component == 2)
-            jump[element.normal_bar] = (element.position[0] - first->position[0]) * normals[k][1] -
-                                       (element.position[1] - first->position[1]) * normals[k][0];
+            jump[element.normal_bar] =
+              (element.position[0] - first->position[0]) * frames[k].normal[1] -
+              (element.position[1] - first->position[1]) * frames[k].normal[0];
         }
       return jump;
     }
@@ -160,7 +161,7 @@ namespace fuga
             result.push_back(
               {model.monitor_points[item].unit_force(component), Vector(n_bars, 0.)});
           else
-            result.push_back({{}, unit_jump(elements, model.normals, item, component, n_bars)});
+            result.push_back({{}, unit_jump(elements, model.frames, item, component, n_bars)});
       return result;
     }
   } // namespace

@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/point_text.h>
 #include <fuga/io/layer_law.h>
 #include <fuga/joint_model.h>
 
@@ -40,15 +41,22 @@ namespace fuga
     }
 
     template <int dim>
+    dealii::Point<dim>
+    place_of(const ContactElement &element)
+    {
+      dealii::Point<dim> point;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = element.position[d];
+      return point;
+    }
+
+    template <int dim>
     double
     initial_gap(const FieldExpression<dim> &expression,
                 const ContactElement &element,
                 const JointParameters &joint)
     {
-      dealii::Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = element.position[d];
-      const double gap = expression.value(point, 0);
+      const double gap = expression.value(place_of<dim>(element), 0);
       if (gap < 0.)
         throw InputError(fmt::format(
           "{}: the initial gap '{}' of joint '{}' is {:g} at ({}). A gap is not negative: "
@@ -83,6 +91,8 @@ namespace fuga
           rigid[element.normal_bar] = is_rigid(element, true);
           if (element.has_tangential_bar())
             rigid[element.tangential_bar] = is_rigid(element, false);
+          if (element.has_second_tangential_bar())
+            rigid[element.second_tangential_bar] = is_rigid(element, false);
         }
       for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
         {
@@ -110,6 +120,7 @@ namespace fuga
       return repeated;
     }
 
+    template <int dim>
     void
     separate_repeated_bars(const ContactSystem &system, JointModel &model)
     {
@@ -122,7 +133,9 @@ namespace fuga
       for (ContactElement &element : model.elements)
         {
           const bool normal = repeated[element.normal_bar];
-          const bool shear  = element.has_tangential_bar() && repeated[element.tangential_bar];
+          const bool shear =
+            (element.has_tangential_bar() && repeated[element.tangential_bar]) ||
+            (element.has_second_tangential_bar() && repeated[element.second_tangential_bar]);
           if (!normal && !shear)
             continue;
           const double compliance = crossing_compliance * element.area / stiffness;
@@ -131,12 +144,10 @@ namespace fuga
             element.normal_law = model.laws.back().get();
           if (shear)
             element.shear_law = model.laws.back().get();
-          model.report.push_back(
-            fmt::format("rigid joints cross at ({:.6g}, {:.6g}): the element there gets the "
-                        "compliance {:.3g}, so that its forces are unique",
-                        element.position[0],
-                        element.position[1],
-                        compliance));
+          model.report.push_back(fmt::format("rigid joints cross at {}: the element there gets the "
+                                             "compliance {:.3g}, so that its forces are unique",
+                                             text_of(place_of<dim>(element)),
+                                             compliance));
         }
     }
   } // namespace
@@ -166,7 +177,7 @@ namespace fuga
               element.initial_gap = initial_gap(gap, element, joint);
             }
       }
-    separate_repeated_bars(bodies, model);
+    separate_repeated_bars<dim>(bodies, model);
     return model;
   }
 
@@ -191,6 +202,14 @@ namespace fuga
                       const std::map<std::string, double> &);
   template void
   check_initial_gaps<2>(const std::vector<ContactElement> &,
+                        const std::vector<JointParameters> &,
+                        const std::map<std::string, double> &);
+  template JointModel
+  make_joint_model<3>(const CondensedSystem<3> &,
+                      const std::vector<JointParameters> &,
+                      const std::map<std::string, double> &);
+  template void
+  check_initial_gaps<3>(const std::vector<ContactElement> &,
                         const std::vector<JointParameters> &,
                         const std::map<std::string, double> &);
 } // namespace fuga

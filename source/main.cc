@@ -168,6 +168,36 @@ namespace
       }
   }
 
+  template <int dim>
+  int
+  compute(const CommandLine &line,
+          const Parameters &parameters,
+          const std::optional<Checkpoint> &checkpoint)
+  {
+    auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
+                                                 parameters.output.log != LogDetail::quiet);
+    auto model   = std::make_unique<const Model<dim>>(
+      parameters, checkpoint ? checkpoint->construction : ConstructionState());
+    waiting.reset();
+    if (line.check_only)
+      {
+        fmt::print("{}: no errors found.\n", line.file);
+        return 0;
+      }
+    const auto run = [&] {
+      if constexpr (dim == 2)
+        if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
+          return AdaptiveRun<dim>(std::move(model)).run();
+      return parameters.variants.empty()
+               ? run_all_phases<dim>(std::move(model), checkpoint ? &*checkpoint : nullptr)
+               : Sweep<dim>(*model).run();
+    };
+    const ExitCode code = run();
+    if (parameters.output.report && code != ExitCode::input_error)
+      report_after_run(parameters.output);
+    return static_cast<int>(code);
+  }
+
   int
   execute(const CommandLine &line)
   {
@@ -205,27 +235,8 @@ namespace
         if (is_complete(*checkpoint, parameters))
           return report_complete_run(*checkpoint, parameters);
       }
-    auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
-                                                 parameters.output.log != LogDetail::quiet);
-    auto model   = std::make_unique<const Model<2>>(
-      parameters, checkpoint ? checkpoint->construction : ConstructionState());
-    waiting.reset();
-    if (line.check_only)
-      {
-        fmt::print("{}: no errors found.\n", line.file);
-        return 0;
-      }
-    const auto run = [&] {
-      if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
-        return AdaptiveRun<2>(std::move(model)).run();
-      return parameters.variants.empty()
-               ? run_all_phases<2>(std::move(model), checkpoint ? &*checkpoint : nullptr)
-               : Sweep<2>(*model).run();
-    };
-    const ExitCode code = run();
-    if (parameters.output.report && code != ExitCode::input_error)
-      report_after_run(parameters.output);
-    return static_cast<int>(code);
+    return parameters.model.dimension == 3 ? compute<3>(line, parameters, checkpoint)
+                                           : compute<2>(line, parameters, checkpoint);
   }
 } // namespace
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/errors.h>
+#include <fuga/contact/path_choice.h>
 #include <fuga/io/process_info.h>
 #include <fuga/joint_model.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/model.h>
+
+#include <fmt/format.h>
 
 namespace fuga
 {
@@ -35,7 +39,7 @@ namespace fuga
     , monitors(make_monitors())
     , joint_names(find_joint_names())
     , stage_names(find_stage_names())
-    , normals(find_normals())
+    , frames(find_frames())
     , joints_there(find_joints_there())
   {
     if (before)
@@ -87,6 +91,7 @@ namespace fuga
   LoadProgram
   Model<dim>::make_loads(const PhaseEnd *before)
   {
+    check_cones();
     check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);
     LoadProgram program = make_load_program(parameters.model, bodies);
     if (construction.stage == 0)
@@ -144,13 +149,66 @@ namespace fuga
   }
 
   template <int dim>
-  std::vector<std::array<double, 3>>
-  Model<dim>::find_normals() const
+  std::vector<ElementFrame>
+  Model<dim>::find_frames() const
   {
-    std::vector<std::array<double, 3>> result;
+    std::vector<ElementFrame> result;
     for (std::size_t k = 0; k < bodies.elements().size(); ++k)
-      result.push_back(bodies.normal(k));
+      result.push_back({bodies.normal(k), bodies.tangents(k)});
     return result;
+  }
+
+  template <int dim>
+  std::vector<JointResultant>
+  Model<dim>::resultants(const std::vector<ElementResult> &results, const Vector &dissipation) const
+  {
+    if constexpr (dim == 3)
+      return joint_resultants_in_space(
+        joint_names.size(), bodies.elements(), frames, results, dissipation);
+    else
+      {
+        std::vector<std::array<double, 3>> normals;
+        for (const ElementFrame &frame : frames)
+          normals.push_back(frame.normal);
+        return joint_resultants(joint_names.size(),
+                                bodies.elements(),
+                                normals,
+                                results,
+                                dissipation,
+                                {parameters.model.thickness,
+                                 parameters.model.assumption == PlaneAssumption::axisymmetric});
+      }
+  }
+
+  // What a path on cones does not know, before anything is computed.
+  template <int dim>
+  void
+  Model<dim>::check_cones() const
+  {
+    if (!have_cones(bodies.elements()))
+      return;
+    for (const ContactElement &element : bodies.elements())
+      if (element.has_tangential_bar() && !element.has_second_tangential_bar())
+        throw InputError(fmt::format(
+          "{}: joint '{}' at ({:g}, {:g}, {:g}): supports hold one direction of slip here, and not "
+          "elsewhere. That is not available in this version: hold that direction along all joints "
+          "with friction, or nowhere.",
+          parameters.joints[element.joint].origin,
+          parameters.joints[element.joint].definition.name,
+          element.position[0],
+          element.position[1],
+          element.position[2]));
+    if (first_stages_of_phases(parameters.model).size() > 1)
+      throw InputError(fmt::format(
+        "{}: construction in stages and grouting are not available with friction in space in this "
+        "version. Build all bodies at the start.",
+        parameters.parameter_file));
+    for (const StageDefinition &stage : parameters.model.stages)
+      if (stage.purpose != StagePurpose::loading)
+        throw InputError(fmt::format(
+          "{}: searches for factors of safety are not available with friction in space in this "
+          "version. Let the loads of a last stage grow until nothing carries them.",
+          parameters.parameter_file));
   }
 
   template <int dim>
@@ -198,7 +256,7 @@ namespace fuga
   {
     std::size_t n_bars = 0;
     for (const ContactElement &element : bodies.elements())
-      n_bars += element.has_tangential_bar() ? 2 : 1;
+      n_bars += element.n_bars();
     return {{"cells", bodies.discretization().n_cells()},
             {"degrees_of_freedom", bodies.discretization().n_dofs()},
             {"load_patterns", bodies.load_patterns().n_columns()},
@@ -208,4 +266,5 @@ namespace fuga
   }
 
   template class Model<2>;
+  template class Model<3>;
 } // namespace fuga

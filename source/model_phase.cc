@@ -108,6 +108,8 @@ namespace fuga
         add(element.normal_bar, *element.normal_law);
         if (element.has_tangential_bar())
           add(element.tangential_bar, *element.shear_law);
+        if (element.has_second_tangential_bar())
+          add(element.second_tangential_bar, *element.shear_law);
       }
     const dealii::Vector<double> u(construction.displacement.begin(),
                                    construction.displacement.end());
@@ -146,4 +148,5 @@ namespace fuga
   }
 
   template class Model<2>;
+  template class Model<3>;
 } // namespace fuga

@@ -32,4 +32,8 @@ namespace fuga
   run_all_phases(std::unique_ptr<const Model<2>>,
                  const Checkpoint *,
                  const std::function<void()> &);
+  template ExitCode
+  run_all_phases(std::unique_ptr<const Model<3>>,
+                 const Checkpoint *,
+                 const std::function<void()> &);
 } // namespace fuga

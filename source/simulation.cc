@@ -20,17 +20,17 @@ namespace fuga
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
     , loading(model.loads.history.until(model.loads.end_of_loading))
-    , path(joint.elements, layered, loading, model.path_options())
+    , path(make_contact_path(joint.elements, layered, loading, model.path_options()))
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
     , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
               model.joints_there,
               model.stage_names,
-              model.normals,
               model.monitors,
               parameters.output.units,
-              !model.bodies.opening_water().empty()}
+              !model.bodies.closed_water().empty(),
+              dim == 3}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
     , history(parameters.output.directory, context)
@@ -47,7 +47,7 @@ namespace fuga
   {
     begin_output();
     log_header();
-    return follow([this]() { return path.run(model.loads.levels, *this); });
+    return follow([this]() { return path->run(model.loads.levels, *this); });
   }
 
   template <int dim>
@@ -184,8 +184,11 @@ namespace fuga
         model.timer.finish("fields");
       }
     worst.absorb(certificate);
-    history.add_level(
-      state.t, results, resultants_of(results), judge.energies(), certificate.worst());
+    history.add_level(state.t,
+                      results,
+                      model.resultants(results, judge.dissipation()),
+                      judge.energies(),
+                      certificate.worst());
     write_monitors(state.t, "level", x, a);
     log.level(state.t, results, certificate.worst());
     publish(false);
@@ -221,19 +224,6 @@ namespace fuga
     return water.empty() ? Vector() : multiply(water, factors);
   }
 
-  template <int dim>
-  std::vector<JointResultant>
-  Simulation<dim>::resultants_of(const std::vector<ElementResult> &results) const
-  {
-    return joint_resultants(
-      model.joint_names.size(),
-      joint.elements,
-      model.normals,
-      results,
-      judge.dissipation(),
-      {parameters.model.thickness, parameters.model.assumption == PlaneAssumption::axisymmetric});
-  }
-
   // At a limit load the last state in equilibrium is written like a level.
   template <int dim>
   void
@@ -248,4 +238,5 @@ namespace fuga
   }
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace fuga

@@ -24,7 +24,8 @@ namespace fuga
   bool
   Simulation<dim>::keeps_checkpoints() const
   {
-    return parameters.output.checkpoint != CheckpointOutput::never;
+    // A path on cones cannot be cut.
+    return parameters.output.checkpoint != CheckpointOutput::never && !have_cones(joint.elements);
   }
 
   template <int dim>
@@ -51,7 +52,7 @@ namespace fuga
   Simulation<dim>::write_checkpoint()
   {
     Checkpoint checkpoint;
-    checkpoint.cut = path.last_cut();
+    checkpoint.cut = path->last_cut();
     write_checkpoint(std::move(checkpoint));
   }
 
@@ -66,7 +67,7 @@ namespace fuga
     checkpoint.finished   = true;
     checkpoint.verdict    = outcome.verdict;
     checkpoint.exit_code  = static_cast<int>(outcome.code);
-    checkpoint.cut        = path.last_cut();
+    checkpoint.cut        = path->last_cut();
     checkpoint.cut.result = outcome.path;
     write_checkpoint(std::move(checkpoint));
   }
@@ -113,7 +114,7 @@ namespace fuga
                          fraction,
                          model.stage_names[stage],
                          last_state.t));
-    return follow([&]() { return path.resume(checkpoint.cut, model.loads.levels, *this); });
+    return follow([&]() { return path->resume(checkpoint.cut, model.loads.levels, *this); });
   }
 
   // At every moment the directory holds what the checkpoint refers to, which remains valid until
@@ -150,4 +151,5 @@ namespace fuga
   }
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace fuga

@@ -37,7 +37,7 @@ namespace fuga
 
     fill(end.checkpoint);
     end.checkpoint.cut.result     = *end_of_phase;
-    end.checkpoint.cut.iterations = path.iterations();
+    end.checkpoint.cut.iterations = path->iterations();
     end.checkpoint.cut.next_level = levels_written;
     model.timer.finish("change of construction");
     end.timer = model.timer;
@@ -67,8 +67,9 @@ namespace fuga
     log.line(model.change_of_construction());
     for (const std::string &line : joint.report)
       log.line(line);
-    return follow([&]() { return path.go_on(checkpoint.cut, model.loads.levels, *this); });
+    return follow([&]() { return path->go_on(checkpoint.cut, model.loads.levels, *this); });
   }
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace fuga

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/discretization.h>
+#include <fuga/bodies/point_text.h>
 #include <fuga/io/process_info.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
@@ -97,11 +98,14 @@ namespace fuga
     for (unsigned int j = 0; j < parameters.joints.size(); ++j)
       {
         const JointParameters &data = parameters.joints[j];
-        double length               = 0.;
+        double length               = 0.; // of an area: the side of a square as large
         for (const JointFace &face : model.bodies.joint_faces())
           if (face.joint == j)
-            length += std::hypot(face.positions.back()[0] - face.positions.front()[0],
-                                 face.positions.back()[1] - face.positions.front()[1]);
+            length += dim == 2 ? std::hypot(face.positions.back()[0] - face.positions.front()[0],
+                                            face.positions.back()[1] - face.positions.front()[1])
+                               : face.area;
+        if (dim == 3)
+          length = std::sqrt(length);
         std::string text        = fmt::format("joint '{}': normal {}, shear {}, {}",
                                        data.definition.name,
                                        joint.laws[2 * j]->description(),
@@ -160,24 +164,26 @@ namespace fuga
   std::string
   Simulation<dim>::describe_critical(const PathResult &result) const
   {
-    constexpr std::size_t max_named = 3;
-    const CriticalFriction &place   = result.critical;
+    constexpr std::size_t max_named  = 3;
+    const CriticalFriction &critical = result.critical;
     std::string where;
-    for (std::size_t i = 0; i < std::min(max_named, place.elements.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_named, critical.elements.size()); ++i)
       {
-        const ContactElement &element = joint.elements[place.elements[i]];
-        where += fmt::format("{}{} {} at ({:.6g}, {:.6g})",
+        const ContactElement &element = joint.elements[critical.elements[i]];
+        dealii::Point<dim> place;
+        for (unsigned int c = 0; c < dim; ++c)
+          place[c] = element.position[c];
+        where += fmt::format("{}{} {} at {}",
                              i == 0 ? "" : ", ",
                              model.joint_names[element.joint],
                              element.number,
-                             element.position[0],
-                             element.position[1]);
+                             text_of(place));
       }
-    if (place.elements.size() > max_named)
-      where += fmt::format(" and {} more", place.elements.size() - max_named);
+    if (critical.elements.size() > max_named)
+      where += fmt::format(" and {} more", critical.elements.size() - max_named);
     return fmt::format("friction beyond its critical value: {}{} continuations, decided by {}",
-                       place.all_counted ? "" : "at least ",
-                       place.n_branches,
+                       critical.all_counted ? "" : "at least ",
+                       critical.n_branches,
                        where);
   }
 
@@ -229,7 +235,7 @@ namespace fuga
     log_resultants();
     if (!accuracy.rounds.empty())
       log.line("Accuracy    " + accuracy.conclusion());
-    const IterationCount iterations = path.iterations();
+    const IterationCount iterations = path->iterations();
     if (iterations.n_solutions > 0)
       log.line(fmt::format("Iterations  {} in {} solutions, at most {} in one",
                            iterations.n_iterations,
@@ -263,10 +269,11 @@ namespace fuga
     const Units &u    = parameters.output.units;
     std::string title = "Resultants";
     const std::vector<JointResultant> resultants =
-      resultants_of(element_results(joint.elements,
-                                    last_state,
-                                    layered.jumps(last_state.dislocations, last_state.forces),
-                                    closed_water(model.loads.history.factors(last_state.t))));
+      model.resultants(element_results(joint.elements,
+                                       last_state,
+                                       layered.jumps(last_state.dislocations, last_state.forces),
+                                       closed_water(model.loads.history.factors(last_state.t))),
+                       judge.dissipation());
     for (std::size_t j = 0; j < resultants.size(); ++j)
       {
         if (!model.joints_there[j])
@@ -275,8 +282,12 @@ namespace fuga
         std::string text        = "no force";
         if (r.share_stick + r.share_slip > 0.)
           {
-            text = fmt::format("N {:.6g} {}, T {:.6g} {}", r.N, u.force, r.T, u.force);
-            if (std::isfinite(r.M))
+            text = fmt::format("N {:.6g} {}, T {:.6g} {}",
+                               r.N,
+                               u.force,
+                               dim == 2 ? r.T : std::hypot(r.T, r.T2),
+                               u.force);
+            if (dim == 2 && std::isfinite(r.M))
               text += fmt::format(", M {:.6g} {}", r.M, u.energy());
             text += fmt::format("; in compression {:.1f} %", 100. * r.share_compression);
             if (std::isfinite(r.sliding_safety))
@@ -310,10 +321,10 @@ namespace fuga
     summary.accuracy          = accuracy;
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
     summary.sizes             = model.sizes();
-    summary.work              = {model.bodies.work(), 1, path.work()};
+    summary.work              = {model.bodies.work(), 1, path->work()};
     summary.events_by_kind    = events_by_kind;
     summary.n_events          = n_events;
-    summary.iterations        = path.iterations();
+    summary.iterations        = path->iterations();
     summary.certificate       = worst;
     summary.certificate_bound = parameters.solver.certificate_bound;
     summary.phases            = model.timer.seconds();
@@ -325,4 +336,5 @@ namespace fuga
   }
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace fuga

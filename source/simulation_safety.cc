@@ -42,7 +42,7 @@ namespace fuga
     searching                = true;
     for (std::size_t s = first; s < model.stage_names.size(); ++s)
       {
-        outcome.safety.push_back(find_factor(s, path.last_cut()));
+        outcome.safety.push_back(find_factor(s, path->last_cut()));
         judge.restore(judged);
       }
     searching  = false;
@@ -66,8 +66,8 @@ namespace fuga
     options.beyond_limit = false;
 
     const LoadHistory history_to_follow = history_of(search);
-    EventPath way(joint.elements, layered, history_to_follow, options);
-    const PathResult result = way.resume(start, levels, *this);
+    const auto way = make_contact_path(joint.elements, layered, history_to_follow, options);
+    const PathResult result = way->resume(start, levels, *this);
     if (result.verdict != Verdict::done)
       write_last_state();
 
@@ -150,4 +150,5 @@ namespace fuga
   }
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace fuga

@@ -137,12 +137,12 @@ namespace fuga
     const LayeredSystem &system = layered_system_of(joint);
     Judge judge(model.bodies, joint.elements, history);
     Observer observer(judge, joint.elements);
-    EventPath path(joint.elements, system, history, model.path_options());
+    const auto path = make_contact_path(joint.elements, system, history, model.path_options());
 
     Row row;
     try
       {
-        row.path    = path.run({}, observer);
+        row.path    = path->run({}, observer);
         row.verdict = verdict_name(row.path.verdict);
       }
     catch (const NumericalFailure &)
@@ -156,16 +156,9 @@ namespace fuga
         const Vector jumps =
           system.jumps(observer.last_state.dislocations, observer.last_state.forces);
         const auto results = element_results(joint.elements, observer.last_state, jumps);
-        row.resultants =
-          joint_resultants(variant.joints.size(),
-                           joint.elements,
-                           model.normals,
-                           results,
-                           judge.dissipation(),
-                           {model.parameters.model.thickness,
-                            model.parameters.model.assumption == PlaneAssumption::axisymmetric});
-        const Vector x = judge.coordinates(jumps, observer.last_state.t),
-                     a = history.factors(observer.last_state.t);
+        row.resultants     = model.resultants(results, judge.dissipation());
+        const Vector x     = judge.coordinates(jumps, observer.last_state.t),
+                     a     = history.factors(observer.last_state.t);
         for (const Monitor &monitor : model.monitors)
           row.displacements.push_back(monitor.displacement(x, a));
       }
@@ -176,14 +169,14 @@ namespace fuga
     row.certificate   = observer.worst.worst();
     row.warnings =
       observer.tables.warnings(model.joint_names, model.parameters.output.units.stress());
-    count(row, path);
+    count(row, *path);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
   }
 
   template <int dim>
   void
-  Sweep<dim>::count(const Row &row, const EventPath &path)
+  Sweep<dim>::count(const Row &row, const ContactPath &path)
   {
     ++summary.n_variants;
     ++summary.verdicts[row.verdict];
@@ -331,4 +324,5 @@ namespace fuga
   }
 
   template class Sweep<2>;
+  template class Sweep<3>;
 } // namespace fuga

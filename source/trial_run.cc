@@ -71,20 +71,13 @@ namespace fuga
   void
   TrialRun<dim>::add_level(const JointState &state)
   {
-    const Parameters &parameters = its_model.parameters;
-    const Vector jumps           = layered.jumps(state.dislocations, state.forces);
+    const Vector jumps = layered.jumps(state.dislocations, state.forces);
     Level level;
     level.t          = state.t;
     level.x          = judge.coordinates(jumps, state.t);
     level.a          = its_model.loads.history.factors(state.t);
     level.results    = element_results(joint.elements, state, jumps);
-    level.resultants = joint_resultants(
-      its_model.joint_names.size(),
-      joint.elements,
-      its_model.normals,
-      level.results,
-      Vector(joint.elements.size(), 0.),
-      {parameters.model.thickness, parameters.model.assumption == PlaneAssumption::axisymmetric});
+    level.resultants = its_model.resultants(level.results, Vector(joint.elements.size(), 0.));
     all_levels.push_back(std::move(level));
   }
 

@@ -8,6 +8,7 @@
 #include <fuga/bodies/load_program.h>
 #include <fuga/bodies/monitor.h>
 #include <fuga/contact/event_path.h>
+#include <fuga/io/joint_resultant.h>
 #include <fuga/io/parameters.h>
 #include <fuga/phase_end.h>
 
@@ -45,12 +46,16 @@ namespace fuga
     const LoadProgram loads;
     const std::vector<Monitor> monitors;
     const std::vector<std::string> joint_names, stage_names;
-    const std::vector<std::array<double, 3>> normals;
+    const std::vector<ElementFrame> frames;
     /** Whether a joint has bodies on both sides. */
     const std::vector<bool> joints_there;
 
     PathOptions
     path_options() const;
+
+    /** What the joints carry; @p dissipation: per element. */
+    std::vector<JointResultant>
+    resultants(const std::vector<ElementResult> &results, const Vector &dissipation) const;
 
     /** Sizes for the summary. */
     std::vector<std::pair<std::string, std::size_t>>
@@ -105,8 +110,10 @@ namespace fuga
     find_joint_names() const;
     std::vector<std::string>
     find_stage_names() const;
-    std::vector<std::array<double, 3>>
-    find_normals() const;
+    std::vector<ElementFrame>
+    find_frames() const;
+    void
+    check_cones() const;
     std::vector<bool>
     find_joints_there() const;
   };

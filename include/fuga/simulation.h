@@ -4,6 +4,7 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
+#include <fuga/contact/path_choice.h>
 #include <fuga/io/accuracy_report.h>
 #include <fuga/io/checkpoint.h>
 #include <fuga/io/summary.h>
@@ -12,6 +13,7 @@
 #include <fuga/table_range.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace fuga
@@ -151,8 +153,6 @@ namespace fuga
     /** Forces of water in closed elements; empty without water. */
     Vector
     closed_water(const Vector &factors) const;
-    std::vector<JointResultant>
-    resultants_of(const std::vector<ElementResult> &results) const;
     void
     finish(const Outcome &outcome);
     std::string
@@ -174,7 +174,7 @@ namespace fuga
     const LayeredSystem layered;
     /** The loads without the searches for safety that follow them. */
     const LoadHistory loading;
-    EventPath path;
+    std::unique_ptr<ContactPath> path;
     Judge judge;
     TableRange tables;
     const HistoryContext context;

@@ -40,7 +40,7 @@ namespace fuga
     layered_system_of(const JointModel &joint);
     /** Adds a variant to the summary. */
     void
-    count(const Row &row, const EventPath &path);
+    count(const Row &row, const ContactPath &path);
     void
     write_summary(const std::string &verdict, const ExitCode code);
     void

@@ -6,6 +6,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/discretization.h>
+#include <fuga/bodies/point_text.h>
 
 #include <algorithm>
 
@@ -252,12 +253,12 @@ namespace fuga
         first = discretization.face_center(face);
     if (count > 0)
       throw InputError(fmt::format(
-        "{} faces of the outer boundary are in no physical group, the first at ({:g}, {:g}). Put "
-        "every outer line into a named group and say what holds there (named free if nothing "
+        "{} faces of the outer boundary are in no physical group, the first at {}. Put "
+        "every outer {} into a named group and say what holds there (named free if nothing "
         "does).",
         count,
-        first[0],
-        first[1]));
+        text_of(first),
+        dim == 2 ? "line" : "surface"));
   }
 
 
@@ -307,8 +308,14 @@ namespace fuga
 
   template void
   check_outer_faces(const Discretization<2> &);
+  template void
+  check_outer_faces(const Discretization<3> &);
   template std::vector<unsigned int>
   nodes_of_target(const Discretization<2> &, const JointedMesh &, const std::string &);
+  template std::vector<unsigned int>
+  nodes_of_target(const Discretization<3> &, const JointedMesh &, const std::string &);
   template std::vector<bool>
   find_fixed_dofs(const Discretization<2> &, const JointedMesh &, const ModelDefinition &);
+  template std::vector<bool>
+  find_fixed_dofs(const Discretization<3> &, const JointedMesh &, const ModelDefinition &);
 } // namespace fuga

@@ -186,4 +186,20 @@ namespace fuga
   shape_of_new_bodies(const CondensedSystem<2> &,
                       const ModelDefinition &,
                       const ConstructionState &);
+  template CarriedLoads
+  carried_loads(const CondensedSystem<3> &,
+                const ModelDefinition &,
+                const ConstructionState &,
+                const std::vector<LoadPattern> &,
+                const Vector &);
+  template void
+  put_new_nodes_on_supports(const CondensedSystem<3> &,
+                            const std::vector<bool> &,
+                            const std::vector<LoadPattern> &,
+                            const Vector &,
+                            Vector &);
+  template StressFreeShape
+  shape_of_new_bodies(const CondensedSystem<3> &,
+                      const ModelDefinition &,
+                      const ConstructionState &);
 } // namespace fuga

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/point_text.h>
 
 namespace fuga
 {
@@ -65,9 +66,7 @@ namespace fuga
         const double volume = determinant(jacobian);
         if (!(volume > 0.))
           throw InputError(
-            fmt::format("A cell at ({:g}, {:g}) is folded over. Mend the mesh there.",
-                        corners[0][0],
-                        corners[0][1]));
+            fmt::format("A cell at {} is folded over. Mend the mesh there.", text_of(corners[0])));
         volumes[q]         = table.weight[q] * volume * discretization.extent_across(point(q));
         const auto inverse = transpose(invert(jacobian));
         for (std::size_t i = 0; i < all_gradients[q].size(); ++i)
@@ -88,4 +87,5 @@ namespace fuga
 
 
   template class CellGeometry<2>;
+  template class CellGeometry<3>;
 } // namespace fuga

@@ -63,4 +63,5 @@ namespace fuga
   }
 
   template class CondensedSystem<2>;
+  template class CondensedSystem<3>;
 } // namespace fuga

@@ -198,4 +198,25 @@ namespace fuga
   CondensedSystem<2>::bulk_energy(const dealii::Vector<double> &) const;
   template Vector
   CondensedSystem<2>::cell_energies(const dealii::Vector<double> &) const;
+  template LinearResponse
+  CondensedSystem<3>::response(const Vector &) const;
+  template CondensedSystem<3>::RigidPart
+  CondensedSystem<3>::rigid_part(const Vector &) const;
+  template EquilibriumError
+  CondensedSystem<3>::equilibrium_error(const dealii::Vector<double> &,
+                                        const Vector &,
+                                        const Vector &,
+                                        const dealii::Vector<double> &) const;
+  template BodiesWork
+  CondensedSystem<3>::work() const;
+  template dealii::Vector<double>
+  CondensedSystem<3>::nodal_forces(const dealii::Vector<double> &) const;
+  template Vector
+  CondensedSystem<3>::jumps(const dealii::Vector<double> &) const;
+  template double
+  CondensedSystem<3>::bulk_energy(const dealii::Vector<double> &) const;
+  template Vector
+  CondensedSystem<3>::cell_energies(const dealii::Vector<double> &) const;
+  template dealii::Vector<double>
+  CondensedSystem<3>::bonded_field(const Vector &, const Vector &) const;
 } // namespace fuga

@@ -13,6 +13,7 @@
 #include <fuga/bodies/elimination_order.h>
 #include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/level_history.h>
+#include <fuga/bodies/point_text.h>
 #include <fuga/bodies/rigid_pieces.h>
 #include <fuga/bodies/uplift_assembly.h>
 
@@ -158,6 +159,7 @@ namespace fuga
       {
         JointFace result;
         result.joint = face.joint;
+        result.area  = face.area;
         for (const unsigned int pair : face.pairs)
           {
             result.elements.push_back(bars->elements_of_pairs()[pair]);
@@ -190,6 +192,17 @@ namespace fuga
     std::array<double, 3> result{};
     for (unsigned int c = 0; c < dim; ++c)
       result[c] = bars->pair_of_element(element).normal[c];
+    return result;
+  }
+
+  template <int dim>
+  std::array<std::array<double, 3>, 2>
+  CondensedSystem<dim>::tangents(const std::size_t element) const
+  {
+    std::array<std::array<double, 3>, 2> result{};
+    for (unsigned int k = 0; k + 1 < dim; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[k][c] = bars->tangents_of_element(element)[k][c];
     return result;
   }
 
@@ -229,14 +242,11 @@ namespace fuga
         const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
         const double jump   = prescribed[pair.plus_node * dim + pair.component] -
                             (obstacle ? 0. : prescribed[pair.minus_node * dim + pair.component]);
-        const auto &at = space->position(pair.plus_node);
         if (std::abs(jump) > 1e-9 * largest)
           throw InputError(
-            fmt::format("A settlement tears the two sides of a joint apart at ({:g}, {:g}), where "
-                        "supports hold "
-                        "both of them in {}. Hold one side only, or move both alike.",
-                        at[0],
-                        at[1],
+            fmt::format("A settlement tears the two sides of a joint apart at {}, where supports "
+                        "hold both of them in {}. Hold one side only, or move both alike.",
+                        text_of(space->position(pair.plus_node)),
                         "xyz"[pair.component]));
       }
   }
@@ -357,4 +367,5 @@ namespace fuga
   }
 
   template class CondensedSystem<2>;
+  template class CondensedSystem<3>;
 } // namespace fuga

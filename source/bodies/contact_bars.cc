@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/contact_bars.h>
+#include <fuga/bodies/point_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -53,18 +55,16 @@ namespace fuga
             continue;
           }
         const Jump jump = possible_jump(pair, mesh.joints[pair.joint].name, fixed);
-        if (jump == Jump::none)
+        if (!jump.normal)
           {
             ++left_out[pair.joint];
             continue;
           }
-        no_tangential_jump.push_back(jump == Jump::normal_only);
         // Where joints cross, the jumps of all bars determine the motion: none may be missing.
         const bool crossing =
           n_pairs.at(pair.plus_node) > 1 ||
           (pair.minus_node != Discretization<dim>::no_node && n_pairs.at(pair.minus_node) > 1);
-        add_element(
-          i, count[pair.joint]++, jump == Jump::free && (!frictionless[pair.joint] || crossing));
+        add_element(i, count[pair.joint]++, jump, !frictionless[pair.joint] || crossing);
       }
     for (std::size_t joint = 0; joint < left_out.size(); ++joint)
       if (left_out[joint] > 0)
@@ -81,29 +81,42 @@ namespace fuga
                                   const std::vector<bool> &fixed)
   {
     const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
-    unsigned int n_held = 0, held = 0;
+    std::vector<unsigned int> held;
     for (unsigned int c = 0; c < dim; ++c)
       if (fixed[pair.plus_node * dim + c] && (obstacle || fixed[pair.minus_node * dim + c]))
         {
           all_held_pairs.push_back({pair.plus_node, pair.minus_node, c});
-          ++n_held;
-          held = c;
+          held.push_back(c);
         }
-    if (n_held == 0)
-      return Jump::free;
-    if (n_held == dim || std::abs(tangent(pair.normal)[held]) < alignment_tolerance)
-      return Jump::none;
-    if (std::abs(pair.normal[held]) < alignment_tolerance)
-      return Jump::normal_only;
-    throw InputError(fmt::format(
-      "Joint '{}' at ({:g}, {:g}): both sides are held in {} only, which is oblique to the joint's "
-      "normal ({:g}, {:g}). Hold both components there or none, or end the joint a little before.",
-      joint,
-      pair.position[0],
-      pair.position[1],
-      "xyz"[held],
-      pair.normal[0],
-      pair.normal[1]));
+    Jump jump;
+    jump.tangents = tangents(pair.normal);
+    if (held.empty())
+      return jump;
+    double largest_held = 0., largest_free = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const bool is_held = std::find(held.begin(), held.end(), c) != held.end();
+        double &largest    = is_held ? largest_held : largest_free;
+        largest            = std::max(largest, std::abs(pair.normal[c]));
+      }
+    jump.normal = largest_free > alignment_tolerance;
+    if (!jump.normal)
+      return jump;
+    if (largest_held >= alignment_tolerance)
+      throw InputError(fmt::format(
+        "Joint '{}' at {}: both sides are held in {} only, which is oblique to the joint's normal "
+        "{}. Hold all components there or none, or end the joint a little before.",
+        joint,
+        text_of(pair.position),
+        "xyz"[held.front()],
+        text_of(pair.normal)));
+    jump.n_free_tangents = dim - 1 - static_cast<unsigned int>(held.size());
+    // A joint along a held axis has that axis as a tangent: it is the second one, or becomes it.
+    if constexpr (dim == 3)
+      if (jump.n_free_tangents == 1 &&
+          std::abs(jump.tangents[0][held.front()]) > alignment_tolerance)
+        jump.tangents = {{jump.tangents[1], -jump.tangents[0]}};
+    return jump;
   }
 
 
@@ -111,7 +124,8 @@ namespace fuga
   void
   ContactBars<dim>::add_element(const unsigned int index,
                                 const unsigned int number,
-                                const bool tangential_bar)
+                                const Jump &jump,
+                                const bool tangential_bars)
   {
     const auto &pair = geometry.pairs()[index];
     ContactElement element;
@@ -123,13 +137,16 @@ namespace fuga
 
     element.normal_bar = static_cast<unsigned int>(all_bars.size());
     all_bars.push_back({pair.plus_node, pair.minus_node, pair.normal});
-    if (tangential_bar)
+    unsigned int *const numbers[] = {&element.tangential_bar, &element.second_tangential_bar};
+    for (unsigned int k = 0; tangential_bars && k < jump.n_free_tangents; ++k)
       {
-        element.tangential_bar = static_cast<unsigned int>(all_bars.size());
-        all_bars.push_back({pair.plus_node, pair.minus_node, tangent(pair.normal)});
+        *numbers[k] = static_cast<unsigned int>(all_bars.size());
+        all_bars.push_back({pair.plus_node, pair.minus_node, jump.tangents[k]});
       }
     pair_elements[index] = static_cast<unsigned int>(all_elements.size());
     pairs.push_back(index);
+    its_tangents.push_back(jump.tangents);
+    free_tangents.push_back(jump.n_free_tangents);
     all_elements.push_back(element);
   }
 
@@ -168,4 +185,5 @@ namespace fuga
 
 
   template class ContactBars<2>;
+  template class ContactBars<3>;
 } // namespace fuga

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <fuga/bodies/depth_pressure.h>
+#include <fuga/bodies/face_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,6 @@ namespace fuga
   {
     /** Heights that differ by less are the same, relative to the length of the face. */
     constexpr double height_tolerance = 1e-9;
-
-    /** Heights of the first and the last corner of a face. */
-    template <int dim>
-    std::array<double, 2>
-    heights(const Discretization<dim> &space,
-            const typename Discretization<dim>::BoundaryFace &face)
-    {
-      const std::size_t last = space.reference_element().face(face.number).nodes.size() - 1;
-      return {{space.position(space.face_node(face, 0))[1],
-               space.position(space.face_node(face, last))[1]}};
-    }
 
     /** The part of a face below the level, from its higher to its lower end. */
     struct WettedPart
@@ -68,31 +58,40 @@ namespace fuga
       {
         if (face.label == JointedMesh::no_label || !loaded[face.label])
           continue;
-        const double length   = space.face_length(face);
-        const WettedPart part = wetted_part(heights(space, face), level);
-        const double sum      = part.root_begin + part.root_end;
-        if (part.root_end * part.root_end <= height_tolerance * length)
-          continue;
-        const std::size_t n = space.reference_element().face(face.number).nodes.size();
-        const auto normal   = space.outer_normal(face);
-        const auto first    = space.position(space.face_node(face, 0));
-        const auto along    = space.position(space.face_node(face, n - 1)) - first;
+        const FaceMap<dim> map(space, face);
+        const double length = space.face_length(face);
+        const Vector y      = map.heights();
+        Vector depths;
+        for (const double height : y)
+          depths.push_back(level - height);
         // With z = √d linear in the parameter τ, and degree p of the shape functions, the integrand
-        // is a polynomial in τ of degree 2p + 3, and 2p + 5 with a radius as factor.
-        const dealii::QGauss<1> rule(static_cast<unsigned int>(n) + 2);
-        for (unsigned int q = 0; q < rule.size(); ++q)
+        // is a polynomial in τ of degree 2p + 3, and 2p + 5 with a radius (or, of a face that is no
+        // parallelogram, the density of its area) as factor.
+        const unsigned int n_points = space.reference_element().scalar_element().degree + 3;
+        const dealii::QGauss<1> rule(n_points);
+        for (const auto &line : map.lines({depths}, n_points))
           {
-            const double tau = rule.point(q)[0];
-            const double z   = part.root_begin + tau * (part.root_end - part.root_begin);
-            const double position =
-              part.begin + (part.end - part.begin) * tau * (z + part.root_begin) / sum;
-            const double p     = pressure.surcharge + pressure.gradient * z * z + root * z;
-            const double force = rule.weight(q) * 2. * z / sum * std::abs(part.end - part.begin) *
-                                 length * space.extent_across(first + position * along) * p;
-            const auto values = space.reference_element().face_values(face.number, position);
-            for (std::size_t k = 0; k < n; ++k)
-              for (unsigned int c = 0; c < dim; ++c)
-                forces[space.face_node(face, k) * dim + c] -= force * values[k] * normal[c];
+            const WettedPart part =
+              wetted_part({{map.interpolate(y, line.begin), map.interpolate(y, line.end)}}, level);
+            const double sum = part.root_begin + part.root_end;
+            if (part.root_end * part.root_end <= height_tolerance * length)
+              continue;
+            for (unsigned int q = 0; q < rule.size(); ++q)
+              {
+                const double tau = rule.point(q)[0];
+                const double z   = part.root_begin + tau * (part.root_end - part.root_begin);
+                const auto at =
+                  line.at(part.begin + (part.end - part.begin) * tau * (z + part.root_begin) / sum);
+                const double p     = pressure.surcharge + pressure.gradient * z * z + root * z;
+                const double force = rule.weight(q) * 2. * z / sum *
+                                     std::abs(part.end - part.begin) * line.weight *
+                                     map.density(at) * p;
+                const auto values = map.values(at);
+                const auto normal = map.normal(at);
+                for (std::size_t k = 0; k < values.size(); ++k)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    forces[space.face_node(face, k) * dim + c] -= force * values[k] * normal[c];
+              }
           }
       }
   }
@@ -106,9 +105,10 @@ namespace fuga
     for (const auto &face : space.boundary_faces())
       if (face.label != JointedMesh::no_label && loaded[face.label])
         {
-          const auto y = heights(space, face);
+          const Vector y = FaceMap<dim>(space, face).heights();
           ends.insert(ends.end(), y.begin(), y.end());
-          if (std::abs(y[1] - y[0]) <= height_tolerance * space.face_length(face))
+          const auto [least, most] = std::minmax_element(y.begin(), y.end());
+          if (*most - *least <= height_tolerance * space.face_length(face))
             flat.push_back(y[0]);
         }
     if (ends.empty())
@@ -133,4 +133,12 @@ namespace fuga
                      Vector &);
   template std::vector<double>
   levels_of_kinks(const Discretization<2> &, const std::vector<bool> &);
+  template void
+  add_depth_pressure(const Discretization<3> &,
+                     const DepthPressure &,
+                     const double,
+                     const std::vector<bool> &,
+                     Vector &);
+  template std::vector<double>
+  levels_of_kinks(const Discretization<3> &, const std::vector<bool> &);
 } // namespace fuga

@@ -15,7 +15,9 @@
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/mesh_refinement.h>
+#include <fuga/bodies/point_text.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuga
@@ -23,7 +25,7 @@ namespace fuga
   namespace
   {
     ReferenceShape
-    shape_of_cells(const JointedMesh &jointed)
+    shape_of_cells(const JointedMesh &jointed, const unsigned int dim)
     {
       if (jointed.cells.empty())
         throw InputError("The mesh has no cells.");
@@ -31,18 +33,45 @@ namespace fuga
       for (const auto &cell : jointed.cells)
         if (cell.shape != shape)
           throw InputError(
-            "The mesh has triangles and quadrilaterals. Use one kind of cells: in Gmsh, "
-            "recombine all surfaces (Recombine Surface{:}) or none.");
-      if (shape == CellShape::quadrilateral)
-        return ReferenceShape::hypercube;
-      if (shape == CellShape::triangle)
-        return ReferenceShape::simplex;
-      throw InputError("The cells of a plane model are triangles or quadrilaterals.");
+            dim == 2
+              ? "The mesh has triangles and quadrilaterals. Use one kind of cells: in Gmsh, "
+                "recombine all surfaces (Recombine Surface{:}) or none."
+              : "The mesh has tetrahedra and hexahedra. Use one kind of cells: in Gmsh, make "
+                "all volumes transfinite, with recombined surfaces, or none.");
+      if (dimension(shape) != dim)
+        throw InputError(
+          dim == 2
+            ? "The cells of a plane model are triangles or quadrilaterals. For a model in space "
+              "set "
+              "Dimension = 3."
+            : "The cells of a model in space are tetrahedra or hexahedra. For a plane model set "
+              "Dimension = 2.");
+      const bool hypercube = shape == CellShape::quadrilateral || shape == CellShape::hexahedron;
+      return hypercube ? ReferenceShape::hypercube : ReferenceShape::simplex;
+    }
+
+    /** Six times the volume of a tetrahedron; for a hexahedron that of four corners around its
+     *  first one, which for its orientation is enough. */
+    double
+    signed_volume(const JointedMesh &jointed, const JointedMesh::Cell &cell)
+    {
+      const bool hexahedron = cell.shape == CellShape::hexahedron;
+      std::array<dealii::Tensor<1, 3>, 3> edges;
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const unsigned int other = hexahedron ? (k == 0 ? 1 : k == 1 ? 3 : 4) : k + 1;
+            edges[k][c] =
+              jointed.vertices[cell.vertices[other]][c] - jointed.vertices[cell.vertices[0]][c];
+          }
+      return dealii::cross_product_3d(edges[0], edges[1]) * edges[2];
     }
 
     double
-    signed_area(const JointedMesh &jointed, const JointedMesh::Cell &cell)
+    signed_measure(const JointedMesh &jointed, const JointedMesh::Cell &cell)
     {
+      if (dimension(cell.shape) == 3)
+        return signed_volume(jointed, cell);
       double twice         = 0.;
       const unsigned int n = n_vertices(cell.shape);
       for (unsigned int i = 0; i < n; ++i)
@@ -54,26 +83,49 @@ namespace fuga
       return twice / 2.;
     }
 
-    /** Counter-clockwise corners in the order deal.II wants them. */
+    /** Right-handed corners in the order deal.II wants them: of every bottom and top
+     *  counter-clockwise in the file, and by coordinates there. */
     template <int dim>
     dealii::CellData<dim>
     cell_data(const JointedMesh &jointed, const JointedMesh::Cell &cell)
     {
-      const double area = signed_area(jointed, cell);
-      const auto &at    = jointed.vertices[cell.vertices[0]];
-      if (!(std::abs(area) > 0.))
-        throw InputError(
-          fmt::format("A cell of body '{}' at ({:g}, {:g}) has no area. Mend the mesh there.",
-                      jointed.body_names[cell.body],
-                      at[0],
-                      at[1]));
-      const unsigned int n = n_vertices(cell.shape);
+      const double measure = signed_measure(jointed, cell);
+      if (!(std::abs(measure) > 0.))
+        {
+          dealii::Point<dim> at;
+          for (unsigned int c = 0; c < dim; ++c)
+            at[c] = jointed.vertices[cell.vertices[0]][c];
+          throw InputError(fmt::format("A cell of body '{}' at {} has no {}. Mend the mesh there.",
+                                       jointed.body_names[cell.body],
+                                       text_of(at),
+                                       dim == 2 ? "area" : "volume"));
+        }
+      const unsigned int n    = n_vertices(cell.shape);
+      const unsigned int ring = n == 8 ? 4 : dim == 3 ? 3 : n;
       dealii::CellData<dim> data(n);
       for (unsigned int i = 0; i < n; ++i)
-        data.vertices[i] = cell.vertices[area > 0. ? i : (n - i) % n];
+        {
+          const unsigned int first = i / ring * ring, k = i % ring;
+          data.vertices[i] = cell.vertices[first + (measure > 0. ? k : (ring - k) % ring)];
+        }
+      for (unsigned int i = 0; ring == 4 && i < n; i += ring)
+        std::swap(data.vertices[i + 2], data.vertices[i + 3]);
+      data.material_id = cell.body;
+      return data;
+    }
+
+    /** Boundary id 0 is what deal.II gives to faces that are not listed: labels are shifted by one.
+     */
+    template <int structdim>
+    dealii::CellData<structdim>
+    face_data(const JointedMesh::Face &face)
+    {
+      const unsigned int n = n_vertices(face.shape);
+      dealii::CellData<structdim> data(n);
+      std::copy(face.vertices.begin(), face.vertices.begin() + n, data.vertices.begin());
       if (n == 4)
         std::swap(data.vertices[2], data.vertices[3]);
-      data.material_id = cell.body;
+      data.boundary_id = face.label + 1;
       return data;
     }
 
@@ -106,7 +158,7 @@ namespace fuga
                                       const unsigned int stage)
     : axisymmetric(model.assumption == PlaneAssumption::axisymmetric)
     , thickness(model.thickness)
-    , reference(shape_of_cells(jointed), model.polynomial_degree, axisymmetric)
+    , reference(shape_of_cells(jointed, dim), model.polynomial_degree, axisymmetric)
     , cell_mapping(reference.make_mapping())
     , mesh(std::make_unique<dealii::Triangulation<dim>>())
     , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
@@ -144,19 +196,15 @@ namespace fuga
     cells.reserve(jointed.cells.size());
     for (const auto &cell : jointed.cells)
       cells.push_back(cell_data<dim>(jointed, cell));
-    if (jointed.cells.front().shape == CellShape::quadrilateral)
+    if (reference.scalar_element().reference_cell().is_hyper_cube())
       dealii::GridTools::consistently_order_cells(cells);
 
-    // Boundary id 0 is what deal.II gives to faces that are not listed: shift the labels by one.
     dealii::SubCellData faces;
-    faces.boundary_lines.reserve(jointed.faces.size());
     for (const auto &face : jointed.faces)
-      {
-        dealii::CellData<1> line(2);
-        line.vertices    = {face.vertices[0], face.vertices[1]};
-        line.boundary_id = face.label + 1;
-        faces.boundary_lines.push_back(line);
-      }
+      if constexpr (dim == 2)
+        faces.boundary_lines.push_back(face_data<1>(face));
+      else
+        faces.boundary_quads.push_back(face_data<2>(face));
     // As p4est balances: across corners too.
     if (!model.local_refinements.empty())
       mesh->set_mesh_smoothing(dealii::Triangulation<dim>::limit_level_difference_at_vertices);
@@ -274,29 +322,14 @@ namespace fuga
   dealii::Point<dim>
   Discretization<dim>::face_center(const BoundaryFace &face) const
   {
-    const std::size_t last = reference.face(face.number).nodes.size() - 1;
-    return (position(face_node(face, 0)) + position(face_node(face, last))) / 2.;
-  }
-
-
-  template <int dim>
-  dealii::Tensor<1, dim>
-  Discretization<dim>::outer_normal(const BoundaryFace &face) const
-  {
-    static_assert(dim == 2, "faces are lines");
-    const std::size_t last             = reference.face(face.number).nodes.size() - 1;
-    const dealii::Point<dim> start     = position(face_node(face, 0));
-    const dealii::Tensor<1, dim> along = position(face_node(face, last)) - start;
-    dealii::Tensor<1, dim> normal;
-    normal[0] = along[1] / along.norm();
-    normal[1] = -along[0] / along.norm();
-
-    dealii::Point<dim> center;
-    for (unsigned int v = 0; v < reference.n_corners(); ++v)
-      center += position(cell_nodes(face.cell)[v]) / static_cast<double>(reference.n_corners());
-    return (center - start) * normal > 0. ? -normal : normal;
+    const auto &corners = reference.face(face.number).corners;
+    dealii::Point<dim> sum;
+    for (const unsigned int corner : corners)
+      sum += position(face_node(face, corner));
+    return sum / static_cast<double>(corners.size());
   }
 
 
   template class Discretization<2>;
+  template class Discretization<3>;
 } // namespace fuga

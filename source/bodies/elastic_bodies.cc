@@ -361,4 +361,5 @@ namespace fuga
 
 
   template class ElasticBodies<2>;
+  template class ElasticBodies<3>;
 } // namespace fuga

@@ -20,6 +20,8 @@ namespace fuga
                              thermal_modulus(material, assumption) * thermal_strain;
     StressState<dim> stress;
     stress.in_plane = isotropic * dealii::unit_symmetric_tensor<dim>() + 2. * lame.mu * strain;
+    if constexpr (dim == 3) // there is nothing across
+      return stress;
     switch (assumption)
       {
         case PlaneAssumption::plane_strain:
@@ -39,6 +41,12 @@ namespace fuga
   elastic_stress(const Material &,
                  const PlaneAssumption,
                  const dealii::Tensor<2, 2> &,
+                 const double,
+                 const double);
+  template StressState<3>
+  elastic_stress(const Material &,
+                 const PlaneAssumption,
+                 const dealii::Tensor<2, 3> &,
                  const double,
                  const double);
 } // namespace fuga

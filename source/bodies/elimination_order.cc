@@ -211,4 +211,6 @@ namespace fuga
 
   template std::vector<int>
   elimination_order(const Discretization<2> &, const InterfaceCoordinates<2> &);
+  template std::vector<int>
+  elimination_order(const Discretization<3> &, const InterfaceCoordinates<3> &);
 } // namespace fuga

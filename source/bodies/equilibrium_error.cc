@@ -58,4 +58,11 @@ namespace fuga
                     const Vector &,
                     const std::vector<bool> &,
                     const RigidPieces<2> &);
+  template EquilibriumError
+  equilibrium_error(const Vector &,
+                    const Vector &,
+                    const Vector &,
+                    const Vector &,
+                    const std::vector<bool> &,
+                    const RigidPieces<3> &);
 } // namespace fuga

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/point_text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -84,15 +85,14 @@ namespace fuga
   {
     const double result = parser->value(position, component);
     if (!std::isfinite(result))
-      throw InputError(
-        fmt::format("{}: the value at ({:g}, {:g}), t = {:g} is not a finite number.",
-                    what,
-                    position[0],
-                    position[1],
-                    parser->get_time()));
+      throw InputError(fmt::format("{}: the value at {}, t = {:g} is not a finite number.",
+                                   what,
+                                   text_of(position),
+                                   parser->get_time()));
     return result;
   }
 
 
   template class FieldExpression<2>;
+  template class FieldExpression<3>;
 } // namespace fuga

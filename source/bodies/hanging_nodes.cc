@@ -56,4 +56,5 @@ namespace fuga
 
 
   template class HangingNodes<2>;
+  template class HangingNodes<3>;
 } // namespace fuga

@@ -52,4 +52,10 @@ namespace fuga
               const double,
               const JointedMesh &,
               const ContactBars<2> &);
+  template Vector
+  imposed_gap(const LoadDefinition &,
+              const std::map<std::string, double> &,
+              const double,
+              const JointedMesh &,
+              const ContactBars<3> &);
 } // namespace fuga

@@ -90,7 +90,6 @@ namespace fuga
     {
       const auto &element = bars.elements()[e];
       const auto &pair    = bars.pair_of_element(e);
-      const auto t        = tangent(pair.normal);
       const RawTerm normal{Kind::interface, n_interface, 0.};
       std::vector<RawTerm> jump[dim];
       const auto add = [&](RawTerm term, const dealii::Tensor<1, dim> &direction) {
@@ -103,13 +102,16 @@ namespace fuga
       };
       add(normal, pair.normal);
       jumps.push_back({element.normal_bar, n_interface++, 1.});
-      if (element.has_tangential_bar())
-        {
-          add({Kind::interface, n_interface, 0.}, t);
-          jumps.push_back({element.tangential_bar, n_interface++, 1.});
-        }
-      else if (!bars.tangential_jump_vanishes(e))
-        add({Kind::slide, n_slides++, 0.}, t);
+      const unsigned int tangential_bars[] = {element.tangential_bar,
+                                              element.second_tangential_bar};
+      for (unsigned int k = 0; k < bars.n_free_tangents(e); ++k)
+        if (tangential_bars[k] != ContactElement::no_bar)
+          {
+            add({Kind::interface, n_interface, 0.}, bars.tangents_of_element(e)[k]);
+            jumps.push_back({tangential_bars[k], n_interface++, 1.});
+          }
+        else
+          add({Kind::slide, n_slides++, 0.}, bars.tangents_of_element(e)[k]);
 
       const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
       for (unsigned int c = 0; c < dim; ++c)
@@ -176,8 +178,9 @@ namespace fuga
             }
         }
       for (const unsigned int e : cluster)
-        for (const unsigned int bar :
-             {bars.elements()[e].normal_bar, bars.elements()[e].tangential_bar})
+        for (const unsigned int bar : {bars.elements()[e].normal_bar,
+                                       bars.elements()[e].tangential_bar,
+                                       bars.elements()[e].second_tangential_bar})
           if (bar != ContactElement::no_bar)
             add_jumps(bar, offset);
     }
@@ -332,4 +335,5 @@ namespace fuga
 
 
   template class InterfaceCoordinates<2>;
+  template class InterfaceCoordinates<3>;
 } // namespace fuga

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/bodies/face_map.h>
 #include <fuga/bodies/joint_geometry.h>
+#include <fuga/bodies/joint_order.h>
 #include <fuga/bodies/point_matcher.h>
+#include <fuga/bodies/point_text.h>
 
 #include <map>
 
@@ -19,110 +22,17 @@ namespace fuga
     [[noreturn]] void
     throw_unmatched(const std::string &joint, const dealii::Point<dim> &at, const std::string &lip)
     {
-      throw InputError(fmt::format("Joint '{}': the {} lip at ({:g}, {:g}) has no partner on the "
+      throw InputError(fmt::format("Joint '{}': the {} lip at {} has no partner on the "
                                    "other lip. Both lips must have "
-                                   "the same line and the same division: give both the same "
+                                   "the same {} and the same division: give both the same "
                                    "transfinite or periodic mesh, or let "
-                                   "the program open a conforming mesh along a named line.",
+                                   "the program open a conforming mesh along a named {}.",
                                    joint,
                                    lip,
-                                   at[0],
-                                   at[1]));
+                                   text_of(at),
+                                   dim == 2 ? "line" : "surface",
+                                   dim == 2 ? "line" : "surface"));
     }
-
-    /** Faces as edges of a graph whose nodes are places; removes edges as they are walked. */
-    template <int dim>
-    class Walker
-    {
-    public:
-      Walker(const std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>> &edges)
-      {
-        std::vector<dealii::Point<dim>> ends;
-        for (const auto &edge : edges)
-          ends.insert(ends.end(), {edge.first, edge.second});
-        const PointMatcher<dim> matcher(ends);
-        for (unsigned int e = 0; e < edges.size(); ++e)
-          {
-            const double tolerance = matching_tolerance * edges[e].first.distance(edges[e].second);
-            places.push_back({{matcher.find(edges[e].first, tolerance),
-                               matcher.find(edges[e].second, tolerance)}});
-            for (const unsigned int place : places.back())
-              {
-                edges_at[place].push_back(e);
-                position[place] = ends[place];
-                extent          = std::max(extent, ends[place].distance(ends.front()));
-              }
-          }
-        walked.assign(edges.size(), false);
-      }
-
-      /** Edge numbers in walking order, and whether each is walked backwards. */
-      std::vector<std::pair<unsigned int, bool>>
-      walk()
-      {
-        std::vector<std::pair<unsigned int, bool>> order;
-        while (order.size() < walked.size())
-          {
-            unsigned int at = start();
-            for (unsigned int e; (e = next_edge(at)) != PointMatcher<dim>::not_found;)
-              {
-                const bool backwards = places[e][0] != at;
-                walked[e]            = true;
-                order.emplace_back(e, backwards);
-                at = places[e][backwards ? 0 : 1];
-              }
-          }
-        return order;
-      }
-
-    private:
-      unsigned int
-      next_edge(const unsigned int place) const
-      {
-        for (const unsigned int e : edges_at.at(place))
-          if (!walked[e])
-            return e;
-        return PointMatcher<dim>::not_found;
-      }
-
-      /** The first free end; in a closed line the first place. */
-      unsigned int
-      start() const
-      {
-        unsigned int best       = PointMatcher<dim>::not_found;
-        std::size_t best_degree = 0;
-        for (const auto &[place, edges] : edges_at)
-          {
-            std::size_t degree = 0;
-            for (const unsigned int e : edges)
-              degree += walked[e] ? 0 : 1;
-            const bool is_end = degree == 1, best_is_end = best_degree == 1;
-            if (degree > 0 && (best_degree == 0 || (is_end && !best_is_end) ||
-                               (is_end == best_is_end && is_before(place, best))))
-              {
-                best        = place;
-                best_degree = degree;
-              }
-          }
-        return best;
-      }
-
-      bool
-      is_before(const unsigned int a, const unsigned int b) const
-      {
-        const auto offset = position.at(a) - position.at(b);
-        for (unsigned int c = 0; c < dim; ++c)
-          if (std::abs(offset[c]) > 1e-9 * extent)
-            return offset[c] < 0.;
-        return false;
-      }
-
-      std::vector<std::array<unsigned int, 2>> places;
-      std::map<unsigned int, std::vector<unsigned int>> edges_at;
-      std::map<unsigned int, dealii::Point<dim>> position;
-      std::vector<bool> walked;
-      double extent = 0.;
-    };
   } // namespace
 
 
@@ -218,11 +128,12 @@ namespace fuga
     const auto is_near     = [&](const unsigned int a, const unsigned int b) {
       return discretization.position(a).distance(discretization.position(b)) <= tolerance;
     };
-    const bool same_way = is_near(lip.plus_nodes[0], discretization.face_node(minus, 0));
     for (std::size_t k = 0; k < n; ++k)
       {
-        lip.minus_nodes[k] = discretization.face_node(minus, same_way ? k : n - 1 - k);
-        if (!is_near(lip.plus_nodes[k], lip.minus_nodes[k]))
+        for (std::size_t l = 0; l < n; ++l)
+          if (is_near(lip.plus_nodes[k], discretization.face_node(minus, l)))
+            lip.minus_nodes[k] = discretization.face_node(minus, l);
+        if (lip.minus_nodes[k] == Discretization<dim>::no_node)
           throw_unmatched(name, discretization.position(lip.plus_nodes[k]), "plus");
       }
   }
@@ -232,45 +143,55 @@ namespace fuga
   auto
   JointGeometry<dim>::walk(const std::vector<MatchedFace> &faces) const -> std::vector<MatchedFace>
   {
-    std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>> edges;
+    std::vector<std::vector<dealii::Point<dim>>> corners;
     for (const auto &face : faces)
-      edges.emplace_back(discretization.position(face.plus_nodes.front()),
-                         discretization.position(face.plus_nodes.back()));
+      corners.push_back(FaceMap<dim>(discretization, *face.plus).corners());
     std::vector<MatchedFace> sorted;
-    if (!edges.empty())
-      for (const auto &[number, backwards] : Walker<dim>(edges).walk())
-        {
-          sorted.push_back(faces[number]);
-          if (backwards)
-            {
-              auto &face = sorted.back();
-              std::reverse(face.plus_nodes.begin(), face.plus_nodes.end());
-              std::reverse(face.minus_nodes.begin(), face.minus_nodes.end());
-            }
-        }
+    for (const auto &[number, backwards] : joint_order(corners))
+      {
+        sorted.push_back(faces[number]);
+        if (backwards)
+          {
+            auto &face     = sorted.back();
+            face.backwards = true;
+            std::reverse(face.plus_nodes.begin(), face.plus_nodes.end());
+            std::reverse(face.minus_nodes.begin(), face.minus_nodes.end());
+          }
+      }
     return sorted;
   }
 
 
   // In axisymmetry the integral is exact as well: positive at every node but the one on the axis,
-  // where it vanishes for degrees above 1 (Gauss-Lobatto's rule integrates N r exactly).
+  // where it vanishes for degrees above 1 (Gauss-Lobatto's rule integrates N r exactly). Density is
+  // relative to the first point, so that on a face of constant density equal nodes have equal
+  // areas.
   template <int dim>
   Vector
   JointGeometry<dim>::node_areas(const MatchedFace &face) const
   {
-    const auto &table   = discretization.reference_element().face(face.plus->number);
-    const auto first    = discretization.position(face.plus_nodes.front());
-    const auto along    = discretization.position(face.plus_nodes.back()) - first;
-    const double length = discretization.face_length(*face.plus);
+    const auto &table = discretization.reference_element().face(face.plus->number);
+    const FaceMap<dim> map(discretization, *face.plus);
+    const double first = map.density(table.points[0]);
     Vector areas(face.plus_nodes.size(), 0.);
-    // Nodes and points lie symmetrically: the direction of the walk does not matter.
+    for (std::size_t q = 0; q < table.weight.size(); ++q)
+      {
+        const double weight = table.weight[q] * (map.density(table.points[q]) / first);
+        for (std::size_t k = 0; k < areas.size(); ++k)
+          areas[k] += weight * table.values[q][k];
+      }
+    for (double &area : areas)
+      area *= first;
+    if (face.backwards)
+      std::reverse(areas.begin(), areas.end());
     for (std::size_t k = 0; k < areas.size(); ++k)
-      if (!discretization.is_axisymmetric())
-        areas[k] = discretization.extent_across(first) * length * table.node_weights[k];
-      else if (areas.size() == 2 || !discretization.is_on_axis(face.plus_nodes[k]))
-        for (std::size_t q = 0; q < table.weight.size(); ++q)
-          areas[k] += length * table.weight[q] * table.values[q][k] *
-                      discretization.extent_across(first + table.position[q] * along);
+      if (areas.size() > 2 && discretization.is_on_axis(face.plus_nodes[k]))
+        areas[k] = 0.;
+      else if (!(areas[k] > 0.))
+        throw InputError(
+          fmt::format("A face of a joint is so distorted that its node at {} gets no area. Make it "
+                      "more like a parallelogram, or use degree 1.",
+                      text_of(discretization.position(face.plus_nodes[k]))));
     return areas;
   }
 
@@ -282,7 +203,8 @@ namespace fuga
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> known;
     for (const auto &face : faces)
       {
-        const auto normal  = -discretization.outer_normal(*face.plus);
+        const auto &table  = discretization.reference_element().face(face.plus->number);
+        const auto normal  = -FaceMap<dim>(discretization, *face.plus).normal(table.points[0]);
         const Vector areas = node_areas(face);
         if (discretization.is_on_axis(face.plus_nodes.front()) &&
             discretization.is_on_axis(face.plus_nodes.back()))
@@ -291,7 +213,11 @@ namespace fuga
             "there.",
             discretization.position(face.plus_nodes.front())[1]));
         Face joint_face;
-        joint_face.joint = joint;
+        joint_face.joint     = joint;
+        joint_face.boundary  = *face.plus;
+        joint_face.backwards = face.backwards;
+        for (const double area : areas)
+          joint_face.area += area;
         for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
           {
             const auto [entry, is_new] =
@@ -318,14 +244,15 @@ namespace fuga
         if (discretization.is_on_axis(pair.plus_node))
           pair.normal[0] = 0.;
         if (pair.normal.norm() < 1e-3 * pair.area)
-          throw InputError(fmt::format(
-            "A joint turns back on itself at ({:g}, {:g}); it has no normal there. Mend the line.",
-            pair.position[0],
-            pair.position[1]));
+          throw InputError(
+            fmt::format("A joint turns back on itself at {}; it has no normal there. Mend the {}.",
+                        text_of(pair.position),
+                        dim == 2 ? "line" : "surface"));
         pair.normal /= pair.normal.norm();
       }
   }
 
 
   template class JointGeometry<2>;
+  template class JointGeometry<3>;
 } // namespace fuga

@@ -7,8 +7,10 @@
 #include <fuga/bodies/cell_geometry.h>
 #include <fuga/bodies/depth_pressure.h>
 #include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/face_map.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/load_assembly.h>
+#include <fuga/bodies/point_text.h>
 #include <fuga/bodies/temperature_field.h>
 
 #include <limits>
@@ -208,23 +210,19 @@ namespace fuga
       {
         if (face.label == JointedMesh::no_label || !loaded[face.label])
           continue;
-        const auto &table   = discretization.reference_element().face(face.number);
-        const double length = discretization.face_length(face);
-        const auto normal   = discretization.outer_normal(face);
-        const std::size_t n = table.nodes.size();
-        const auto first    = discretization.position(discretization.face_node(face, 0));
-        const auto last     = discretization.position(discretization.face_node(face, n - 1));
+        const auto &table = discretization.reference_element().face(face.number);
+        const FaceMap<dim> map(discretization, face);
         for (std::size_t q = 0; q < table.weight.size(); ++q)
           {
-            const dealii::Point<dim> point = first + table.position[q] * (last - first);
-            const double area = length * table.weight[q] * discretization.extent_across(point);
+            const dealii::Point<dim> point = map.point(table.points[q]);
+            const double area              = table.weight[q] * map.density(table.points[q]);
             dealii::Tensor<1, dim> traction;
             if (load.kind == LoadKind::pressure)
-              traction = -intensity.value(point, 0) * normal;
+              traction = -intensity.value(point, 0) * map.normal(table.points[q]);
             else
               for (unsigned int c = 0; c < dim; ++c)
                 traction[c] = intensity.value(point, c);
-            for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t k = 0; k < table.nodes.size(); ++k)
               for (unsigned int c = 0; c < dim; ++c)
                 forces[discretization.face_node(face, k) * dim + c] +=
                   area * table.values[q][k] * traction[c];
@@ -279,23 +277,18 @@ namespace fuga
     const double tolerance = 1e-8 * low.distance(high);
     for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
       count += discretization.position(node).distance(point) <= tolerance ? 1 : 0;
-    const auto &at = discretization.position(nearest);
     if (count == 0)
-      throw InputError(fmt::format("{}: there is no node at ({:g}, {:g}); the nearest one is at "
-                                   "({:.9g}, {:.9g}). Put a point of the geometry there.",
+      throw InputError(fmt::format("{}: there is no node at {}; the nearest one is at {}. Put a "
+                                   "point of the geometry there.",
                                    load_title(load),
-                                   point[0],
-                                   point[1],
-                                   at[0],
-                                   at[1]));
+                                   text_of(point),
+                                   text_of(discretization.position(nearest), 9)));
     if (count > 1)
-      throw InputError(
-        fmt::format("{}: at ({:g}, {:g}) the lips of a joint have {} nodes. Apply the "
-                    "force a little beside the joint, or use a traction.",
-                    load_title(load),
-                    point[0],
-                    point[1],
-                    count));
+      throw InputError(fmt::format("{}: at {} the lips of a joint have {} nodes. Apply the force a "
+                                   "little beside the joint, or use a traction.",
+                                   load_title(load),
+                                   text_of(point),
+                                   count));
     return nearest;
   }
 
@@ -315,4 +308,5 @@ namespace fuga
 
 
   template class LoadAssembly<2>;
+  template class LoadAssembly<3>;
 } // namespace fuga

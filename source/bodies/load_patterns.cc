@@ -153,4 +153,5 @@ namespace fuga
 
 
   template class LoadPatterns<2>;
+  template class LoadPatterns<3>;
 } // namespace fuga

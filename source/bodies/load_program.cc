@@ -103,7 +103,9 @@ namespace fuga
 
     // The loads that grow do so from what they are; all others stand still.
     void
-    add_search_for_safety(const ModelDefinition &model, const std::size_t number, LoadFactors &factors)
+    add_search_for_safety(const ModelDefinition &model,
+                          const std::size_t number,
+                          LoadFactors &factors)
     {
       const StageDefinition &stage = model.stages[number];
       Vector values                = factors.values.back();
@@ -218,6 +220,14 @@ namespace fuga
   template LoadProgram
   make_load_program(const ModelDefinition &, const CondensedSystem<2> &);
   template TemperatureField<2>
+  LoadProgram::temperature(const ModelDefinition &,
+                           const std::vector<std::string> &,
+                           const double) const;
+  template LoadHistory
+  make_load_history<3>(const ModelDefinition &);
+  template LoadProgram
+  make_load_program(const ModelDefinition &, const CondensedSystem<3> &);
+  template TemperatureField<3>
   LoadProgram::temperature(const ModelDefinition &,
                            const std::vector<std::string> &,
                            const double) const;

@@ -92,4 +92,8 @@ namespace fuga
   refine_marked_cells(dealii::Triangulation<2> &,
                       const JointedMesh &,
                       const std::vector<CellKey> &);
+  template void
+  refine_marked_cells(dealii::Triangulation<3> &,
+                      const JointedMesh &,
+                      const std::vector<CellKey> &);
 } // namespace fuga

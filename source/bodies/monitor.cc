@@ -42,7 +42,7 @@ namespace fuga
         for (unsigned int j = 0; definition.stress && j < dim; ++j)
           gradient.push_back(straining(system, point.gradient_force(i, j), material));
       }
-    if (definition.stress)
+    if (definition.stress && assumption == PlaneAssumption::axisymmetric)
       radial = straining(system, point.unit_force(0), material);
   }
 
@@ -55,27 +55,45 @@ namespace fuga
     return u;
   }
 
-  std::array<double, 4>
+  std::array<double, 6>
   Monitor::stress(const Vector &x, const Vector &a, const double thermal_strain) const
   {
     if (gradient.empty())
       {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        return {{none, none, none, none}};
+        std::array<double, 6> none;
+        none.fill(std::numeric_limits<double>::quiet_NaN());
+        return none;
       }
-    dealii::Tensor<2, 2> du;
-    for (unsigned int i = 0; i < 2; ++i)
-      for (unsigned int j = 0; j < 2; ++j)
-        du[i][j] = gradient[2 * i + j].value(x, a);
+    return components.size() == 2 ? stress_in<2>(x, a, thermal_strain)
+                                  : stress_in<3>(x, a, thermal_strain);
+  }
+
+  template <int dim>
+  std::array<double, 6>
+  Monitor::stress_in(const Vector &x, const Vector &a, const double thermal_strain) const
+  {
+    dealii::Tensor<2, dim> du;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        du[i][j] = gradient[dim * i + j].value(x, a);
     double hoop = 0.;
     if (assumption == PlaneAssumption::axisymmetric)
       hoop = its_position[0] == 0. ? du[0][0] : radial.value(x, a) / its_position[0];
-    const StressState<2> s = elastic_stress<2>(material, assumption, du, hoop, thermal_strain);
-    return {{s.in_plane[0][0], s.in_plane[1][1], s.across, s.in_plane[0][1]}};
+    const StressState<dim> state =
+      elastic_stress<dim>(material, assumption, du, hoop, thermal_strain);
+    const auto &s = state.in_plane;
+    if constexpr (dim == 2)
+      return {{s[0][0], s[1][1], state.across, s[0][1], 0., 0.}};
+    else
+      return {{s[0][0], s[1][1], s[2][2], s[0][1], s[0][2], s[1][2]}};
   }
 
   template Monitor::Monitor(const MonitorDefinition &,
                             const MonitorPoint<2> &,
                             const ModelDefinition &,
                             const CondensedSystem<2> &);
+  template Monitor::Monitor(const MonitorDefinition &,
+                            const MonitorPoint<3> &,
+                            const ModelDefinition &,
+                            const CondensedSystem<3> &);
 } // namespace fuga

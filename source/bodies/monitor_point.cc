@@ -12,6 +12,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/monitor_point.h>
+#include <fuga/bodies/point_text.h>
 
 #include <algorithm>
 #include <optional>
@@ -81,10 +82,9 @@ namespace fuga
                         shares.end(),
                         [](const NodeShare &a, const NodeShare &b) { return a.node == b.node; }))
           throw InputError(
-            fmt::format("{}: ({:g}, {:g}) lies on a joint, where each lip moves on its own. {}",
+            fmt::format("{}: {} lies on a joint, where each lip moves on its own. {}",
                         title(definition),
-                        point[0],
-                        point[1],
+                        text_of(point),
                         definition.body.empty()
                           ? "Say by 'Body' which lip is meant."
                           : "Both lips belong to this body: put the point a little beside "
@@ -226,18 +226,16 @@ namespace fuga
       if (discretization.position(node).distance(point) <
           discretization.position(nearest).distance(point))
         nearest = node;
-    const auto &at = discretization.position(nearest);
-    throw InputError(
-      fmt::format("{}: ({:g}, {:g}) lies outside of {}; the nearest node of the mesh is at "
-                  "({:.9g}, {:.9g}). Move the point into the mesh.",
-                  title(definition),
-                  point[0],
-                  point[1],
-                  definition.body.empty() ? "all bodies" : "body '" + definition.body + "'",
-                  at[0],
-                  at[1]));
+    throw InputError(fmt::format(
+      "{}: {} lies outside of {}; the nearest node of the mesh is at {}. Move the point "
+      "into the mesh.",
+      title(definition),
+      text_of(point),
+      definition.body.empty() ? "all bodies" : "body '" + definition.body + "'",
+      text_of(discretization.position(nearest), 9)));
   }
 
 
   template class MonitorPoint<2>;
+  template class MonitorPoint<3>;
 } // namespace fuga

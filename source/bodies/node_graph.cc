@@ -53,4 +53,5 @@ namespace fuga
 
 
   template class NodeGraph<2>;
+  template class NodeGraph<3>;
 } // namespace fuga

@@ -13,6 +13,7 @@
 #include <fuga/bodies/reference_element.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fuga
@@ -23,13 +24,19 @@ namespace fuga
     std::unique_ptr<dealii::FiniteElement<dim>>
     make_element(const ReferenceShape shape, const unsigned int degree)
     {
-      const unsigned int largest = shape == ReferenceShape::simplex ? 2 : 8;
+      // The integral of a quadratic function over the face of a tetrahedron vanishes at the
+      // corners: no area for their contact elements.
+      const unsigned int largest = shape == ReferenceShape::hypercube ? 8 : dim == 2 ? 2 : 1;
       if (degree < 1 || degree > largest)
-        throw InputError(fmt::format(
-          "Polynomial degree {}: on {} the degrees 1 to {} exist; change the degree or the mesh.",
-          degree,
-          shape == ReferenceShape::simplex ? "triangles" : "quadrilaterals",
-          largest));
+        {
+          const bool simplex = shape == ReferenceShape::simplex;
+          throw InputError(fmt::format(
+            "Polynomial degree {}: on {} the degrees 1 to {} exist; change the degree or the mesh.",
+            degree,
+            dim == 2 ? (simplex ? "triangles" : "quadrilaterals")
+                     : (simplex ? "tetrahedra" : "hexahedra"),
+            largest));
+        }
       if (shape == ReferenceShape::simplex)
         return std::make_unique<dealii::FE_SimplexP<dim>>(degree);
       return std::make_unique<dealii::FE_Q<dim>>(degree);
@@ -116,28 +123,102 @@ namespace fuga
 
 
   template <int dim>
-  std::pair<dealii::Point<dim>, dealii::Tensor<1, dim>>
-  ReferenceElement<dim>::face_line(const unsigned int number) const
+  std::vector<double>
+  ReferenceElement<dim>::corner_values(const unsigned int number, const FacePoint &point) const
   {
-    static_assert(dim == 2, "faces are lines");
-    const auto reference = element->reference_cell();
-    const auto first =
-      reference.template vertex<dim>(reference.face_to_cell_vertices(number, 0, 1));
-    const auto second =
-      reference.template vertex<dim>(reference.face_to_cell_vertices(number, 1, 1));
-    return {first, second - first};
+    if constexpr (dim == 2)
+      return {1. - point[0], point[0]};
+    else if (faces[number].corners.size() == 3)
+      return {1. - point[0] - point[1], point[0], point[1]};
+    else
+      return {(1. - point[0]) * (1. - point[1]),
+              point[0] * (1. - point[1]),
+              (1. - point[0]) * point[1],
+              point[0] * point[1]};
   }
 
 
   template <int dim>
   std::vector<double>
-  ReferenceElement<dim>::face_values(const unsigned int number, const double position) const
+  ReferenceElement<dim>::corner_derivatives(const unsigned int number,
+                                            const FacePoint &point,
+                                            const unsigned int coordinate) const
   {
-    const auto [first, along] = face_line(number);
+    if constexpr (dim == 2)
+      return {-1., 1.};
+    else if (faces[number].corners.size() == 3)
+      return coordinate == 0 ? std::vector<double>{-1., 1., 0.} : std::vector<double>{-1., 0., 1.};
+    else if (coordinate == 0)
+      return {point[1] - 1., 1. - point[1], -point[1], point[1]};
+    else
+      return {point[0] - 1., -point[0], 1. - point[0], point[0]};
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  ReferenceElement<dim>::face_values(const unsigned int number, const FacePoint &point) const
+  {
+    const auto reference                 = element->reference_cell();
+    const std::vector<double> of_corners = corner_values(number, point);
+    dealii::Point<dim> in_cell;
+    for (unsigned int v = 0; v < of_corners.size(); ++v)
+      in_cell += of_corners[v] *
+                 reference.template vertex<dim>(reference.face_to_cell_vertices(number, v, 1));
     std::vector<double> values;
     for (const unsigned int i : faces[number].nodes)
-      values.push_back(element->shape_value(i, first + position * along));
+      values.push_back(element->shape_value(i, in_cell));
     return values;
+  }
+
+
+  // A node is on a face if the corners of the face make up its place.
+  template <int dim>
+  void
+  ReferenceElement<dim>::find_face_nodes(const unsigned int number)
+  {
+    const auto reference         = element->reference_cell();
+    const unsigned int n_corners = reference.face_reference_cell(number).n_vertices();
+    Face &face                   = faces[number];
+    face.corners.resize(n_corners);
+    for (unsigned int v = 0; v < n_corners; ++v)
+      {
+        FacePoint corner;
+        if (n_corners == 3)
+          for (unsigned int c = 0; c < dim - 1; ++c)
+            corner[c] = v == c + 1 ? 1. : 0.;
+        else
+          for (unsigned int c = 0; c < dim - 1; ++c)
+            corner[c] = (v >> c) & 1;
+        face.corner_points.push_back(corner);
+      }
+
+    using Place = std::array<double, dim - 1>; // the last coordinate first, without rounding
+    std::vector<std::pair<Place, unsigned int>> on_face;
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      {
+        double sum = 0.;
+        Place place{};
+        for (unsigned int v = 0; v < n_corners; ++v)
+          {
+            const double share = node_geometry[i][reference.face_to_cell_vertices(number, v, 1)];
+            sum += share;
+            for (unsigned int c = 0; c < dim - 1; ++c)
+              place[dim - 2 - c] += share * face.corner_points[v][c];
+          }
+        for (double &coordinate : place)
+          coordinate = std::round(coordinate * 1e8) / 1e8;
+        if (std::abs(sum - 1.) < 1e-10)
+          on_face.emplace_back(place, i);
+      }
+    std::sort(on_face.begin(), on_face.end());
+    for (const auto &node : on_face)
+      {
+        for (unsigned int v = 0; v < n_corners; ++v)
+          if (node.second == reference.face_to_cell_vertices(number, v, 1))
+            face.corners[v] = static_cast<unsigned int>(face.nodes.size());
+        face.nodes.push_back(node.second);
+      }
   }
 
 
@@ -145,34 +226,20 @@ namespace fuga
   void
   ReferenceElement<dim>::tabulate_face(const unsigned int number, const unsigned int degree)
   {
-    const auto [first, along] = face_line(number);
-
+    find_face_nodes(number);
     Face &face = faces[number];
-    std::vector<std::pair<double, unsigned int>> on_face;
-    for (unsigned int i = 0; i < n_nodes(); ++i)
-      {
-        const dealii::Tensor<1, dim> offset = element->unit_support_point(i) - first;
-        if (std::abs(offset[0] * along[1] - offset[1] * along[0]) < 1e-10)
-          on_face.emplace_back(offset * along, i);
-      }
-    std::sort(on_face.begin(), on_face.end());
-    for (const auto &node : on_face)
-      face.nodes.push_back(node.second);
-
-    const dealii::QGauss<1> points(degree + 2);
-    face.weight = points.get_weights();
-    face.node_weights.assign(face.nodes.size(), 0.);
-    for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const double s = points.point(q)[0];
-        face.position.push_back(s);
-        std::vector<double> values = face_values(number, s);
-        for (std::size_t k = 0; k < values.size(); ++k)
-          face.node_weights[k] += points.weight(q) * values[k];
-        face.values.push_back(std::move(values));
-      }
+    dealii::Quadrature<dim - 1> rule;
+    if (dim == 3 && shape == ReferenceShape::simplex)
+      rule = dealii::QGaussSimplex<dim - 1>(degree + 2);
+    else
+      rule = dealii::QGauss<dim - 1>(degree + 2);
+    face.weight = rule.get_weights();
+    face.points = rule.get_points();
+    for (const FacePoint &point : face.points)
+      face.values.push_back(face_values(number, point));
   }
 
 
   template class ReferenceElement<2>;
+  template class ReferenceElement<3>;
 } // namespace fuga

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/rigid_pieces.h>
@@ -10,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <lapacke.h>
+#include <numeric>
 
 namespace fuga
 {
@@ -48,20 +47,21 @@ namespace fuga
   RigidPieces<dim>::RigidPieces(const Discretization<dim> &space,
                                 const JointedMesh &jointed,
                                 const std::vector<bool> &fixed)
-    : discretization(space)
-    , mesh(jointed)
-    , motions(space.is_axisymmetric() ? std::vector<unsigned int>{1}
-                                      : std::vector<unsigned int>{0, 1, 2})
+    : discretization(space), mesh(jointed)
   {
-    static_assert(dim == 2, "three motions per piece");
+    if (space.is_axisymmetric())
+      motions = {1};
+    else
+      for (unsigned int motion = 0; motion < n_motions; ++motion)
+        motions.push_back(motion);
     find_nodes(discretization);
     find_free_motions(fixed);
 
-    supports = DenseMatrix(3 * centers.size(), 3 * centers.size());
-    for (unsigned int motion = 0; motion < 3; ++motion)
+    supports = DenseMatrix(n_motions * centers.size(), n_motions * centers.size());
+    for (unsigned int motion = 0; motion < n_motions; ++motion)
       if (std::find(motions.begin(), motions.end(), motion) == motions.end())
         for (unsigned int piece = 0; piece < centers.size(); ++piece)
-          add_square(supports, {{3 * piece + motion, 1.}});
+          add_square(supports, {{n_motions * piece + motion, 1.}});
     for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         if (fixed[node * dim + c])
@@ -74,11 +74,12 @@ namespace fuga
       for (unsigned int c = 0; c < dim; ++c)
         {
           dealii::Tensor<1, dim> direction;
-          direction[c]   = 1.;
-          Row row        = displacement(node, direction);
-          const auto arm = discretization.position(node) - centers[other];
-          row.emplace_back(3 * other + c, -1.);
-          row.emplace_back(3 * other + 2, -(c == 0 ? -arm[1] : arm[0]) / sizes[other]);
+          direction[c]      = 1.;
+          Row row           = displacement(node, direction);
+          const auto arm    = discretization.position(node) - centers[other];
+          const Motion work = work_on_motions(direction, arm, sizes[other]);
+          for (unsigned int motion = 0; motion < n_motions; ++motion)
+            row.emplace_back(n_motions * other + motion, -work[motion]);
           add_square(supports, row);
         }
   }
@@ -154,29 +155,53 @@ namespace fuga
         size = std::max(size, discretization.position(node).distance(middle[group_of(node)]));
       }
 
-    std::vector<DenseMatrix> held(n_groups, DenseMatrix(3, 3));
+    std::vector<DenseMatrix> held(n_groups, DenseMatrix(n_motions, n_motions));
     for (std::size_t node = 0; node < piece_of_node.size(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         if (fixed[node * dim + c])
           {
             const unsigned int group = group_of(node);
             const auto arm           = discretization.position(node) - middle[group];
-            add_square(held[group], {{c, 1.}, {2, (c == 0 ? -arm[1] : arm[0]) / extent[group]}});
+            dealii::Tensor<1, dim> direction;
+            direction[c]      = 1.;
+            const Motion work = work_on_motions(direction, arm, extent[group]);
+            Row row;
+            for (unsigned int motion = 0; motion < n_motions; ++motion)
+              row.emplace_back(motion, work[motion]);
+            add_square(held[group], row);
           }
     for (unsigned int group = 0; group < n_groups; ++group)
       {
-        for (unsigned int motion = 0; motion < 3; ++motion)
+        for (unsigned int motion = 0; motion < n_motions; ++motion)
           if (std::find(motions.begin(), motions.end(), motion) == motions.end())
             add_square(held[group], {{motion, 1.}});
         const DenseMatrix null = null_vectors(std::move(held[group]));
         for (std::size_t k = 0; k < null.n_columns(); ++k)
           {
-            FreeMotion motion{group, middle[group], {}, null(2, k) / extent[group]};
-            for (unsigned int c = 0; c < dim; ++c)
-              motion.shift[c] = null(c, k);
-            free_motions.push_back(motion);
+            FreeMotion free{group, middle[group], {}};
+            for (unsigned int motion = 0; motion < n_motions; ++motion)
+              free.motion[motion] = null(motion, k) / (motion < dim ? 1. : extent[group]);
+            free_motions.push_back(free);
           }
       }
+  }
+
+
+  template <int dim>
+  typename RigidPieces<dim>::Motion
+  RigidPieces<dim>::work_on_motions(const dealii::Tensor<1, dim> &direction,
+                                    const dealii::Tensor<1, dim> &arm,
+                                    const double size)
+  {
+    Motion work;
+    for (unsigned int c = 0; c < dim; ++c)
+      work[c] = direction[c];
+    if constexpr (dim == 2)
+      work[2] = (direction[1] * arm[0] - direction[0] * arm[1]) / size;
+    else
+      for (unsigned int c = 0; c < 3; ++c)
+        work[3 + c] = dealii::cross_product_3d(arm, direction)[c] / size;
+    return work;
   }
 
 
@@ -187,9 +212,11 @@ namespace fuga
   {
     const unsigned int piece = piece_of_node[node];
     const auto arm           = discretization.position(node) - centers[piece];
-    return {{3 * piece, direction[0]},
-            {3 * piece + 1, direction[1]},
-            {3 * piece + 2, (direction[1] * arm[0] - direction[0] * arm[1]) / sizes[piece]}};
+    const Motion work        = work_on_motions(direction, arm, sizes[piece]);
+    Row row;
+    for (unsigned int motion = 0; motion < n_motions; ++motion)
+      row.emplace_back(n_motions * piece + motion, work[motion]);
+    return row;
   }
 
 
@@ -227,102 +254,6 @@ namespace fuga
 
 
   template <int dim>
-  void
-  RigidPieces<dim>::require_held_by(const ContactBars<dim> &bars) const
-  {
-    const DenseMatrix free = null_space(bars);
-    if (free.n_columns() == 0)
-      return;
-    unsigned int worst = 0;
-    double largest     = -1.;
-    for (unsigned int piece = 0; piece < centers.size(); ++piece)
-      {
-        double sum = 0.;
-        for (std::size_t j = 0; j < free.n_columns(); ++j)
-          for (unsigned int i = 0; i < 3; ++i)
-            sum += free(3 * piece + i, j) * free(3 * piece + i, j);
-        if (sum > largest * (1. + 1e-6))
-          {
-            largest = sum;
-            worst   = piece;
-          }
-      }
-    throw InputError(fmt::format(
-      "Body '{}' (the piece around ({:g}, {:g})) is not held even when every joint is closed and "
-      "sticks: it is {}. Hold more components of its boundaries, or tie it by a joint with at "
-      "least "
-      "two node pairs to a body that is held.",
-      mesh.body_names[body_of_piece[worst]],
-      centers[worst][0],
-      centers[worst][1],
-      describe(free, worst)));
-  }
-
-
-  template <int dim>
-  std::string
-  RigidPieces<dim>::describe(const DenseMatrix &free, const unsigned int piece) const
-  {
-    // Orthonormal basis of the motions of this piece: shifts first, then what is left.
-    std::vector<std::array<double, 3>> span, found;
-    const auto reduce = [](std::array<double, 3> v,
-                           const std::vector<std::array<double, 3>> &basis) {
-      for (const auto &b : basis)
-        {
-          const double s = v[0] * b[0] + v[1] * b[1] + v[2] * b[2];
-          for (unsigned int i = 0; i < 3; ++i)
-            v[i] -= s * b[i];
-        }
-      return v;
-    };
-    const auto norm = [](const std::array<double, 3> &v) { return std::hypot(v[0], v[1], v[2]); };
-    const auto add  = [&](const std::array<double, 3> &v,
-                         std::vector<std::array<double, 3>> &basis) {
-      auto w = reduce(v, basis);
-      if (const double length = norm(w); length > 1e-5)
-        {
-          for (double &x : w)
-            x /= length;
-          basis.push_back(w);
-        }
-    };
-    for (std::size_t j = 0; j < free.n_columns(); ++j)
-      add({{free(3 * piece, j), free(3 * piece + 1, j), free(3 * piece + 2, j)}}, span);
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        std::array<double, 3> unit{};
-        unit[c] = 1.;
-        if (norm(reduce(unit, span)) < 1e-5)
-          add(unit, found);
-      }
-    for (const auto &v : span)
-      add(v, found);
-
-    std::vector<std::string> words;
-    for (const auto &motion : found)
-      words.push_back(describe(motion, piece));
-    return fmt::format("{}", fmt::join(words, " and "));
-  }
-
-
-  template <int dim>
-  std::string
-  RigidPieces<dim>::describe(const std::array<double, 3> &motion, const unsigned int piece) const
-  {
-    const double rotation = motion[2] / sizes[piece];
-    if (std::abs(motion[2]) > 1e-6)
-      return fmt::format("free to rotate about ({:.6g}, {:.6g})",
-                         centers[piece][0] - motion[1] / rotation,
-                         centers[piece][1] + motion[0] / rotation);
-    if (std::abs(motion[1]) < 1e-6)
-      return "free to move in x";
-    if (std::abs(motion[0]) < 1e-6)
-      return "free to move in y";
-    return fmt::format("free to move in the direction ({:.4g}, {:.4g})", motion[0], motion[1]);
-  }
-
-
-  template <int dim>
   Vector
   RigidPieces<dim>::free_motion(const std::size_t number) const
   {
@@ -331,9 +262,15 @@ namespace fuga
     for (std::size_t node = 0; node < piece_of_node.size(); ++node)
       if (group_of_piece[piece_of_node[node]] == motion.group)
         {
-          const auto arm    = discretization.position(node) - motion.center;
-          u[node * dim]     = motion.shift[0] - motion.rotation * arm[1];
-          u[node * dim + 1] = motion.shift[1] + motion.rotation * arm[0];
+          const auto arm = discretization.position(node) - motion.center;
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              dealii::Tensor<1, dim> direction;
+              direction[c]      = 1.;
+              const Motion work = work_on_motions(direction, arm, 1.);
+              u[node * dim + c] =
+                std::inner_product(work.begin(), work.end(), motion.motion.begin(), 0.);
+            }
         }
     return u;
   }
@@ -351,4 +288,5 @@ namespace fuga
 
 
   template class RigidPieces<2>;
+  template class RigidPieces<3>;
 } // namespace fuga

@@ -43,4 +43,5 @@ namespace fuga
 
 
   template class TemperatureField<2>;
+  template class TemperatureField<3>;
 } // namespace fuga

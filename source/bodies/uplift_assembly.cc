@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/face_map.h>
 #include <fuga/bodies/uplift_assembly.h>
 
 #include <algorithm>
@@ -51,24 +52,20 @@ namespace fuga
 
 
   template <int dim>
-  const dealii::Point<dim> &
-  UpliftAssembly<dim>::end(const typename JointGeometry<dim>::Face &face,
-                           const unsigned int which) const
-  {
-    return geometry.pairs()[which == 0 ? face.pairs.front() : face.pairs.back()].position;
-  }
-
-
-  template <int dim>
   auto
   UpliftAssembly<dim>::water_of(const LoadDefinition &load, const unsigned int joint) const -> Water
   {
     using End            = Uplift::End;
     const Uplift &uplift = load.uplift;
     const bool vertical  = uplift.upstream_end == End::bottom || uplift.upstream_end == End::top;
-    const unsigned int c = vertical ? 1 : 0;
+    const unsigned int c = vertical ? dim - 1 : 0;
     const bool first     = uplift.upstream_end == End::left || uplift.upstream_end == End::bottom;
-    bool any             = false;
+    if (dim == 3 && vertical)
+      throw InputError(fmt::format(
+        "{}: in space the water of a joint comes from the left or from the right (the end with the "
+        "smallest or the largest x); write one of them as upstream end.",
+        load_title(load)));
+    bool any = false;
     Water water;
     for (const auto &pair : geometry.pairs())
       if (pair.joint == joint)
@@ -79,6 +76,12 @@ namespace fuga
             water.downstream = pair.position;
           any = true;
         }
+    if constexpr (dim == 3)
+      {
+        require_level_end(load, joint, water.upstream);
+        require_level_end(load, joint, water.downstream);
+        water.downstream[1] = water.upstream[1];
+      }
     const double length = water.upstream.distance(water.downstream);
     if (length == 0.)
       throw InputError(fmt::format(
@@ -105,8 +108,35 @@ namespace fuga
   }
 
 
+  // The pressure at an end of the joint is that of one depth.
+  template <int dim>
+  void
+  UpliftAssembly<dim>::require_level_end(const LoadDefinition &load,
+                                         const unsigned int joint,
+                                         const dealii::Point<dim> &end) const
+  {
+    double extent = 0.;
+    for (const auto &pair : geometry.pairs())
+      if (pair.joint == joint)
+        extent = std::max(extent, pair.position.distance(end));
+    for (const auto &pair : geometry.pairs())
+      if (pair.joint == joint && std::abs(pair.position[0] - end[0]) <= 1e-6 * extent &&
+          std::abs(pair.position[dim - 1] - end[dim - 1]) > 1e-6 * extent)
+        throw InputError(fmt::format("{}: the end of joint '{}' at x = {:g} is not horizontal: it "
+                                     "has nodes at the heights {:g} "
+                                     "and {:g}. In space uplift needs horizontal upstream and "
+                                     "downstream ends; divide the joint "
+                                     "into several with such ends.",
+                                     load_title(load),
+                                     mesh.joints[joint].name,
+                                     end[0],
+                                     end[dim - 1],
+                                     pair.position[dim - 1]));
+  }
+
+
   // Cut where a pressure has a corner, the integrand is a polynomial: degree p of the shape
-  // function, one of the pressure, one of a radius.
+  // function, one of the pressure, one of a radius or of the density of the area.
   template <int dim>
   void
   UpliftAssembly<dim>::add_face(const typename JointGeometry<dim>::Face &face,
@@ -118,49 +148,57 @@ namespace fuga
   {
     const double gamma   = load.depth.gradient;
     const Uplift &uplift = load.uplift;
-    const auto &first    = end(face, 0);
-    const auto along     = end(face, 1) - first;
     const auto way       = water.downstream - water.upstream;
-    const auto share_at  = [&](const double position) {
-      return ((first + position * along) - water.upstream) * way / way.norm_square();
-    };
-    std::vector<double> cuts = {0., 1.};
-    const auto cut_at        = [&](const double value0, const double value1) {
-      if (value0 * value1 < 0.)
-        cuts.push_back(value0 / (value0 - value1));
-    };
-    for (const auto &point : water.profile)
-      cut_at(share_at(0.) - point[0], share_at(1.) - point[0]);
-    cut_at(level - first[1], level - first[1] - along[1]);
-    std::sort(cuts.begin(), cuts.end());
+    const FaceMap<dim> map(discretization, face.boundary);
+    const Vector heights = map.heights();
+    Vector shares;
+    for (const auto &corner : map.corners())
+      shares.push_back((corner - water.upstream) * way / way.norm_square());
+    std::vector<Vector> kinks(water.profile.size() + 1, Vector(shares.size()));
+    for (std::size_t v = 0; v < shares.size(); ++v)
+      {
+        for (std::size_t k = 0; k < water.profile.size(); ++k)
+          kinks[k][v] = shares[v] - water.profile[k][0];
+        kinks.back()[v] = level - heights[v];
+      }
 
-    const double u_upstream = pressure_below(level, water.upstream[1], gamma);
+    const double u_upstream = pressure_below(level, water.upstream[dim - 1], gamma);
     const double u_downstream =
-      uplift.has_tailwater ? pressure_below(uplift.tailwater, water.downstream[1], gamma) : 0.;
-    const std::size_t n = face.pairs.size();
-    const dealii::QGauss<1> rule(static_cast<unsigned int>(n) + 1);
-    for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          const double width    = cuts[part + 1] - cuts[part];
-          const double position = cuts[part] + width * rule.point(q)[0];
-          const auto point      = first + position * along;
-          const double area =
-            rule.weight(q) * width * along.norm() * discretization.extent_across(point);
-          const double phi      = share_of_head(water.profile, share_at(position));
-          const double u_closed = u_downstream + phi * (u_upstream - u_downstream);
-          const double u_full   = pressure_below(level, point[1], gamma);
-          // All faces have the same nodes, symmetrical to the middle.
-          const auto values = discretization.reference_element().face_values(0, position);
-          for (std::size_t k = 0; k < n; ++k)
-            if (const unsigned int element = bars.elements_of_pairs()[face.pairs[k]];
-                element != ContactBars<dim>::no_element)
-              {
-                const unsigned int bar = bars.elements()[element].normal_bar;
-                closed[bar] += area * values[k] * u_closed;
-                full[bar] += area * values[k] * u_full;
-              }
-        }
+      uplift.has_tailwater ? pressure_below(uplift.tailwater, water.downstream[dim - 1], gamma)
+                           : 0.;
+    const unsigned int n_points = discretization.reference_element().scalar_element().degree + 2;
+    const dealii::QGauss<1> rule(n_points);
+    for (const auto &line : map.lines(kinks, n_points))
+      {
+        std::vector<double> cuts = {0., 1.};
+        for (const Vector &kink : kinks)
+          {
+            const double begin = map.interpolate(kink, line.begin),
+                         end   = map.interpolate(kink, line.end);
+            if (begin * end < 0.)
+              cuts.push_back(begin / (begin - end));
+          }
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            {
+              const double width    = cuts[part + 1] - cuts[part];
+              const auto at         = line.at(cuts[part] + width * rule.point(q)[0]);
+              const double area     = rule.weight(q) * width * line.weight * map.density(at);
+              const double phi      = share_of_head(water.profile, map.interpolate(shares, at));
+              const double u_closed = u_downstream + phi * (u_upstream - u_downstream);
+              const double u_full   = pressure_below(level, map.interpolate(heights, at), gamma);
+              const auto values     = map.values(at);
+              for (std::size_t k = 0; k < values.size(); ++k)
+                if (const unsigned int element = bars.elements_of_pairs()[face.pair_of_node(k)];
+                    element != ContactBars<dim>::no_element)
+                  {
+                    const unsigned int bar = bars.elements()[element].normal_bar;
+                    closed[bar] += area * values[k] * u_closed;
+                    full[bar] += area * values[k] * u_full;
+                  }
+            }
+      }
   }
 
 
@@ -183,6 +221,8 @@ namespace fuga
         }
     pattern.forces.assign(discretization.n_dofs(), 0.);
     bars.add_forces(1., pattern.closed_water, pattern.forces);
+    if (!load.uplift.fills_cracks)
+      return pattern;
     pattern.opening_water.assign(full.size(), 0.);
     for (std::size_t i = 0; i < full.size(); ++i)
       pattern.opening_water[i] = std::max(full[i] - pattern.closed_water[i], 0.);
@@ -203,14 +243,15 @@ namespace fuga
           for (const auto &face : geometry.faces())
             if (face.joint == joint)
               {
-                const double y0 = end(face, 0)[1], y1 = end(face, 1)[1];
-                if (std::abs(y1 - y0) <= 1e-9 * end(face, 0).distance(end(face, 1)))
-                  kinks.push_back(y0);
-                lowest  = any ? std::min({lowest, y0, y1}) : std::min(y0, y1);
-                highest = any ? std::max({highest, y0, y1}) : std::max(y0, y1);
+                const Vector y         = FaceMap<dim>(discretization, face.boundary).heights();
+                const auto [low, high] = std::minmax_element(y.begin(), y.end());
+                if (*high - *low <= 1e-9 * discretization.face_length(face.boundary))
+                  kinks.push_back(*low);
+                lowest  = any ? std::min(lowest, *low) : *low;
+                highest = any ? std::max(highest, *high) : *high;
                 any     = true;
               }
-          kinks.insert(kinks.end(), {lowest, highest, water_of(load, joint).upstream[1]});
+          kinks.insert(kinks.end(), {lowest, highest, water_of(load, joint).upstream[dim - 1]});
         }
     std::sort(kinks.begin(), kinks.end());
     kinks.erase(
@@ -238,4 +279,5 @@ namespace fuga
 
 
   template class UpliftAssembly<2>;
+  template class UpliftAssembly<3>;
 } // namespace fuga

@@ -192,4 +192,5 @@ namespace fuga
   }
 
   template class FieldWriter<2>;
+  template class FieldWriter<3>;
 } // namespace fuga

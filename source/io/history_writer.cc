@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -65,7 +66,7 @@ namespace fuga
     }
 
     std::vector<std::string>
-    resultant_columns(const Units &u, const bool has_water)
+    resultant_columns(const Units &u, const bool has_water, const bool in_space)
     {
       std::vector<std::string> columns = {"t",
                                           "joint",
@@ -96,13 +97,26 @@ namespace fuga
                                           fmt::format("crack_from_last[{}]", u.length),
                                           fmt::format("smallest_pressure[{}]", u.stress()),
                                           fmt::format("joint_dissipation[{}]", u.energy())};
+      if (in_space)
+        for (const std::string &column : {fmt::format("T2[{}]", u.force),
+                                          fmt::format("M1[{}]", u.energy()),
+                                          fmt::format("Mn[{}]", u.energy()),
+                                          fmt::format("eccentricity2[{}]", u.length),
+                                          fmt::format("position_z[{}]", u.length),
+                                          std::string("normal_x"),
+                                          std::string("normal_y"),
+                                          std::string("normal_z"),
+                                          std::string("t1_x"),
+                                          std::string("t1_y"),
+                                          std::string("t1_z")})
+          columns.push_back(column);
       if (has_water)
         columns.push_back(fmt::format("water[{}]", u.force));
       return columns;
     }
 
     std::vector<std::string>
-    monitor_columns(const Units &u)
+    monitor_columns(const Units &u, const bool in_space)
     {
       std::vector<std::string> columns = {"t", "occasion", "monitor"};
       for (const char *name : {"x", "y", "z", "ux", "uy", "uz"})
@@ -110,6 +124,9 @@ namespace fuga
       columns.push_back(fmt::format("path_length[{}]", u.length));
       for (const char *name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"})
         columns.push_back(fmt::format("{}[{}]", name, u.stress()));
+      for (const char *name : {"stress_xz", "stress_yz"})
+        if (in_space)
+          columns.push_back(fmt::format("{}[{}]", name, u.stress()));
       return columns;
     }
   } // namespace
@@ -118,11 +135,12 @@ namespace fuga
     : context(history_context)
     , events(directory + "/events.csv", event_columns(context.units))
     , history(directory + "/joint_history.csv", history_columns(context.units, context.has_water))
-    , resultants(directory + "/resultants.csv", resultant_columns(context.units, context.has_water))
+    , resultants(directory + "/resultants.csv",
+                 resultant_columns(context.units, context.has_water, context.in_space))
   {
     if (!context.monitors.empty())
-      monitors =
-        std::make_unique<CsvFile>(directory + "/monitors.csv", monitor_columns(context.units));
+      monitors = std::make_unique<CsvFile>(directory + "/monitors.csv",
+                                           monitor_columns(context.units, context.in_space));
   }
 
   void
@@ -167,8 +185,18 @@ namespace fuga
           history.add(x);
         history.add(element.area);
         history.add(std::string(state_name(r.state)));
-        for (const double value :
-             {r.N, r.T, 0., r.pressure, r.shear, 0., r.gap, r.slip, 0., r.jump_n, r.jump_t, 0.})
+        for (const double value : {r.N,
+                                   r.T,
+                                   r.T2,
+                                   r.pressure,
+                                   r.shear,
+                                   r.shear2,
+                                   r.gap,
+                                   r.slip,
+                                   r.slip2,
+                                   r.jump_n,
+                                   r.jump_t,
+                                   r.jump_t2})
           history.add(value);
         history.add(length_beyond);
         if (context.has_water)
@@ -201,7 +229,8 @@ namespace fuga
                                    certificate,
                                    length_beyond,
                                    r.eccentricity,
-                                   r.in_middle_third ? 1. : 0.,
+                                   context.in_space ? std::numeric_limits<double>::quiet_NaN()
+                                                    : (r.in_middle_third ? 1. : 0.),
                                    r.overturning_safety,
                                    r.share_compression,
                                    r.cracked_length,
@@ -210,6 +239,19 @@ namespace fuga
                                    r.smallest_pressure,
                                    r.dissipation})
           resultants.add(value);
+        if (context.in_space)
+          for (const double value : {r.T2,
+                                     r.M1,
+                                     r.Mn,
+                                     r.eccentricity2,
+                                     r.position[2],
+                                     r.normal[0],
+                                     r.normal[1],
+                                     r.normal[2],
+                                     r.first_tangent[0],
+                                     r.first_tangent[1],
+                                     r.first_tangent[2]})
+            resultants.add(value);
         if (context.has_water)
           resultants.add(r.water);
         resultants.end_row();
@@ -255,8 +297,9 @@ namespace fuga
         for (const double u : monitor.displacement(coordinates, factors))
           monitors->add(u);
         monitors->add(length_beyond);
-        for (const double s : monitor.stress(coordinates, factors, thermal_strains[i]))
-          monitors->add(s);
+        const auto stress = monitor.stress(coordinates, factors, thermal_strains[i]);
+        for (std::size_t k = 0; k < (context.in_space ? 6 : 4); ++k)
+          monitors->add(stress[k]);
         monitors->end_row();
       }
   }

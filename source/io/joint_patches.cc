@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace fuga
 {
@@ -14,22 +16,56 @@ namespace fuga
     /** How far a lip is moved in the exploded view, as share of the extent of all joints. */
     constexpr double explosion = 0.03;
     /** State of a node without contact element. */
-    constexpr float bonded = 3.F;
+    constexpr double bonded = 3.;
 
-    /** The last one only if a joint has water. */
-    const std::array<const char *, 13> names = {{"gap",
-                                                 "closure",
-                                                 "slip",
-                                                 "shear_jump",
-                                                 "normal_jump",
-                                                 "pressure",
-                                                 "shear",
-                                                 "utilisation",
-                                                 "state",
-                                                 "area",
-                                                 "dissipation",
-                                                 "element",
-                                                 "water_pressure"}};
+    std::vector<std::string>
+    names(const unsigned int dim, const bool has_water)
+    {
+      std::vector<std::string> result = {"gap",
+                                         "closure",
+                                         "slip",
+                                         "shear_jump",
+                                         "normal_jump",
+                                         "pressure",
+                                         "shear",
+                                         "utilisation",
+                                         "state",
+                                         "area",
+                                         "dissipation",
+                                         "element"};
+      if (has_water)
+        result.emplace_back("water_pressure");
+      if (dim == 3)
+        {
+          for (const char *name : {"slip2", "shear_jump2", "shear2"})
+            result.emplace_back(name);
+          for (const char *name : {"slip_vector", "shear_vector"})
+            result.insert(result.end(), 3, name);
+        }
+      return result;
+    }
+
+    /** Node numbers of the cells by which a face with @p n nodes is drawn: p lines, p² squares, or a
+     *  triangle. */
+    std::vector<std::vector<unsigned int>>
+    cells_of_face(const unsigned int dim, const unsigned int n)
+    {
+      std::vector<std::vector<unsigned int>> cells;
+      if (dim == 2)
+        for (unsigned int i = 0; i + 1 < n; ++i)
+          cells.push_back({i, i + 1});
+      else if (n == 3)
+        cells.push_back({0, 1, 2});
+      else
+        {
+          const auto row = static_cast<unsigned int>(std::lround(std::sqrt(n)));
+          for (unsigned int j = 0; j + 1 < row; ++j)
+            for (unsigned int i = 0; i + 1 < row; ++i)
+              cells.push_back(
+                {j * row + i, j * row + i + 1, (j + 1) * row + i, (j + 1) * row + i + 1});
+        }
+      return cells;
+    }
 
     double
     extent(const std::vector<JointFace> &faces)
@@ -68,7 +104,6 @@ namespace fuga
         }
   }
 
-  // A face of degree p is p line cells between its p + 1 nodes.
   template <int dim>
   void
   JointPatches<dim>::add_face(const JointFace &face, const double offset)
@@ -77,46 +112,67 @@ namespace fuga
     for (const unsigned int k : face.elements)
       if (k != JointFace::no_element)
         normal = system.normal(k);
-    for (std::size_t i = 0; i + 1 < face.positions.size(); ++i)
+    for (const auto &nodes : cells_of_face(dim, static_cast<unsigned int>(face.positions.size())))
       {
         Patch patch;
-        patch.reference_cell       = dealii::ReferenceCells::get_hypercube<dim - 1>();
+        patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim - 1>();
+        if (dim == 3 && nodes.size() == 3)
+          patch.reference_cell = dealii::ReferenceCells::Triangle;
         patch.patch_index          = static_cast<unsigned int>(patches.size());
         patch.n_subdivisions       = 1;
         patch.points_are_available = false;
-        const auto n_names         = static_cast<unsigned int>(get_dataset_names().size());
-        patch.data.reinit(n_names, 2);
-        for (unsigned int v = 0; v < 2; ++v)
+        for (unsigned int v = 0; v < nodes.size(); ++v)
           {
             for (unsigned int d = 0; d < dim; ++d)
-              patch.vertices[v][d] = face.positions[i + v][d] + offset * normal[d];
-            const unsigned int k = face.elements[i + v];
-            if (k == JointFace::no_element)
-              {
-                patch.data(8, v)  = bonded;
-                patch.data(11, v) = -1.F;
-                continue;
-              }
-            const ElementResult &r                        = results[k];
-            const std::array<double, names.size()> values = {
-              {r.gap,
-               r.closure,
-               r.slip,
-               r.jump_t,
-               r.jump_n,
-               r.pressure,
-               r.shear,
-               r.utilisation,
-               static_cast<double>(state_code(r.state)),
-               elements[k].area,
-               dissipation[k],
-               static_cast<double>(elements[k].number),
-               r.water_pressure}};
-            for (unsigned int n = 0; n < n_names; ++n)
+              patch.vertices[v][d] = face.positions[nodes[v]][d] + offset * normal[d];
+            const std::vector<double> values = values_at(face.elements[nodes[v]]);
+            if (v == 0)
+              patch.data.reinit(values.size(), nodes.size());
+            for (unsigned int n = 0; n < values.size(); ++n)
               patch.data(n, v) = static_cast<float>(values[n]);
           }
         patches.push_back(std::move(patch));
       }
+  }
+
+  template <int dim>
+  std::vector<double>
+  JointPatches<dim>::values_at(const unsigned int element) const
+  {
+    const bool has_water      = !system.closed_water().empty();
+    const std::size_t n_names = names(dim, has_water).size();
+    if (element == JointFace::no_element)
+      {
+        std::vector<double> values(n_names, 0.);
+        values[8]  = bonded;
+        values[11] = -1.;
+        return values;
+      }
+    const ElementResult &r     = results[element];
+    std::vector<double> values = {r.gap,
+                                  r.closure,
+                                  r.slip,
+                                  r.jump_t,
+                                  r.jump_n,
+                                  r.pressure,
+                                  r.shear,
+                                  r.utilisation,
+                                  static_cast<double>(state_code(r.state)),
+                                  elements[element].area,
+                                  dissipation[element],
+                                  static_cast<double>(elements[element].number)};
+    if (has_water)
+      values.push_back(r.water_pressure);
+    if (dim == 3)
+      {
+        values.insert(values.end(), {r.slip2, r.jump_t2, r.shear2});
+        const auto t = system.tangents(element);
+        for (const auto &[along1, along2] :
+             {std::pair(r.slip, r.slip2), std::pair(r.shear, r.shear2)})
+          for (unsigned int c = 0; c < 3; ++c)
+            values.push_back(along1 * t[0][c] + along2 * t[1][c]);
+      }
+    return values;
   }
 
   template <int dim>
@@ -130,8 +186,23 @@ namespace fuga
   std::vector<std::string>
   JointPatches<dim>::get_dataset_names() const
   {
-    return {names.begin(), names.end() - (system.opening_water().empty() ? 1 : 0)};
+    return names(dim, !system.closed_water().empty());
+  }
+
+  template <int dim>
+  std::vector<std::tuple<unsigned int,
+                         unsigned int,
+                         std::string,
+                         dealii::DataComponentInterpretation::DataComponentInterpretation>>
+  JointPatches<dim>::get_nonscalar_data_ranges() const
+  {
+    if (dim == 2)
+      return {};
+    const auto end    = static_cast<unsigned int>(get_dataset_names().size());
+    const auto vector = dealii::DataComponentInterpretation::component_is_part_of_vector;
+    return {{end - 6, end - 4, "slip_vector", vector}, {end - 3, end - 1, "shear_vector", vector}};
   }
 
   template class JointPatches<2>;
+  template class JointPatches<3>;
 } // namespace fuga

@@ -61,15 +61,6 @@ namespace fuga
       return frame;
     }
 
-    void
-    add_extremes(const ElementResult &result, JointResultant &resultant)
-    {
-      resultant.largest_pressure  = std::max(resultant.largest_pressure, result.pressure);
-      resultant.smallest_pressure = std::min(resultant.smallest_pressure, result.pressure);
-      resultant.largest_gap       = std::max(resultant.largest_gap, result.gap);
-      resultant.largest_slip      = std::max(resultant.largest_slip, std::abs(result.slip));
-    }
-
     /** Length that an element stands for; @p members in the order along the joint. */
     double
     length_of(const std::size_t number,
@@ -117,7 +108,7 @@ namespace fuga
       const double e            = resultant.N == 0. ? not_a_number : -resultant.M / resultant.N;
       const double B            = frame.last_edge - frame.first_edge;
       resultant.eccentricity    = e;
-      resultant.position        = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x}};
+      resultant.position        = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x, 0.}};
       resultant.in_middle_third = e >= frame.first_edge + B * (1. / 3. - rounding) &&
                                   e <= frame.last_edge - B * (1. / 3. - rounding);
       resultant.overturning_safety = std::abs(e) <= rounding * B ? infinity
@@ -150,14 +141,8 @@ namespace fuga
             (element.position[0] - frame.x) * F_y - (element.position[1] - frame.y) * F_x;
           resultant.water +=
             result.water_pressure * element.area * (n_x * frame.n_x + n_y * frame.n_y);
-          const double share = element.area / frame.area;
-          (result.state == ContactState::open    ? resultant.share_open
-           : result.state == ContactState::stick ? resultant.share_stick
-                                                 : resultant.share_slip) += share;
-          resultant.share_compression += result.pressure > 0. ? share : 0.;
           strength += result.strength;
-          resultant.dissipation += dissipation[k];
-          add_extremes(result, resultant);
+          add_element(result, element.area / frame.area, dissipation[k], resultant);
         }
       measure_cracks(members, elements, results, across_plane, resultant);
       if (across_plane.axisymmetric)
@@ -168,6 +153,24 @@ namespace fuga
       return resultant;
     }
   } // namespace
+
+  void
+  add_element(const ElementResult &result,
+              const double share,
+              const double dissipation,
+              JointResultant &resultant)
+  {
+    (result.state == ContactState::open    ? resultant.share_open
+     : result.state == ContactState::stick ? resultant.share_stick
+                                           : resultant.share_slip) += share;
+    resultant.share_compression += result.pressure > 0. ? share : 0.;
+    resultant.dissipation += dissipation;
+    resultant.largest_pressure  = std::max(resultant.largest_pressure, result.pressure);
+    resultant.smallest_pressure = std::min(resultant.smallest_pressure, result.pressure);
+    resultant.largest_gap       = std::max(resultant.largest_gap, result.gap);
+    resultant.largest_slip =
+      std::max(resultant.largest_slip, std::hypot(result.slip, result.slip2));
+  }
 
   std::vector<JointResultant>
   joint_resultants(const std::size_t n_joints,

@@ -39,17 +39,28 @@ namespace fuga
             result.jump_t = jumps[element.tangential_bar];
             result.slip   = state.slips[k];
           }
+        if (element.has_second_tangential_bar())
+          {
+            const unsigned int bar = element.second_tangential_bar;
+            result.T2 =
+              result.state == ContactState::open ? state.unreleased[bar] : state.forces[bar];
+            result.jump_t2 = jumps[bar];
+            result.slip    = state.dislocations[element.tangential_bar];
+            result.slip2   = state.dislocations[bar];
+          }
         if (!closed_water.empty())
-          result.water_pressure =
-            (closed_water[element.normal_bar] + state.water[element.normal_bar]) / element.area;
+          result.water_pressure = (closed_water[element.normal_bar] +
+                                   (state.water.empty() ? 0. : state.water[element.normal_bar])) /
+                                  element.area;
         result.pressure = result.N == 0. ? 0. : -result.N / element.area;
         result.shear    = result.T / element.area;
+        result.shear2   = result.T2 / element.area;
         if (result.state != ContactState::open)
           result.strength = shear_strength(element, state, k);
         if (is_slipping(result.state))
           result.utilisation = 1.;
         else if (result.state == ContactState::stick && result.strength > 0.)
-          result.utilisation = std::min(1., std::abs(result.T) / result.strength);
+          result.utilisation = std::min(1., std::hypot(result.T, result.T2) / result.strength);
       }
     return results;
   }

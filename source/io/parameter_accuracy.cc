@@ -113,6 +113,10 @@ namespace fuga
         refuse(section, "Components", "resultant or monitor");
         return;
       }
+    if (parameters.model.dimension == 3)
+      section.fail("Quantity",
+                   "in space (Dimension = 3) the program does not find its mesh in this version. "
+                   "Remove this entry, and compare with 'Mesh/Refinements'.");
     check_combinations(section, parameters);
     parameters.output.checkpoint = CheckpointOutput::never; // the mesh is not in it
     if (target.quantity == Quantity::pressure)

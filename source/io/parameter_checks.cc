@@ -16,7 +16,7 @@ namespace fuga
 
 
     BoundaryCondition
-    read_boundary(const ParameterSection &section)
+    read_boundary(const ParameterSection &section, const unsigned int dimension)
     {
       BoundaryCondition condition;
       condition.boundary                   = section.name();
@@ -28,19 +28,19 @@ namespace fuga
             section.fail(
               "Fixed",
               fmt::format("'{}' stands alone. Write either it or a list of components.", word));
-          if (word == "z")
+          if (word == "z" && dimension == 2)
             section.fail("Fixed", "a plane problem has no component z. Use x, y or all.");
           if (word == "free")
             condition.named_free = true;
           else if (word == "all")
-            condition.fixed = {{true, true, false}};
-          else if (word == "x" || word == "y")
-            condition.fixed[word == "x" ? 0 : 1] = true;
+            condition.fixed = {{true, true, dimension == 3}};
+          else if (word == "x" || word == "y" || word == "z")
+            condition.fixed[static_cast<std::size_t>(word[0] - 'x')] = true;
           else
-            section.fail(
-              "Fixed",
-              fmt::format("'{}' is unknown. Allowed: x or y or x, y, or the words all, free.",
-                          word));
+            section.fail("Fixed",
+                         fmt::format("'{}' is unknown. Allowed: {}, or the words all, free.",
+                                     word,
+                                     dimension == 2 ? "x or y or x, y" : "some of x, y, z"));
         }
       return condition;
     }
@@ -132,11 +132,11 @@ namespace fuga
 
 
   std::vector<BoundaryCondition>
-  read_boundaries(const ParameterValues &values)
+  read_boundaries(const ParameterValues &values, const unsigned int dimension)
   {
     std::vector<BoundaryCondition> conditions;
     for (const ParameterSection &section : values.subsections("Boundaries"))
-      conditions.push_back(read_boundary(section));
+      conditions.push_back(read_boundary(section, dimension));
     return conditions;
   }
 

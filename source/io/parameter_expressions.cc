@@ -42,10 +42,21 @@ namespace fuga
     const char *
     variable_names(const ExpressionArguments arguments)
     {
-      return arguments == ExpressionArguments::place            ? "x,y"
-             : arguments == ExpressionArguments::place_and_time ? "x,y,t"
-             : arguments == ExpressionArguments::deformation    ? "w"
-                                                                : "t";
+      switch (arguments)
+        {
+          case ExpressionArguments::place:
+            return "x,y";
+          case ExpressionArguments::place_and_time:
+            return "x,y,t";
+          case ExpressionArguments::place_in_space:
+            return "x,y,z";
+          case ExpressionArguments::place_in_space_and_time:
+            return "x,y,z,t";
+          case ExpressionArguments::deformation:
+            return "w";
+          default:
+            return "t";
+        }
     }
 
 
@@ -94,10 +105,11 @@ namespace fuga
              const std::string &variables,
              const std::map<std::string, double> &constants,
              const std::vector<dealii::Point<n_arguments>> &points,
-             const bool everywhere)
+             const bool everywhere,
+             const bool and_at_start = false)
     {
       dealii::FunctionParser<n_arguments> function(1);
-      function.initialize(variables, std::vector<std::string>{expression}, constants, false);
+      function.initialize(variables, std::vector<std::string>{expression}, constants, and_at_start);
       unsigned int n_finite = 0;
       std::string problem;
       for (const auto &point : points)
@@ -108,7 +120,7 @@ namespace fuga
           else if (problem.empty())
             {
               std::ostringstream place;
-              place << point;
+              place << point << (and_at_start ? " 0" : "");
               problem =
                 fmt::format("its value at {} = ({}) is {}, not a finite number. Correct the "
                             "expression.",
@@ -148,10 +160,18 @@ namespace fuga
             plane.emplace_back(x + 0., y + 0.); // no -0 in messages
       if (arguments == ExpressionArguments::place)
         return evaluate<2>(expression, variables, constants, plane, false);
-      std::vector<dealii::Point<3>> plane_at_start;
+      if (arguments == ExpressionArguments::place_and_time)
+        return evaluate<2>(expression, variables, constants, plane, false, true);
+      std::vector<dealii::Point<3>> space;
       for (const auto &point : plane)
-        plane_at_start.emplace_back(point[0], point[1], 0.);
-      return evaluate<3>(expression, variables, constants, plane_at_start, false);
+        for (const double z : {-0.8 * std::abs(point[0]), 0.8 * std::abs(point[0])})
+          space.emplace_back(point[0], point[1], z + 0.);
+      return evaluate<3>(expression,
+                         variables,
+                         constants,
+                         space,
+                         false,
+                         arguments == ExpressionArguments::place_in_space_and_time);
     }
   } // namespace
 

@@ -128,8 +128,9 @@ namespace fuga
     JointParameters
     read_joint(const ParameterSection &section,
                const ParameterValues &values,
-               const std::map<std::string, double> &constants)
+               const ModelDefinition &model)
     {
+      const std::map<std::string, double> &constants = model.constants;
       JointParameters joint;
       joint.origin     = section.origin();
       joint.definition = read_place(section, values.subsection_names("Bodies"));
@@ -144,8 +145,12 @@ namespace fuga
       joint.shear_growth = read_shear_growth(section);
       check_shear_growth(section, joint);
       joint.initial_gap = section.text("Initial gap");
-      check_expression(
-        section, "Initial gap", joint.initial_gap, ExpressionArguments::place, constants);
+      check_expression(section,
+                       "Initial gap",
+                       joint.initial_gap,
+                       model.dimension == 2 ? ExpressionArguments::place
+                                            : ExpressionArguments::place_in_space,
+                       constants);
       return joint;
     }
   } // namespace
@@ -165,11 +170,11 @@ namespace fuga
 
 
   std::vector<JointParameters>
-  read_joints(const ParameterValues &values, const std::map<std::string, double> &constants)
+  read_joints(const ParameterValues &values, const ModelDefinition &model)
   {
     std::vector<JointParameters> joints;
     for (const ParameterSection &section : values.subsections("Joints"))
-      joints.push_back(read_joint(section, values, constants));
+      joints.push_back(read_joint(section, values, model));
     return joints;
   }
 } // namespace fuga

@@ -61,7 +61,7 @@ namespace fuga
         {"uplift",
          LoadKind::uplift,
          {"Joints", "Level", "Unit weight", "Upstream end"},
-         {"Tailwater level", "Drain distance", "Drain efficiency", "Pressure profile"}},
+         {"Tailwater level", "Drain distance", "Drain efficiency", "Pressure profile", "Cracks"}},
         {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
         {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
         {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}},
@@ -168,7 +168,8 @@ namespace fuga
                      const LoadKind kind)
     {
       if (!section.given("Value"))
-        return {"0", "-1"}; // a weight: all other types need it
+        return model.dimension == 2 ? std::vector<std::string>{"0", "-1"}
+                                    : std::vector<std::string>{"0", "0", "-1"}; // a weight
       const std::vector<std::string> expressions = split_pieces(section.text("Value"), ';');
       const bool is_scalar = kind == LoadKind::pressure || kind == LoadKind::temperature ||
                              kind == LoadKind::imposed_gap;
@@ -188,8 +189,12 @@ namespace fuga
         if (!expression.empty())
           {
             all_empty = false;
-            check_expression(
-              section, "Value", expression, ExpressionArguments::place_and_time, model.constants);
+            check_expression(section,
+                             "Value",
+                             expression,
+                             model.dimension == 2 ? ExpressionArguments::place_and_time
+                                                  : ExpressionArguments::place_in_space_and_time,
+                             model.constants);
           }
         else if (kind != LoadKind::displacement)
           section.fail("Value", "an expression is empty. Write 0 for a component without load.");
@@ -201,12 +206,14 @@ namespace fuga
 
     /** Seismic coefficients are the direction, and size, of a weight. */
     std::vector<std::string>
-    read_seismic_coefficients(const ParameterSection &section)
+    read_seismic_coefficients(const ParameterSection &section, const unsigned int dimension)
     {
       std::vector<std::string> direction;
       bool any = false;
       for (const char *const entry : {"Horizontal coefficient", "Vertical coefficient"})
         {
+          if (dimension == 3 && direction.size() == 1)
+            direction.emplace_back("0"); // y, in space
           direction.push_back(section.given(entry) ? section.text(entry) : "0");
           any = any || (section.given(entry) && section.number(entry) != 0.);
         }
@@ -235,7 +242,7 @@ namespace fuga
       if (load.kind == LoadKind::uplift)
         load.uplift = read_uplift(section);
       if (type.name == "seismic")
-        load.expressions = read_seismic_coefficients(section);
+        load.expressions = read_seismic_coefficients(section, model.dimension);
       else if (!load.has_level())
         load.expressions = read_expressions(section, model, load.kind);
       return load;

@@ -18,7 +18,8 @@ namespace fuga
                defaulted("Dimension",
                          "2",
                          integer(2, 3),
-                         "2 = plane problems; 3 is not available in this version."),
+                         "2 = plane problems (and bodies of revolution), y upwards; 3 = space, z "
+                         "upwards. That of the mesh."),
                defaulted("Output directory",
                          "",
                          text(),
@@ -38,7 +39,10 @@ namespace fuga
                   "Gmsh .msh file (2.2 or 4.1, text, named physical groups), relative to this "
                   "file.",
                   {"mesh.msh"}),
-         defaulted("Polynomial degree", "1", integer(1, 3), "Degree of the elements."),
+         defaulted("Polynomial degree",
+                   "1",
+                   integer(1, 3),
+                   "Degree of the elements: 1 or 2 on triangles, 1 on tetrahedra."),
          defaulted("Refinements", "0", integer(0, 8), "Global refinements of the mesh."),
          defaulted(
            "Assumption",
@@ -46,11 +50,11 @@ namespace fuga
            choice("plane strain|plane stress|axisymmetric"),
            "What is assumed across the plane. Axisymmetric: x is the radius, y the axis; "
            "areas, forces and resultants are those of the full circle, and the axis is held "
-           "in x."),
+           "in x. Not in space."),
          defaulted("Thickness",
                    "1",
                    number_above(0),
-                   "Extent across the plane [m]; not for axisymmetric.")},
+                   "Extent across the plane [m]; not for axisymmetric, not in space.")},
         {}};
     }
 
@@ -95,8 +99,8 @@ namespace fuga
       return {
         optional("Line",
                  text(),
-                 "Named line inside a conforming mesh, along which the mesh is opened. Either "
-                 "Line with its two bodies or the two lips.",
+                 "Named line (in space: surface) inside a conforming mesh, along which the mesh is "
+                 "opened. Either Line with its two bodies or the two lips.",
                  {"base"}),
         optional("Plus body", text(), "Body into which the normal points.", {"structure"}),
         optional("Minus body", text(), "Body at the other side of Line.", {"foundation"}),

@@ -14,8 +14,8 @@ namespace fuga
         optional(
           "Level",
           text(),
-          "For hydrostatic, earth pressure, westergaard, uplift: y of the surface of the water or "
-          "the ground [m]. A number, an expression of the load time t, or a table "
+          "For hydrostatic, earth pressure, westergaard, uplift: y (in space z) of the surface of "
+          "the water or the ground [m]. A number, an expression of the load time t, or a table "
           "'t: level; t: level', linear in between and constant outside. Nothing above the "
           "level is loaded."),
         optional(
@@ -38,9 +38,11 @@ namespace fuga
                  "the water at its bottom times depth), positive towards the body."),
         optional("Vertical coefficient",
                  any_number(),
-                 "For seismic: force per weight of the bodies in y, upwards positive."),
-        optional(
-          "Bottom level", any_number(), "For westergaard: y of the bottom of the water [m].")};
+                 "For seismic: force per weight of the bodies in y (in space z), upwards "
+                 "positive."),
+        optional("Bottom level",
+                 any_number(),
+                 "For westergaard: y (in space z) of the bottom of the water [m].")};
     }
 
 
@@ -50,15 +52,23 @@ namespace fuga
       return {
         optional("Joints",
                  text(),
-                 "For uplift and imposed gap: list of joints. Uplift: where a joint is open, the pressure of the reservoir "
+                 "For uplift and imposed gap: list of joints. Uplift: where a joint is open, the "
+                 "pressure of the reservoir "
                  "acts in it; it comes in when an element opens, and is squeezed out when it "
                  "closes."),
         optional("Upstream end",
                  choice("left|right|bottom|top"),
-                 "For uplift: the end of the joint that lies in the reservoir."),
+                 "For uplift: the end of the joint that lies in the reservoir. In space left or "
+                 "right, the horizontal end with the smallest or largest x; s then runs along x."),
+        optional(
+          "Cracks",
+          choice("reservoir|unchanged"),
+          "For uplift: pressure where the joint is open. That of the reservoir (without this "
+          "entry), or the same as where it is closed; the only one with friction in space."),
         optional("Tailwater level",
                  any_number(),
-                 "For uplift: y of the surface of the water at the other end [m]; without this "
+                 "For uplift: y (in space z) of the surface of the water at the other end [m]; "
+                 "without this "
                  "entry there is none."),
         optional("Drain distance",
                  number_above(0),

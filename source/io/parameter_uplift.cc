@@ -59,6 +59,7 @@ namespace fuga
                             : end == "right"  ? Uplift::End::right
                             : end == "bottom" ? Uplift::End::bottom
                                               : Uplift::End::top;
+    uplift.fills_cracks   = !section.given("Cracks") || section.text("Cracks") == "reservoir";
     if (section.given("Tailwater level"))
       {
         uplift.has_tailwater = true;

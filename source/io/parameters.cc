@@ -65,13 +65,15 @@ namespace fuga
     }
 
 
-    unsigned int
-    read_dimension(const ParameterSection &top)
+    /** What speaks of the direction across the plane has no meaning in space. */
+    void
+    check_space(const ParameterSection &mesh, const unsigned int dimension)
     {
-      const unsigned int dimension = top.integer("Dimension");
-      if (dimension == 3)
-        top.fail("Dimension", "three dimensions are not available in this version. Allowed: 2.");
-      return dimension;
+      for (const char *const entry : {"Assumption", "Thickness"})
+        if (dimension == 3 && mesh.given(entry))
+          mesh.fail(entry,
+                    "a model in space (Dimension = 3) has no plane and nothing across it. Remove "
+                    "this entry.");
     }
 
 
@@ -80,7 +82,8 @@ namespace fuga
     {
       const ParameterSection mesh = values.section("Mesh");
       ModelDefinition model;
-      model.dimension              = read_dimension(values.section(""));
+      model.dimension = values.section("").integer("Dimension");
+      check_space(mesh, model.dimension);
       model.polynomial_degree      = mesh.integer("Polynomial degree");
       model.refinements            = mesh.integer("Refinements");
       const std::string assumption = mesh.text("Assumption");
@@ -98,7 +101,7 @@ namespace fuga
       model.constants["pi"] = std::acos(-1.);
 
       model.materials           = read_materials(values);
-      model.boundary_conditions = read_boundaries(values);
+      model.boundary_conditions = read_boundaries(values, model.dimension);
       model.loads               = read_loads(values, model);
       model.stages              = read_stages(values, model);
       read_construction(values, model);
@@ -174,7 +177,7 @@ namespace fuga
     parameters.parameter_file = file;
     parameters.title          = values.section("").text("Title");
     parameters.model          = read_model(values);
-    parameters.joints         = read_joints(values, parameters.model.constants);
+    parameters.joints         = read_joints(values, parameters.model);
     parameters.variants       = read_variants(values, parameters.joints, parameters.model);
     read_safety(values, parameters);
     check_sweep_of_construction(values, parameters);

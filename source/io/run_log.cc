@@ -48,15 +48,16 @@ namespace fuga
       {
         const ContactElement &element = context.elements[event.element];
         const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
-        line(fmt::format("  t = {:<12.9g} {:>9.5f} of {:<12} {} {:>4}  at ({:.6g}, {:.6g})  {:>5} "
+        line(fmt::format("  t = {:<12.9g} {:>9.5f} of {:<12} {} {:>4}  at ({:.6g})  {:>5} "
                          "-> {:<5}  certificate {:.1e}",
                          event.t,
                          fraction,
                          context.stage_names[stage],
                          context.joint_names[element.joint],
                          element.number,
-                         element.position[0],
-                         element.position[1],
+                         fmt::join(element.position.begin(),
+                                   element.position.begin() + (context.in_space ? 3 : 2),
+                                   ", "),
                          state_name(event.from),
                          state_name(event.to),
                          certificate));

@@ -5,6 +5,7 @@
 #include <fuga/io/stress_postprocessor.h>
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace fuga
 {
@@ -25,7 +26,9 @@ namespace fuga
   StressPostprocessor<dim>::get_names() const
   {
     std::vector<std::string> names(dim * dim, "stress");
-    names.insert(names.end(), {"principal_stress_1", "principal_stress_2", "von_mises_stress"});
+    for (unsigned int i = 1; i <= dim; ++i)
+      names.push_back(fmt::format("principal_stress_{}", i));
+    names.emplace_back("von_mises_stress");
     if (model.assumption == PlaneAssumption::axisymmetric)
       names.emplace_back("hoop_stress");
     return names;
@@ -90,13 +93,14 @@ namespace fuga
           for (unsigned int j = 0; j < dim; ++j)
             computed[q](i * dim + j) = stress.in_plane[i][j];
         const auto principal = eigenvalues(stress.in_plane);
-        const double a = principal[0], b = principal[dim - 1], across = stress.across;
-        computed[q](dim * dim)     = a;
-        computed[q](dim * dim + 1) = b;
-        computed[q](dim * dim + 2) = std::sqrt(
-          0.5 * ((a - b) * (a - b) + (b - across) * (b - across) + (across - a) * (across - a)));
+        for (unsigned int i = 0; i < dim; ++i)
+          computed[q](dim * dim + i) = principal[i];
+        const double a = principal[0], b = principal[dim - 1],
+                     third           = dim == 2 ? stress.across : principal[1];
+        computed[q](dim * dim + dim) = std::sqrt(
+          0.5 * ((a - b) * (a - b) + (b - third) * (b - third) + (third - a) * (third - a)));
         if (is_axisymmetric)
-          computed[q](dim * dim + 3) = across;
+          computed[q](dim * dim + dim + 1) = third;
       }
   }
 
@@ -118,5 +122,7 @@ namespace fuga
   }
 
   template class StressPostprocessor<2>;
+  template class StressPostprocessor<3>;
   template class DisplacementOutput<2>;
+  template class DisplacementOutput<3>;
 } // namespace fuga

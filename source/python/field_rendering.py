@@ -276,10 +276,15 @@ def render(actors, view, pixels):
     camera.SetPosition(x, y, 10.0 * view.height)
     camera.SetParallelScale(0.5 * view.height)
     renderer.ResetCameraClippingRange()
+    return pixels_of(renderer, (int(pixels * view.width / view.height), pixels))
+
+
+def pixels_of(renderer, size):
+    """What a renderer shows, first row on top."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(int(pixels * view.width / view.height), pixels)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtkWindowToImageFilter()

@@ -127,6 +127,11 @@ class Results:
         return self.summary["title"]
 
     @property
+    def in_space(self):
+        """Whether the model has three dimensions."""
+        return str(self.summary["parameters"].get("Dimension", "2")) == "3"
+
+    @property
     def joints(self):
         """Names of the joints, in the order of the file."""
         return list(self._joints)

@@ -74,14 +74,20 @@ def run_page(directory):
     page.section("monitors", "Monitors", sections.monitor_tables(results, levels))
     page.section("certificate", "Certificate", sections.certificate_table(summary))
     page.section("remarks", "Joints and warnings", sections.remarks(summary))
-    page.section("stresses", "Contact stresses", each(joint_diagrams.pressures, levels)
-                 + each(joint_diagrams.shear_and_strength, levels)[1:])
-    page.section("displacements", "Relative displacements", each(joint_diagrams.displacements, levels))
+    if results.in_space:
+        page.section("stresses", "Contact stresses", "<p>Diagrams along a joint, of shear against pressure and of loops are for "
+                     "models in the plane. The fields of surfaces are in joints.pvd, all numbers in joint_history.csv.</p>")
+        joints = []
+    else:
+        page.section("stresses", "Contact stresses", each(joint_diagrams.pressures, levels)
+                     + each(joint_diagrams.shear_and_strength, levels)[1:])
+        page.section("displacements", "Relative displacements", each(joint_diagrams.displacements, levels))
     page.section("load", "Load and displacement", [load_diagrams.load_displacement(results),
                                                            load_diagrams.beyond_limit(results)])
     page.section("states", "States and events", [load_diagrams.timeline(results)])
     page.section("safety", "Safety", [load_diagrams.safety(results)])
-    page.section("paths", "Most used elements", each(joint_diagrams.coulomb_paths))
+    if not results.in_space:
+        page.section("paths", "Most used elements", each(joint_diagrams.coulomb_paths))
     loops = [figure for figure in each(joint_diagrams.hysteresis)[1:] if figure]
     page.section("hysteresis", "Hysteresis", loops)
     page.section("energy", "Energy balance", [load_diagrams.energies(results)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """Picture of one load level: the deformed bodies with a stress, the states of the joint elements, and
-beside them the stresses along one joint.
+beside them the stresses along one joint; of bodies in space the bodies and their joints (options --array, --t).
 
 usage: render_fields.py RESULT_DIR [-o PICTURE.png] [options]; --help lists them
 
@@ -24,6 +24,7 @@ from matplotlib.patches import Patch
 from field_rendering import (View, array_of, colour_range, default_view, is_inside, joint_actors, lookup_table,
                              points_of, read_grid, render, surface_actor, x_display)
 from fuga_results import STATE_COLOURS, STATES, Results
+from space_rendering import figure_in_space
 
 PIXELS = 1500  # height of the rendered part
 SHOWN_DISPLACEMENT = 0.2  # largest drawn displacement at most, as share of the height of the view
@@ -117,6 +118,14 @@ def parse(arguments):
 def main(arguments):
     options = parse(arguments)
     results = Results(options.directory)
+    path = options.output or os.path.join(options.directory, "fields.png")
+    if results.in_space:
+        figure, caption = figure_in_space(results, options.array, options.t)
+        figure.suptitle(f"{results.title} \u2013 {results.describe_time(results.profile(None, options.t).t)}\n{caption}",
+                        fontsize=9)
+        figure.savefig(path, dpi=140)
+        print(path)
+        return
     bodies = read_grid(results.field_file("bodies", options.t))
     joints = read_grid(results.field_file("joints", options.t))
     view = View(options.view) if options.view else default_view(bodies)
@@ -129,7 +138,6 @@ def main(arguments):
     with x_display():
         actors = [surface_actor(bodies, options.array, lookup_table(colour_map, limits), factor)]
         image = render(actors + joint_actors(bodies, joints, factor, view, PIXELS), view, PIXELS)
-    path = options.output or os.path.join(options.directory, "fields.png")
     compose(results, options, image, view, limits, colour_map, factor, path)
     print(path)
 

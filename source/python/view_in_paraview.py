@@ -28,9 +28,9 @@ def results(name):
 
 def magnification(bodies):
     """1, 2 or 5 times a power of ten."""
-    low_x, high_x, low_y, high_y, _, _ = bodies.GetDataInformation().GetBounds()
+    low_x, high_x, low_y, high_y, low_z, high_z = bodies.GetDataInformation().GetBounds()
     moved = bodies.PointData["displacement"].GetRange(-1)[1]
-    wanted = SHOWN_DISPLACEMENT * max(high_x - low_x, high_y - low_y) / moved if moved > 0.0 else 1.0
+    wanted = SHOWN_DISPLACEMENT * max(high_x - low_x, high_y - low_y, high_z - low_z) / moved if moved > 0.0 else 1.0
     power = 10.0 ** int(f"{wanted:e}".split("e")[1])
     return max(step for step in (1.0, 2.0, 5.0) if step * power <= wanted * 1.000001) * power
 
@@ -47,14 +47,15 @@ def show_bodies(view):
     simple.ColorBy(display, ("POINTS", "von_mises_stress"))
     simple.GetColorTransferFunction("von_mises_stress").ApplyPreset("Viridis (matplotlib)", True)
     # Ready for use by ColorBy: compression blue, tension red, zero in the middle.
-    for name in ("principal_stress_1", "principal_stress_2"):
+    for name in [f"principal_stress_{i}" for i in (1, 2, 3) if f"principal_stress_{i}" in bodies.PointData.keys()]:
         largest = max(abs(value) for value in bodies.PointData[name].GetRange(0))
         colours = simple.GetColorTransferFunction(name)
         colours.ApplyPreset("Cool to Warm", True)
         colours.RescaleTransferFunction(-largest, largest)
     display.SetScalarBarVisibility(view, True)
     simple.Show(simple.AnnotateTimeFilter(registrationName="load time", Input=bodies), view)
-    return display, last
+    _, _, _, _, low_z, high_z = bodies.GetDataInformation().GetBounds()
+    return display, last, high_z > low_z
 
 
 def show_joints(view):
@@ -97,7 +98,6 @@ def main(picture):
     upper = layout.SplitVertical(0, 0.65)
     layout.SplitHorizontal(upper, 0.5)
     for view, place in ((bodies, 3), (joints, 4)):
-        view.InteractionMode = "2D"
         view.OrientationAxesVisibility = 0
         simple.AssignViewToLayout(view, layout, place)
     if sheet:
@@ -105,7 +105,7 @@ def main(picture):
         simple.AssignViewToLayout(sheet, layout, 6)
     simple.AssignViewToLayout(chart, layout, 5 if sheet else 2)
 
-    surface, last = show_bodies(bodies)
+    surface, last, in_space = show_bodies(bodies)
     show_joints(joints)
     show_events(chart, sheet)
     scene = simple.GetAnimationScene()
@@ -113,6 +113,9 @@ def main(picture):
     scene.AnimationTime = last
     surface.RescaleTransferFunctionToDataRange(False, True)
     for view in (bodies, joints):
+        view.InteractionMode = "3D" if in_space else "2D"
+        if in_space:
+            view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (-1.0, -1.4, 0.9), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)
         simple.ResetCamera(view)
     # Brings its tab to the front.
     simple.SetActiveView(bodies)

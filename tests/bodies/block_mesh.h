@@ -138,13 +138,14 @@ namespace fuga::test
     model.materials.push_back({body, young_modulus, poisson_ratio, weight});
   }
 
-  /** @p held: components, e.g. "xy"; empty: named free. */
+  /** @p held: components, e.g. "xz"; empty: named free. */
   inline void
   hold(ModelDefinition &model, const std::string &boundary, const std::string &held)
   {
     BoundaryCondition condition;
-    condition.boundary   = boundary;
-    condition.fixed      = {{held.find('x') != held.npos, held.find('y') != held.npos, false}};
+    condition.boundary = boundary;
+    condition.fixed    = {
+         {held.find('x') != held.npos, held.find('y') != held.npos, held.find('z') != held.npos}};
     condition.named_free = held.empty();
     model.boundary_conditions.push_back(condition);
   }

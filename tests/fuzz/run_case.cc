@@ -45,6 +45,18 @@ namespace fuga::fuzz
              parameters.variants.size() <= 6 && parameters.solver.maximum_iterations <= 1000;
     }
 
+    template <int dim>
+    void
+    run_model(const Parameters &parameters, const Reach reach, CaseResult &result)
+    {
+      const Model<dim> model(parameters);
+      if (reach != Reach::run || !is_small_run(parameters))
+        return;
+      result.was_run   = true;
+      result.exit_code = static_cast<int>(parameters.variants.empty() ? Simulation<dim>(model).run()
+                                                                      : Sweep<dim>(model).run());
+    }
+
     void
     check_message(CaseResult &result)
     {
@@ -115,13 +127,10 @@ namespace fuga::fuzz
             result.message = "large";
             return result;
           }
-        const Model<2> model(parameters);
-        if (reach == Reach::run && is_small_run(parameters))
-          {
-            result.was_run   = true;
-            result.exit_code = static_cast<int>(
-              parameters.variants.empty() ? Simulation<2>(model).run() : Sweep<2>(model).run());
-          }
+        if (parameters.model.dimension == 3)
+          run_model<3>(parameters, reach, result);
+        else
+          run_model<2>(parameters, reach, result);
       }
     catch (const InputError &error)
       {

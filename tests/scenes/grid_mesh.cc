@@ -6,6 +6,7 @@
 #include "scenes/mesh_variants.h"
 #include "scenes/scene_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -169,6 +170,62 @@ namespace fuga::tests
     grid.column("left", 0);
     grid.column("right", grid.n_x);
     return grid.mesh;
+  }
+
+  GmshMesh
+  extruded(const GmshMesh &plane, const Axis &zs)
+  {
+    GmshMesh mesh;
+    mesh.dimension    = 3;
+    const auto n      = static_cast<unsigned int>(plane.vertices.size());
+    const auto last   = static_cast<unsigned int>(zs.size() - 1);
+    int largest_group = 0;
+    for (const double z : zs)
+      for (const auto &vertex : plane.vertices)
+        mesh.vertices.push_back({{vertex[0], vertex[1], z}});
+    for (const auto &[key, name] : plane.physical_names)
+      if (key.first > 0)
+        {
+          mesh.physical_names[{key.first + 1, key.second}] = name;
+          largest_group                                    = std::max(largest_group, key.second);
+        }
+    const auto add = [](std::vector<MeshEntity> &list,
+                        const CellShape shape,
+                        const int group,
+                        const std::vector<unsigned int> &vertices) {
+      MeshEntity entity;
+      entity.shape        = shape;
+      entity.physical_tag = group;
+      std::copy(vertices.begin(), vertices.end(), entity.vertices.begin());
+      list.push_back(entity);
+    };
+    mesh.physical_names[{2, largest_group + 1}] = "front";
+    mesh.physical_names[{2, largest_group + 2}] = "back";
+    for (const MeshEntity &cell : plane.cells)
+      {
+        const auto &v  = cell.vertices;
+        const auto end = [&](const unsigned int k) {
+          return std::vector<unsigned int>{v[0] + k * n, v[1] + k * n, v[2] + k * n, v[3] + k * n};
+        };
+        for (unsigned int k = 0; k < last; ++k)
+          {
+            std::vector<unsigned int> vertices = end(k), behind = end(k + 1);
+            vertices.insert(vertices.end(), behind.begin(), behind.end());
+            add(mesh.cells, CellShape::hexahedron, cell.physical_tag, vertices);
+          }
+        add(mesh.faces, CellShape::quadrilateral, largest_group + 1, end(0));
+        add(mesh.faces, CellShape::quadrilateral, largest_group + 2, end(last));
+      }
+    for (const MeshEntity &face : plane.faces)
+      for (unsigned int k = 0; k < last; ++k)
+        add(mesh.faces,
+            CellShape::quadrilateral,
+            face.physical_tag,
+            {face.vertices[0] + k * n,
+             face.vertices[1] + k * n,
+             face.vertices[1] + (k + 1) * n,
+             face.vertices[0] + (k + 1) * n});
+    return mesh;
   }
 
   std::string

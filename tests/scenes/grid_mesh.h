@@ -45,6 +45,14 @@ namespace fuga::tests
   GmshMesh
   two_blocks_mesh(const Axis &xs, const Axis &ys);
 
+  /**
+   * A plane mesh of quadrilaterals as the section through bodies in space, with grid lines @p zs
+   * across it: lines become surfaces with their names, and `front` (smallest z) and `back` are the
+   * ends. Points are left out.
+   */
+  GmshMesh
+  extruded(const GmshMesh &plane, const Axis &zs);
+
   /** Writes a parameter file (.json, entries as in doc/input.md) with this mesh. Returns its name.
    */
   std::string

@@ -78,10 +78,12 @@ namespace fuga::tests
     for (const auto *entities : {&mesh.points, &mesh.faces, &mesh.cells})
       for (const MeshEntity &entity : *entities)
         {
-          const int type = entity.shape == CellShape::point      ? 15
-                           : entity.shape == CellShape::line     ? 1
-                           : entity.shape == CellShape::triangle ? 2
-                                                                 : 3;
+          const int type = entity.shape == CellShape::point           ? 15
+                           : entity.shape == CellShape::line          ? 1
+                           : entity.shape == CellShape::triangle      ? 2
+                           : entity.shape == CellShape::quadrilateral ? 3
+                           : entity.shape == CellShape::tetrahedron   ? 4
+                                                                      : 5;
           file << fmt::format("{} {} 2 {} {}", ++n, type, entity.physical_tag, entity.physical_tag);
           for (unsigned int i = 0; i < n_vertices(entity.shape); ++i)
             file << ' ' << entity.vertices[i] + 1;

@@ -153,17 +153,19 @@ namespace fuga::tests
   Vector
   SceneRun::values(const std::string &name, const double t) const
   {
-    std::vector<std::array<double, 3>> found;
+    std::vector<std::array<double, 4>> found;
     for (std::size_t r = 0; r < history.rows.size(); ++r)
       if (std::abs(history.number(r, "t") - t) < same_time)
-        found.push_back(
-          {{history.number(r, "x"), history.number(r, "y"), history.number(r, name)}});
+        found.push_back({{history.number(r, "x"),
+                          history.number(r, "y"),
+                          history.number(r, "z"),
+                          history.number(r, name)}});
     if (found.empty())
       throw std::out_of_range("no level at t = " + std::to_string(t));
     std::sort(found.begin(), found.end());
     Vector result;
     for (const auto &row : found)
-      result.push_back(row[2]);
+      result.push_back(row[3]);
     return result;
   }
 
@@ -229,10 +231,17 @@ namespace fuga::tests
     const std::string directory = temporary_directory();
     parameters.output.directory = directory;
     SceneRun run;
-    auto model     = std::make_unique<const Model<2>>(parameters);
-    run.exit_code  = static_cast<int>(parameters.accuracy.quantity == AccuracyTarget::Quantity::none
-                                        ? run_all_phases<2>(std::move(model))
-                                        : AdaptiveRun<2>(std::move(model)).run());
+    if (parameters.model.dimension == 3)
+      run.exit_code =
+        static_cast<int>(run_all_phases<3>(std::make_unique<const Model<3>>(parameters)));
+    else
+      {
+        auto model = std::make_unique<const Model<2>>(parameters);
+        run.exit_code =
+          static_cast<int>(parameters.accuracy.quantity == AccuracyTarget::Quantity::none
+                             ? run_all_phases<2>(std::move(model))
+                             : AdaptiveRun<2>(std::move(model)).run());
+      }
     run.events     = parse_csv(file_text(directory + "/events.csv"));
     run.history    = parse_csv(file_text(directory + "/joint_history.csv"));
     run.resultants = parse_csv(file_text(directory + "/resultants.csv"));

@@ -50,7 +50,7 @@ namespace fuga::tests
     Table monitors;
     nlohmann::json summary;
 
-    /** A column of joint_history.csv at load time @p t, by growing x (then y). */
+    /** A column of joint_history.csv at load time @p t, by growing x (then y, then z). */
     Vector
     values(const std::string &name, const double t) const;
 

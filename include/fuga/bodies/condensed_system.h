@@ -35,7 +35,8 @@ namespace fuga
   struct SymmetricTriplets;
   class SchurSolver;
 
-  /** One face of a joint, for output: its contact elements along the face, or no_element. */
+  /** One face of a joint, for output: its contact elements, or no_element, in the order of
+   * JointGeometry::Face. */
   struct JointFace
   {
     static constexpr unsigned int no_element = static_cast<unsigned int>(-1);
@@ -43,6 +44,8 @@ namespace fuga
     unsigned int joint = 0;
     std::vector<unsigned int> elements;
     std::vector<std::array<double, 3>> positions;
+    /** On the plus lip [m²]. */
+    double area = 0.;
   };
 
   /** A linear quantity of the full model in terms of the small one; see
@@ -157,6 +160,10 @@ namespace fuga
     /** Local frame of an element: the unit normal, from the minus to the plus side. */
     std::array<double, 3>
     normal(const std::size_t element) const;
+
+    /** The rest of it, see fuga::tangents(); in the plane the second one is zero. */
+    std::array<std::array<double, 3>, 2>
+    tangents(const std::size_t element) const;
 
     const std::vector<JointFace> &
     joint_faces() const

@@ -62,11 +62,19 @@ namespace fuga
       return geometry.pairs()[pairs[element]];
     }
 
-    /** The supports exclude a tangential jump of this element. */
-    bool
-    tangential_jump_vanishes(const std::size_t element) const
+    /** The tangents of an element: those of its pair, or, where the supports exclude a jump along
+     * the first but not along the second, both turned by a right angle. */
+    const std::array<dealii::Tensor<1, dim>, dim - 1> &
+    tangents_of_element(const std::size_t element) const
     {
-      return no_tangential_jump[element];
+      return its_tangents[element];
+    }
+
+    /** Along how many of its tangents, the first ones, the supports allow a jump. */
+    unsigned int
+    n_free_tangents(const std::size_t element) const
+    {
+      return free_tangents[element];
     }
 
     const std::vector<Bar> &
@@ -104,11 +112,12 @@ namespace fuga
     }
 
   private:
-    enum class Jump
+    /** What the supports leave of the jump of a pair. */
+    struct Jump
     {
-      free,
-      normal_only,
-      none
+      bool normal = true;
+      std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
+      unsigned int n_free_tangents = dim - 1;
     };
 
     Jump
@@ -117,13 +126,17 @@ namespace fuga
                   const std::vector<bool> &fixed);
 
     void
-    add_element(const unsigned int pair, const unsigned int number, const bool tangential_bar);
+    add_element(const unsigned int pair,
+                const unsigned int number,
+                const Jump &jump,
+                const bool tangential_bars);
 
     const JointGeometry<dim> &geometry;
     std::vector<ContactElement> all_elements;
     std::vector<unsigned int> pairs;
     std::vector<unsigned int> pair_elements;
-    std::vector<bool> no_tangential_jump;
+    std::vector<std::array<dealii::Tensor<1, dim>, dim - 1>> its_tangents;
+    std::vector<unsigned int> free_tangents;
     std::vector<Bar> all_bars;
     std::vector<HeldPair> all_held_pairs;
     std::vector<std::string> lines;

@@ -12,7 +12,9 @@ namespace fuga
   /**
    * Adds the nodal forces of a depth pressure on the boundaries whose labels are marked in @p
    * loaded, for one level. Faces are cut at the level, and integration is exact on both kinds of
-   * terms: along √d instead of d everything is a polynomial.
+   * terms: along √d instead of d everything is a polynomial. In space a face is swept by lines, and
+   * exact if the depth changes along the lines only; else across them √d and what is left of a
+   * corner have the error of Gauss' rule.
    */
   template <int dim>
   void

@@ -44,8 +44,8 @@ namespace fuga
     };
 
     /** The tables have the bodies that are there in @p stage; deal.II's objects have all.
-     *  @throws InputError for mixed or degenerate cells, for elements that do not exist, and for
-     *  places beyond the axis of an axisymmetric model. */
+     *  @throws InputError for mixed or degenerate cells, for elements that do not exist, for a
+     *  mesh of another dimension, and for places beyond the axis of an axisymmetric model. */
     Discretization(const JointedMesh &mesh,
                    const ModelDefinition &model,
                    const unsigned int stage = 0);
@@ -189,22 +189,20 @@ namespace fuga
       return outer_faces;
     }
 
-    /** Node @p k of a boundary face, counted along the face. */
+    /** Node @p k of a boundary face, in the order of ReferenceElement::Face. */
     unsigned int
     face_node(const BoundaryFace &face, const std::size_t k) const
     {
       return cell_nodes(face.cell)[reference.face(face.number).nodes[k]];
     }
 
+    /** Distance of its first and last nodes; in space an edge or a diagonal. */
     double
     face_length(const BoundaryFace &face) const;
 
+    /** Mean of its corners. */
     dealii::Point<dim>
     face_center(const BoundaryFace &face) const;
-
-    /** Unit normal that points out of the body. */
-    dealii::Tensor<1, dim>
-    outer_normal(const BoundaryFace &face) const;
 
     /** Number of the piece of mesh a cell belongs to; cells of one piece are connected through
      * faces.

@@ -14,6 +14,7 @@ namespace fuga
   template <int dim>
   struct StressState
   {
+    /** In space all of it. */
     dealii::SymmetricTensor<2, dim> in_plane;
     /** Across the plane; in axisymmetry the hoop stress. */
     double across = 0.;

@@ -7,6 +7,9 @@
 #include <fuga/base/dense_matrix.h>
 #include <fuga/bodies/discretization.h>
 
+#include <array>
+#include <cmath>
+
 namespace fuga
 {
   /** Two nodes that face each other across a joint, or one node and the rigid obstacle. */
@@ -25,14 +28,27 @@ namespace fuga
     double area = 0.;
   };
 
-  /** The second vector of the local frame: (tangent, normal) is right-handed as (x, y). */
-  inline dealii::Tensor<1, 2>
-  tangent(const dealii::Tensor<1, 2> &normal)
+  /** The other vector of the local frame: (tangent, normal) is right-handed as (x, y). */
+  inline std::array<dealii::Tensor<1, 2>, 1>
+  tangents(const dealii::Tensor<1, 2> &normal)
   {
-    dealii::Tensor<1, 2> t;
-    t[0] = normal[1];
-    t[1] = -normal[0];
+    std::array<dealii::Tensor<1, 2>, 1> t;
+    t[0][0] = normal[1];
+    t[0][1] = -normal[0];
     return t;
+  }
+
+  /** The other vectors of the local frame: (t1, t2, normal) is right-handed as (x, y, z), and t1 is
+   * the direction of x in the plane of the joint; where the normal is within 25.8 degrees of x
+   * (|n_x| > 0.9), that of y. */
+  inline std::array<dealii::Tensor<1, 3>, 2>
+  tangents(const dealii::Tensor<1, 3> &normal)
+  {
+    dealii::Tensor<1, 3> t;
+    t[std::abs(normal[0]) > 0.9 ? 1 : 0] = 1.;
+    t -= (t * normal) * normal;
+    t /= t.norm();
+    return {{t, dealii::cross_product_3d(normal, t)}};
   }
 
   /**
@@ -44,18 +60,32 @@ namespace fuga
   class JointGeometry
   {
   public:
-    /** One face of a joint: indices of pairs in the direction of numbering. */
+    /** One face of a joint. */
     struct Face
     {
       unsigned int joint = 0;
+      /** Indices; in the plane in the direction of numbering, in space in the order of the nodes of
+       * the face. */
       std::vector<unsigned int> pairs;
+      /** On the plus lip. */
+      typename Discretization<dim>::BoundaryFace boundary;
+      double area = 0.;
+      /** The direction of numbering is against that of the face. */
+      bool backwards = false;
+
+      /** The pair at node @p k of the boundary face. */
+      unsigned int
+      pair_of_node(const std::size_t k) const
+      {
+        return pairs[backwards ? pairs.size() - 1 - k : k];
+      }
     };
 
     /** @throws InputError with coordinates where the lips do not match. */
     JointGeometry(const Discretization<dim> &discretization, const JointedMesh &mesh);
 
-    /** By joints, and from one end of each to the other: the one with the smaller x, then y, first.
-     */
+    /** By joints; in the plane from one end of each to the other: the one with the smaller x, then
+     * y, first; in space by their faces in the order of the x, then y, then z of their centers. */
     const std::vector<NodePair<dim>> &
     pairs() const
     {
@@ -76,6 +106,7 @@ namespace fuga
     {
       const BoundaryFace *plus = nullptr;
       std::vector<unsigned int> plus_nodes, minus_nodes;
+      bool backwards = false;
     };
 
     /** Whether it has bodies on both sides. @throws InputError if only parts of it have. */

@@ -136,6 +136,8 @@ namespace fuga
      * to (1 - efficiency) of what it is (USACE, EM 1110-2-2200, 1995, section 3-3). */
     double drain_distance   = 0.;
     double drain_efficiency = 0.;
+    /** Whether the pressure of the reservoir comes into open parts. */
+    bool fills_cracks = true;
   };
 
   /** One load pattern: a field in space, multiplied in every stage by a history. */

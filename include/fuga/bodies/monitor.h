@@ -53,12 +53,16 @@ namespace fuga
       return its_body;
     }
 
-    /** σxx, σyy, σzz (across the plane; hoop stress), σxy [stress] at the thermal strain αΔT of the
-     * point; not a number unless has_stress(). */
-    std::array<double, 4>
+    /** σxx, σyy, σzz (across the plane; hoop stress), σxy, σxz, σyz [stress] at the thermal strain
+     * αΔT of the point; not a number unless has_stress(). */
+    std::array<double, 6>
     stress(const Vector &x, const Vector &a, const double thermal_strain) const;
 
   private:
+    template <int dim>
+    std::array<double, 6>
+    stress_in(const Vector &x, const Vector &a, const double thermal_strain) const;
+
     std::string its_name;
     std::array<double, 3> its_position{};
     unsigned int its_body = 0;
@@ -67,7 +71,7 @@ namespace fuga
     std::vector<LinearResponse> components;
     /** ∂u_i/∂x_j, row by row; empty without stress. */
     std::vector<LinearResponse> gradient;
-    /** Of the strain around the axis. */
+    /** Of the strain around the axis; empty but in axisymmetry. */
     LinearResponse radial;
   };
 } // namespace fuga

@@ -33,22 +33,27 @@ namespace fuga
    * mapping and quadrature are chosen from the shape of the cells (a tensor Gauss rule on a
    * triangle is accepted by deal.II and doubles its area).
    *
-   * The geometry of a cell is linear (bilinear) in its corners, whatever the degree. The corners
-   * are the first nodes of the cell.
+   * The geometry of a cell is linear (bilinear, trilinear) in its corners, whatever the degree. The
+   * corners are the first nodes of the cell.
    */
   template <int dim>
   class ReferenceElement
   {
   public:
-    /** Tables of one face. Weights sum to one. */
+    /** Coordinates on a face: (0, 1), the unit square, or the triangle (0,0), (1,0), (0,1). */
+    using FacePoint = dealii::Point<dim - 1>;
+
+    /** Tables of one face; weights sum to the measure of its reference: 1, or 1/2 of a triangle. */
     struct Face
     {
-      /** The nodes on the face, from its first corner to its second one. */
+      /** The nodes on the face, by their last coordinate on it, then by the one before: in the
+       *  plane from its first corner to its second one. */
       std::vector<unsigned int> nodes;
-      /** ∫ shape function of each of them over the face, per length. */
-      std::vector<double> node_weights;
-      /** Quadrature points: position as a mix of the two corners, and weight. */
-      std::vector<double> position, weight;
+      /** Where in `nodes` the corners are. */
+      std::vector<unsigned int> corners;
+      std::vector<FacePoint> corner_points;
+      std::vector<FacePoint> points;
+      std::vector<double> weight;
       /** Values of the shape functions of `nodes`, values[q][k]. */
       std::vector<std::vector<double>> values;
     };
@@ -114,10 +119,19 @@ namespace fuga
       return faces[number];
     }
 
-    /** Values of the shape functions of face(number).nodes at @p position of a mix of its corners.
-     */
+    /** Values of the shape functions of face(number).nodes. */
     std::vector<double>
-    face_values(const unsigned int number, const double position) const;
+    face_values(const unsigned int number, const FacePoint &point) const;
+
+    /** Values of the (bi)linear functions of the corners of a face. */
+    std::vector<double>
+    corner_values(const unsigned int number, const FacePoint &point) const;
+
+    /** Their derivatives with respect to one of the coordinates on the face. */
+    std::vector<double>
+    corner_derivatives(const unsigned int number,
+                       const FacePoint &point,
+                       const unsigned int coordinate) const;
 
   private:
     void
@@ -126,9 +140,8 @@ namespace fuga
     void
     tabulate_face(const unsigned int number, const unsigned int degree);
 
-    /** First corner of a face, and the vector from it to the second one. */
-    std::pair<dealii::Point<dim>, dealii::Tensor<1, dim>>
-    face_line(const unsigned int number) const;
+    void
+    find_face_nodes(const unsigned int number);
 
     ReferenceShape shape;
     std::unique_ptr<dealii::FiniteElement<dim, dim>> element;

@@ -6,13 +6,15 @@
 
 #include <fuga/bodies/contact_bars.h>
 
+#include <array>
+
 namespace fuga
 {
   /**
    * The connected pieces of the open mesh as rigid bodies. Before anything is factorised they tell
    * whether supports and closed joints hold the structure, and if not, what moves and how. A piece
-   * is connected through faces; pieces that share a single vertex are hinged there. In axisymmetry
-   * the shift along the axis is the only rigid motion.
+   * is connected through faces; pieces that share a single vertex (or an edge) are hinged there. In
+   * axisymmetry the shift along the axis is the only rigid motion.
    */
   template <int dim>
   class RigidPieces
@@ -47,10 +49,22 @@ namespace fuga
     moving_body(const std::size_t number) const;
 
   private:
-    /** Coefficients of one linear form of the motions, 3 per piece: two shifts and a scaled
-     * rotation.
-     */
+    /** Per piece: dim shifts, then the rotations scaled by the size of the piece (one in the plane;
+     *  about x, y, z in space). */
+    static constexpr unsigned int n_motions = dim == 2 ? 3 : 6;
+
+    /** Amounts of these motions. */
+    using Motion = std::array<double, n_motions>;
+
+    /** Coefficients of one linear form of the motions of all pieces. */
     using Row = std::vector<std::pair<unsigned int, double>>;
+
+    /** The work of a force in @p direction, at @p arm from the center, on every motion; rotations
+     *  divided by @p size. */
+    static Motion
+    work_on_motions(const dealii::Tensor<1, dim> &direction,
+                    const dealii::Tensor<1, dim> &arm,
+                    const double size);
 
     void
     find_nodes(const Discretization<dim> &discretization);
@@ -72,11 +86,11 @@ namespace fuga
     describe(const DenseMatrix &free, const unsigned int piece) const;
 
     std::string
-    describe(const std::array<double, 3> &motion, const unsigned int piece) const;
+    describe(const Motion &motion, const unsigned int piece) const;
 
     const Discretization<dim> &discretization;
     const JointedMesh &mesh;
-    /** Which of the three motions of a piece are rigid. */
+    /** Which of the motions of a piece are rigid. */
     std::vector<unsigned int> motions;
     std::vector<unsigned int> piece_of_node;
     std::vector<unsigned int> body_of_piece;
@@ -86,13 +100,12 @@ namespace fuga
     /** Pieces that are hinged together move as one. */
     std::vector<unsigned int> group_of_piece;
     std::vector<std::pair<unsigned int, unsigned int>> hinges; // node, other piece
-    /** A motion of one group: shift + rotation * (-y, x), about its center. */
+    /** A motion of one group about its center; rotations are not scaled. */
     struct FreeMotion
     {
       unsigned int group = 0;
       dealii::Point<dim> center;
-      dealii::Tensor<1, dim> shift;
-      double rotation = 0.;
+      Motion motion;
     };
     std::vector<FreeMotion> free_motions;
   };

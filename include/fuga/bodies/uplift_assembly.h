@@ -12,7 +12,8 @@ namespace fuga
   /**
    * Turns water in joints into forces between the lips of contact elements: ∫ N u dA along the
    * faces of the joint, exact also where the line of the water or of its distribution has a corner
-   * within a face. What an element gets in addition by opening is not negative.
+   * within a face. What an element gets in addition by opening is not negative. In space the way
+   * of the water runs along x, between ends that must be horizontal.
    */
   template <int dim>
   class UpliftAssembly
@@ -53,8 +54,11 @@ namespace fuga
              Vector &closed,
              Vector &full) const;
 
-    const dealii::Point<dim> &
-    end(const typename JointGeometry<dim>::Face &face, const unsigned int which) const;
+    /** @throws InputError if the nodes of the joint at the x of @p end have different heights. */
+    void
+    require_level_end(const LoadDefinition &load,
+                      const unsigned int joint,
+                      const dealii::Point<dim> &end) const;
 
     const Discretization<dim> &discretization;
     const JointGeometry<dim> &geometry;

@@ -23,11 +23,12 @@ namespace fuga
     /** Whether a joint has bodies on both sides. */
     const std::vector<bool> &joints_there;
     const std::vector<std::string> &stage_names;
-    const std::vector<std::array<double, 3>> &normals;
     const std::vector<Monitor> &monitors;
     Units units;
     /** Tables have columns of the water in joints. */
     bool has_water = false;
+    /** Tables have columns of the third dimension. */
+    bool in_space = false;
   };
 
   /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.

@@ -21,7 +21,9 @@ namespace fuga
   };
 
   /**
-   * The faces of the joints with the results of their contact elements as point data. A node
+   * The faces of the joints with the results of their contact elements as point data: lines in the
+   * plane, quadrilaterals or triangles in space, where the vectors of shear and slip are given in
+   * global axes as well. A node
    * without element (the tip of a joint, a node that supports hold) has zeros and the state 3,
    * bonded.
    */
@@ -44,9 +46,19 @@ namespace fuga
     std::vector<std::string>
     get_dataset_names() const override;
 
+    std::vector<std::tuple<unsigned int,
+                           unsigned int,
+                           std::string,
+                           dealii::DataComponentInterpretation::DataComponentInterpretation>>
+    get_nonscalar_data_ranges() const override;
+
   private:
     void
     add_face(const JointFace &face, const double offset);
+
+    /** In the order of the names; @p element may be JointFace::no_element. */
+    std::vector<double>
+    values_at(const unsigned int element) const;
 
     const CondensedSystem<dim> &system;
     const std::vector<ContactElement> &elements;

@@ -26,8 +26,8 @@ namespace fuga
     double M = 0.;
     /** e = -M/N [length]: s where the line of action cuts the line through the centroid along t. */
     double eccentricity = 0.;
-    /** This point. */
-    std::array<double, 2> position = {{0., 0.}};
+    /** This point; in space the one in the mean plane where the resultant crosses it. */
+    std::array<double, 3> position = {{0., 0., 0.}};
     /** Shares of the area by state, and with pressure. */
     double share_open        = 0.;
     double share_stick       = 0.;
@@ -55,6 +55,24 @@ namespace fuga
     double water = 0.;
     /** Work of friction so far [force length]. */
     double dissipation = 0.;
+
+    /** In space, where the frame is t1, t2, n: the sum of forces along t2. T is that along t1, M
+     * the moment about -t2, and e counts along t1, as in the plane of t1 and n. */
+    double T2 = 0.;
+    /** Moments about t1 and n of the forces on the plus side. */
+    double M1 = 0.;
+    double Mn = 0.;
+    /** -M1/N: the eccentricity along t2. */
+    double eccentricity2 = 0.;
+    /** The mean frame: n and t1. */
+    std::array<double, 3> normal = {{0., 0., 0.}}, first_tangent = {{0., 0., 0.}};
+  };
+
+  /** Local frame of a contact element in space. */
+  struct ElementFrame
+  {
+    std::array<double, 3> normal;
+    std::array<std::array<double, 3>, 2> tangents;
   };
 
   /** What lies across the plane. */
@@ -78,6 +96,24 @@ namespace fuga
                    const std::vector<ElementResult> &results,
                    const Vector &dissipation,
                    const AcrossPlane &across_plane);
+  /**
+   * The same in space. What is defined by the line of a joint (cracked lengths, middle third,
+   * overturning safety) is not a number: an area has no two ends.
+   */
+  std::vector<JointResultant>
+  joint_resultants_in_space(const std::size_t n_joints,
+                            const std::vector<ContactElement> &elements,
+                            const std::vector<ElementFrame> &frames,
+                            const std::vector<ElementResult> &results,
+                            const Vector &dissipation);
+
+  /** Adds the state, pressures, gaps, slips, strength and dissipation of an element that has @p share
+   * of the area to what does not depend on frames. */
+  void
+  add_element(const ElementResult &result,
+              const double share,
+              const double dissipation,
+              JointResultant &resultant);
 } // namespace fuga
 
 #endif

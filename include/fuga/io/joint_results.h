@@ -19,16 +19,21 @@ namespace fuga
     /** Bar forces [force], N tension positive. */
     double N = 0.;
     double T = 0.;
+    /** In space: along the second tangent. */
+    double T2 = 0.;
     /** p = -N/A, τ = T/A [stress]. */
     double pressure = 0.;
     double shear    = 0.;
+    double shear2   = 0.;
     /** Opening positive, never negative; closure of the layer, never negative [length]. */
     double gap     = 0.;
     double closure = 0.;
     /** Irreversible part of the tangential jump; whole jumps [length]. */
-    double slip   = 0.;
-    double jump_n = 0.;
-    double jump_t = 0.;
+    double slip    = 0.;
+    double slip2   = 0.;
+    double jump_n  = 0.;
+    double jump_t  = 0.;
+    double jump_t2 = 0.;
     /** |T| as a share of the strength; 0 while open, 1 while slipping. */
     double utilisation = 0.;
     /** f|N| + cohesive strength of a closed element [force]. */

@@ -16,6 +16,10 @@ namespace fuga
     place,
     /** x, y and the load time t. */
     place_and_time,
+    /** x, y, z. */
+    place_in_space,
+    /** x, y, z and the load time t. */
+    place_in_space_and_time,
     /** The stage fraction t. */
     stage_fraction,
     /** The deformation w of a layer. */
@@ -27,7 +31,7 @@ namespace fuga
   /**
    * Parses and evaluates an expression once, before anything is computed with it.
    * @returns "" or a sentence that says what is wrong and what to do. Values which are not finite
-   * are wrong at any stage fraction tried, but in the plane only if they are so at all points tried
+   * are wrong at any stage fraction tried, but of places only if they are so at all points tried
    * (a pressure may well be defined at its own boundary only). Of deformations w = 0 is tried.
    */
   std::string

@@ -24,11 +24,11 @@ namespace fuga
 
   /** Section Joints. @throws InputError */
   std::vector<JointParameters>
-  read_joints(const ParameterValues &values, const std::map<std::string, double> &constants);
+  read_joints(const ParameterValues &values, const ModelDefinition &model);
 
   /** Section Boundaries of a plane problem. @throws InputError */
   std::vector<BoundaryCondition>
-  read_boundaries(const ParameterValues &values);
+  read_boundaries(const ParameterValues &values, const unsigned int dimension);
 
   /** The entries of a load that depends on the depth below a level. @throws InputError */
   DepthPressure

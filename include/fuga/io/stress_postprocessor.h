@@ -12,9 +12,9 @@ namespace fuga
 {
   /**
    * Stresses of the bodies at the corners of every cell (not averaged between cells): the tensor
-   * "stress", "principal_stress_1" ≥ "principal_stress_2" in the plane, and "von_mises_stress",
-   * which includes the stress across the plane in plane strain; in axisymmetry "hoop_stress" as
-   * well. Tension positive.
+   * "stress", "principal_stress_1" ≥ "principal_stress_2" in the plane (≥ "principal_stress_3" in
+   * space), and "von_mises_stress", which includes the stress across the plane in plane strain; in
+   * axisymmetry "hoop_stress" as well. Tension positive.
    */
   template <int dim>
   class StressPostprocessor : public dealii::DataPostprocessor<dim>

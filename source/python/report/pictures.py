@@ -97,8 +97,19 @@ def _joint_picture(results, arrays, where):
                              f"Displacements are drawn {arrays['factor']:g} times.")
 
 
+def _picture_in_space(results):
+    if not os.path.exists(os.path.join(results.directory, "bodies.pvd")):
+        raise NoPictures("This run wrote no fields (Output/Fields = never), so there are no pictures of the bodies.")
+    from space_rendering import figure_in_space
+    figure, caption = figure_in_space(results, "von_mises_stress")
+    where = results.describe_time(results.levels[-1])
+    return to_figure(figure, f"Von Mises stress of the bodies, pressures and states of the joints, {where}. {caption}")
+
+
 def pictures(results):
     """Figures of the last load level. Raises NoPictures."""
+    if results.in_space:
+        return [_picture_in_space(results)]
     arrays = rendered(results.directory)
     where = results.describe_time(results.levels[-1])
     found = [_stress_picture(results, arrays, name, where) for name in MAPS if name in arrays]
