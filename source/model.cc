@@ -187,28 +187,35 @@ namespace fuga
   {
     if (!have_cones(bodies.elements()))
       return;
-    for (const ContactElement &element : bodies.elements())
-      if (element.has_tangential_bar() && !element.has_second_tangential_bar())
-        throw InputError(fmt::format(
-          "{}: joint '{}' at ({:g}, {:g}, {:g}): supports hold one direction of slip here, and not "
-          "elsewhere. That is not available in this version: hold that direction along all joints "
-          "with friction, or nowhere.",
-          parameters.joints[element.joint].origin,
-          parameters.joints[element.joint].definition.name,
-          element.position[0],
-          element.position[1],
-          element.position[2]));
     if (first_stages_of_phases(parameters.model).size() > 1)
       throw InputError(fmt::format(
         "{}: construction in stages and grouting are not available with friction in space in this "
         "version. Build all bodies at the start.",
         parameters.parameter_file));
-    for (const StageDefinition &stage : parameters.model.stages)
-      if (stage.purpose != StagePurpose::loading)
-        throw InputError(fmt::format(
-          "{}: searches for factors of safety are not available with friction in space in this "
-          "version. Let the loads of a last stage grow until nothing carries them.",
-          parameters.parameter_file));
+    const auto is_simple = [](const LayerLaw law) {
+      return law == LayerLaw::rigid || law == LayerLaw::linear;
+    };
+    for (const JointParameters &joint : parameters.joints)
+      {
+        std::string what;
+        if (!joint.friction.is_plain())
+          what = "cohesion, tensile strength, residual friction and dilatancy are";
+        else if (!is_simple(joint.normal_law) || !is_simple(joint.shear_law) ||
+                 joint.shear_growth.kind != ShearGrowth::Kind::none)
+          what = "layers other than rigid and linear ones are";
+        else if (joint.friction.reduced)
+          what = "the reduction of strength is";
+        else if (parameters.solver.beyond_limit)
+          what = "the path beyond the limit load is";
+        if (!what.empty())
+          throw InputError(fmt::format(
+            "{}: joint '{}': in space, where friction acts along two directions, {} not available "
+            "in "
+            "this version. Take it out, or hold one of the directions by supports in all joints.",
+            joint.origin,
+            joint.definition.name,
+            what));
+      }
   }
 
   template <int dim>

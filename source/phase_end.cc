@@ -29,7 +29,7 @@ namespace fuga
   {
     std::size_t n_bars = 0;
     for (const ContactElement &element : elements)
-      n_bars += element.has_tangential_bar() ? 2 : 1;
+      n_bars += element.n_bars();
     Vector result(n_bars, 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
@@ -39,6 +39,8 @@ namespace fuga
         result[elements[k].normal_bar] = values[old.normal_bar];
         if (elements[k].has_tangential_bar() && old.has_tangential_bar())
           result[elements[k].tangential_bar] = values[old.tangential_bar];
+        if (elements[k].has_second_tangential_bar() && old.has_second_tangential_bar())
+          result[elements[k].second_tangential_bar] = values[old.second_tangential_bar];
       }
     return result;
   }

@@ -24,8 +24,7 @@ namespace fuga
   bool
   Simulation<dim>::keeps_checkpoints() const
   {
-    // A path on cones cannot be cut.
-    return parameters.output.checkpoint != CheckpointOutput::never && !have_cones(joint.elements);
+    return parameters.output.checkpoint != CheckpointOutput::never;
   }
 
   template <int dim>

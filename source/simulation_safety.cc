@@ -119,7 +119,8 @@ namespace fuga
   {
     std::vector<bool> moves(model.joint_names.size(), false);
     for (const ContactElement &element : joint.elements)
-      for (const std::size_t bar : {element.normal_bar, element.tangential_bar})
+      for (const std::size_t bar :
+           {element.normal_bar, element.tangential_bar, element.second_tangential_bar})
         if (bar != ContactElement::no_bar && std::abs(mechanism_jumps[bar]) > smallest_motion)
           moves[element.joint] = true;
     std::vector<std::string> result;

@@ -64,7 +64,7 @@ namespace fuga
           "Cracks",
           choice("reservoir|unchanged"),
           "For uplift: pressure where the joint is open. That of the reservoir (without this "
-          "entry), or the same as where it is closed; the only one with friction in space."),
+          "entry), or the same as where it is closed."),
         optional("Tailwater level",
                  any_number(),
                  "For uplift: y (in space z) of the surface of the water at the other end [m]; "
