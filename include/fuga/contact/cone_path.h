@@ -18,7 +18,7 @@ namespace fuga
 
   /**
    * The path in three dimensions, with Coulomb's circular cone: elements have two tangential bars,
-   * or none (doc/theory.md, section on three dimensions). Layers are linear or rigid, friction is
+   * or none (doc/theory.md, section 17). Layers are linear or rigid, friction is
    * that of Coulomb alone, and joints have no water. In the state slip the direction is that of the
    * tangential force; the slips along both tangents are the dislocations of the tangential bars.
    */

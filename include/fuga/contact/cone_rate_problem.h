@@ -27,12 +27,12 @@ namespace fuga
   };
 
   /**
-   * The rate problem for elements with circular friction cones (doc/theory.md, section on three
-   * dimensions). With v the rates of dislocation and q = r - W v those of the bar forces:
+   * The rate problem for elements with circular friction cones (doc/theory.md, section 17). With v
+   * the rates of dislocation and q = r - W v those of the bar forces:
    *
    *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ -(e·q_t + f q_n) ≥ 0,   v_n = 0
-   *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,   v_t = 0, or on it and
-   * v_t ∥ q_t
+   *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
+   *                                 v_t = 0, or on it and v_t ∥ q_t
    *
    * A semismooth Newton method on the states and slip directions; behind it block Gauss-Seidel
    * sweeps from element to element, the end of which Newton makes exact. Accepted is only what

@@ -17,7 +17,7 @@ namespace fuga
    * d_c,
    *
    * with r the forces without any dislocation, and are no unknowns of the path
-   * (doc/theory.md, section on three dimensions).
+   * (doc/theory.md, section 17).
    */
   class ReleasedSystem
   {
