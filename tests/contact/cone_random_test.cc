@@ -178,6 +178,12 @@ namespace fuga::tests
           for (std::size_t a = 0; a < 2; ++a)
             for (std::size_t j = 0; j < 3; ++j)
               system.F(2 * k + a, j) = F(3 * k + a, j);
+        if (seed % 2 == 0) // water that comes into open elements
+          {
+            system.water = DenseMatrix(2 * n, 3);
+            for (std::size_t k = 0; k < n; ++k)
+              system.water(2 * k, 0) = 0.1;
+          }
         FrictionLaw friction;
         friction.coefficient = 0.5;
         const ToyJoint joint(n, 1., make_linear_law(0.1), make_linear_law(0.2), friction);
