@@ -117,13 +117,18 @@ namespace fuga
     return info == 0;
   }
 
-  LuFactors::LuFactors(DenseMatrix &&matrix) : factors(std::move(matrix)), pivots(factors.n_rows())
+  LuFactors::LuFactors(DenseMatrix &&matrix)
+    : factors(std::move(matrix))
+    , row_scale(factors.n_rows(), 1.)
+    , column_scale(factors.n_rows(), 1.)
+    , pivots(factors.n_rows())
   {
     if (factors.empty())
       {
         rcond = 1.;
         return;
       }
+    equilibrate();
     const int n = to_int(factors.n_rows());
     const double norm =
       LAPACKE_dlange(LAPACK_COL_MAJOR, '1', n, n, factors.data(), leading(factors));
@@ -132,6 +137,33 @@ namespace fuga
     expect_success(info, "dgetrf");
     if (info == 0)
       LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', n, factors.data(), leading(factors), norm, &rcond);
+  }
+
+  // A matrix with a row or column of zeros stays as it is: no scale makes it regular.
+  void
+  LuFactors::equilibrate()
+  {
+    const int n      = to_int(factors.n_rows());
+    double row_ratio = 0., column_ratio = 0., largest = 0.;
+    Vector rows(factors.n_rows()), columns(factors.n_rows());
+    const lapack_int info = LAPACKE_dgeequb(LAPACK_COL_MAJOR,
+                                            n,
+                                            n,
+                                            factors.data(),
+                                            leading(factors),
+                                            rows.data(),
+                                            columns.data(),
+                                            &row_ratio,
+                                            &column_ratio,
+                                            &largest);
+    expect_success(info, "dgeequb");
+    if (info > 0)
+      return;
+    row_scale    = std::move(rows);
+    column_scale = std::move(columns);
+    for (std::size_t j = 0; j < factors.n_columns(); ++j)
+      for (std::size_t i = 0; i < factors.n_rows(); ++i)
+        factors(i, j) *= row_scale[i] * column_scale[j];
   }
 
   int
@@ -152,33 +184,33 @@ namespace fuga
   void
   LuFactors::solve(Vector &b) const
   {
-    if (!factors.empty())
-      expect_success(LAPACKE_dgetrs(LAPACK_COL_MAJOR,
-                                    'N',
-                                    to_int(factors.n_rows()),
-                                    1,
-                                    factors.data(),
-                                    leading(factors),
-                                    pivots.data(),
-                                    b.data(),
-                                    to_int(b.size())),
-                     "dgetrs");
+    DenseMatrix columns(b.size(), 1);
+    std::copy(b.begin(), b.end(), columns.column(0));
+    solve(columns);
+    std::copy_n(columns.column(0), b.size(), b.begin());
   }
 
   void
   LuFactors::solve(DenseMatrix &B) const
   {
-    if (!factors.empty() && !B.empty())
-      expect_success(LAPACKE_dgetrs(LAPACK_COL_MAJOR,
-                                    'N',
-                                    to_int(factors.n_rows()),
-                                    to_int(B.n_columns()),
-                                    factors.data(),
-                                    leading(factors),
-                                    pivots.data(),
-                                    B.data(),
-                                    leading(B)),
-                     "dgetrs");
+    if (factors.empty() || B.empty())
+      return;
+    for (std::size_t j = 0; j < B.n_columns(); ++j)
+      for (std::size_t i = 0; i < B.n_rows(); ++i)
+        B(i, j) *= row_scale[i];
+    expect_success(LAPACKE_dgetrs(LAPACK_COL_MAJOR,
+                                  'N',
+                                  to_int(factors.n_rows()),
+                                  to_int(B.n_columns()),
+                                  factors.data(),
+                                  leading(factors),
+                                  pivots.data(),
+                                  B.data(),
+                                  leading(B)),
+                   "dgetrs");
+    for (std::size_t j = 0; j < B.n_columns(); ++j)
+      for (std::size_t i = 0; i < B.n_rows(); ++i)
+        B(i, j) *= column_scale[i];
   }
 
   DenseMatrix
@@ -191,6 +223,9 @@ namespace fuga
                                     leading(factors),
                                     pivots.data()),
                      "dgetri");
+    for (std::size_t j = 0; j < factors.n_columns(); ++j)
+      for (std::size_t i = 0; i < factors.n_rows(); ++i)
+        factors(i, j) *= column_scale[i] * row_scale[j];
     return std::move(factors);
   }
 } // namespace fuga

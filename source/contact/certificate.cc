@@ -111,7 +111,10 @@ namespace fuga
                const std::vector<ContactElement> &contact_elements,
                const LoadHistory &load_history,
                const double end_of_loading)
-    : system(contact_system), elements(contact_elements), history(load_history)
+    : system(contact_system)
+    , elements(contact_elements)
+    , history(load_history)
+    , rigid_motions(contact_system)
   {
     element_dissipation.assign(elements.size(), 0.);
     for (double t = 0.; t < end_of_loading;)
@@ -290,6 +293,18 @@ namespace fuga
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system.stiffness(), x));
   }
 
+  // A body that a soft joint holds moves by far more than it deforms: what of x is rigid motion is
+  // taken out, for its resistance is nothing but the rounding of S.
+  Vector
+  Judge::resistance(const Vector &x) const
+  {
+    if (rigid_motions.empty())
+      return multiply(system.stiffness(), x);
+    const Accurate result =
+      rigid_motions.resistance(system.stiffness(), Accurate(x.begin(), x.end()));
+    return {result.begin(), result.end()};
+  }
+
   // Forces and moments on every floating body, relative to what the largest force would cause.
   double
   Judge::body_equilibrium_error(const JointState &state) const
@@ -324,7 +339,7 @@ namespace fuga
     const Vector x     = coordinates(delta, state.t);
     Vector f           = loads(state.t);
     add_water(state, f);
-    const Vector Sx = multiply(system.stiffness(), x);
+    const Vector Sx = resistance(x);
     largest_force   = std::max({largest_force, max_abs(f), max_abs(state.forces), max_abs(Sx)});
     largest_jump    = std::max(largest_jump, max_abs(delta));
 

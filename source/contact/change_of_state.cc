@@ -45,13 +45,13 @@ namespace fuga
                const double no_force,
                JointState &state)
   {
+    // A gap that closes is zero but for rounding, and stays so: to move the lips even by that much
+    // would leave forces that do not belong to them where the bodies are stiff.
     const bool was_open = state.states[k] == ContactState::open;
     state.states[k]     = to;
     if (to == ContactState::open)
       break_bond(element, k, no_force, state);
-    else if (was_open) // gap = 0 exactly
-      state.dislocations[element.normal_bar] = state.dilations[k] - element.initial_gap;
-    else if (is_slipping(to))
+    else if (!was_open && is_slipping(to))
       weaken_by_slip(element, k, no_force, state);
   }
 

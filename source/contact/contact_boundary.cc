@@ -44,11 +44,13 @@ namespace fuga
   {
     const DenseMatrix &R             = system.reactions();
     const double largest_dislocation = max_abs(state.dislocations);
+    const double scaled_dislocation  = system.scaled_size(state.dislocations);
     const double relative            = value_tolerance * widening;
     double largest_jump              = largest_dislocation;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
-        double terms = system.stiffness()(i, i) * largest_dislocation;
+        double terms = std::min(system.stiffness()(i, i) * largest_dislocation,
+                                system.scale(i) * scaled_dislocation);
         for (std::size_t j = 0; j < factors.size(); ++j)
           terms += std::abs(R(i, j) * factors[j]);
         if (!state.water.empty())
@@ -158,7 +160,10 @@ namespace fuga
   ContactBoundary::RateNoise::RateNoise(const LayeredSystem &layered_system,
                                         const JointRates &rates,
                                         const Drive &path_drive)
-    : system(layered_system), drive(path_drive), largest_dislocation(max_abs(rates.dislocations))
+    : system(layered_system)
+    , drive(path_drive)
+    , largest_dislocation(max_abs(rates.dislocations))
+    , scaled_dislocation(system.scaled_size(rates.dislocations))
   {
     double size = largest_dislocation;
     for (std::size_t i = 0; i < drive.reactions.size(); ++i)
@@ -169,8 +174,9 @@ namespace fuga
   double
   ContactBoundary::RateNoise::force(const std::size_t bar) const
   {
-    const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
-    return rate_tolerance * (std::abs(drive.reactions[bar]) +
-                             system.stiffness()(bar, bar) * largest_dislocation + strength);
+    const double strength  = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
+    const double of_motion = std::min(system.stiffness()(bar, bar) * largest_dislocation,
+                                      system.scale(bar) * scaled_dislocation);
+    return rate_tolerance * (std::abs(drive.reactions[bar]) + of_motion + strength);
   }
 } // namespace fuga

@@ -95,6 +95,7 @@ namespace fuga
 
   LayeredSystem::LayeredSystem(const ContactSystem &system,
                                const std::vector<ContactElement> &elements)
+    : bodies(system)
   {
     std::size_t n_bars = 0;
     for (const ContactElement &element : elements)
@@ -116,7 +117,13 @@ namespace fuga
     symmetrise(W);
     for (std::size_t i = 0; i < compliances.size(); ++i)
       largest = std::max(largest, W(i, i));
+    // A jump that nothing resists has no stiffness of its own to be measured by.
+    const double smallest = largest > 0. ? 1e-14 * largest : 1.;
+    for (std::size_t i = 0; i < compliances.size(); ++i)
+      scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
     Q = system.opening_water();
+    if (delicate)
+      rigid_motions.emplace(system);
     add_imposed_jumps(system);
   }
 
@@ -137,8 +144,9 @@ namespace fuga
   void
   LayeredSystem::eliminate_in_jumps(const ContactSystem &system)
   {
-    W = system.stiffness();
-    R = system.load_patterns();
+    W        = system.stiffness();
+    R        = system.load_patterns();
+    delicate = has_soft_joint();
 
     Indices soft, stiff_or_rigid, stiff;
     Vector soft_stiffness, stiff_compliance;
@@ -206,14 +214,18 @@ namespace fuga
         rhs(i, n_p + j) = F(i, j) / scale;
 
     const DenseMatrix matrix = saddle;
-    const LuFactors factors(std::move(saddle));
-    const double smallest_trusted_condition = 1e-15;
+    LuFactors factors(std::move(saddle));
+    const double smallest_trusted_condition = 1e-15, harmless_condition = 1e-8;
     if (factors.reciprocal_condition() < smallest_trusted_condition)
       throw NumericalFailure(
         "The forces in the bars are not unique: rigid bars repeat each other "
         "(rigid joints that cross, or several rigid bars under one rigid body). "
         "Give one of the joints there a compliance.");
     solve_accurately(matrix, factors, rhs);
+    delicate = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
+    if (delicate)
+      saddle_factors = std::move(factors);
+    saddle_scale = scale;
 
     W = DenseMatrix(n_p, n_p);
     R = DenseMatrix(n_p, F.n_columns());
@@ -226,18 +238,13 @@ namespace fuga
       }
   }
 
-  // Bars without dislocation cost nothing: on most paths these are the majority.
-  Vector
-  LayeredSystem::forces(const Vector &factors,
-                        const Vector &dislocations,
-                        const Vector &water) const
+  double
+  LayeredSystem::scaled_size(const Vector &jumps) const
   {
-    Vector p = multiply(R, factors);
-    for (std::size_t j = 0; j < n_bars(); ++j)
-      if (dislocations[j] != 0.)
-        blas::axpy(n_bars(), -dislocations[j], W.column(j), p.data());
-    add_water(water, p);
-    return p;
+    double size = 0.;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      size = std::max(size, scales[i] * std::abs(jumps[i]));
+    return size;
   }
 
   void

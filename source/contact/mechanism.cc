@@ -12,6 +12,9 @@ namespace fuga
   {
     /** A force below this share of what the stuck joint would answer does not resist. */
     constexpr double free_force = 1e-7;
+    /** Nor does one that does less than this share of the work: the force in a contact that has
+     * shrunk to a point, about which a body turns. */
+    constexpr double free_work = 1e-9;
     /** A jump below this share of the largest is none. */
     constexpr double no_jump = 1e-6;
   } // namespace
@@ -19,8 +22,15 @@ namespace fuga
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system)
   {
-    const double size = max_abs(motion.dislocations);
-    return size > 0. && max_abs(motion.forces) <= free_force * system.largest_stiffness() * size;
+    const double size = system.scaled_size(motion.dislocations);
+    double resistance = 0., work = 0.;
+    for (std::size_t i = 0; i < motion.forces.size(); ++i)
+      {
+        resistance = std::max(resistance, std::abs(motion.forces[i]) / system.scale(i));
+        work += motion.forces[i] * motion.dislocations[i];
+      }
+    return size > 0. &&
+           (resistance <= free_force * size || std::abs(work) <= free_work * size * size);
   }
 
   Vector

@@ -119,11 +119,7 @@ namespace fuga
     lcp.M                                = DenseMatrix(n, n);
     lcp.q.resize(n);
     lcp.responses.resize(n);
-    // A jump that nothing resists has no stiffness of its own to be measured by.
-    const double smallest_stiffness = 1e-14 * system.largest_stiffness();
-    const auto unit                 = [&](const std::size_t bar) {
-      return 1. / std::sqrt(std::max(system.stiffness()(bar, bar), smallest_stiffness));
-    };
+    const auto unit = [&](const std::size_t bar) { return 1. / system.scale(bar); };
     for (std::size_t j = 0; j < n; ++j)
       {
         if (!respond(state, unknowns[j].element, unknowns[j].state, lcp.responses[j]))

@@ -14,17 +14,37 @@ namespace fuga
   {
     /**
      * Defect of a solution, relative to the forces that drive it, that is accepted at once, and
-     * after refinement. A mechanism answers with dislocations so large that their rounding errors
-     * alone exceed the second: this, and no pivot, is what tells it from a soft scheme.
+     * after refinement.
      */
     constexpr double good_defect     = 1e-13;
     constexpr double accepted_defect = 1e-8;
-    /** The same for a solution refined with the inverse of a nearby matrix. */
-    constexpr double accepted_stale_defect = 1e-12;
+    /** The same for a solution in double precision. */
+    constexpr double accepted_double_defect = 1e-12;
+    /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
+     * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
+     * scheme. */
+    constexpr double largest_motion = 1e9;
     /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
      * as long as each divides the defect by two. */
     constexpr int max_sweeps       = 3;
     constexpr int max_stale_sweeps = 20;
+
+    void
+    subtract(const std::size_t n, const double amount, const double *column, double *forces)
+    {
+      blas::axpy(n, -amount, column, forces);
+    }
+
+    void
+    subtract(const std::size_t n,
+             const long double amount,
+             const double *column,
+             long double *forces)
+    {
+      if (amount != 0.L)
+        for (std::size_t i = 0; i < n; ++i)
+          forces[i] -= amount * column[i];
+    }
   } // namespace
 
   WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
@@ -70,64 +90,94 @@ namespace fuga
     outdated = true;
   }
 
-  // Forces and row defects that belong to the given active dislocations; the largest defect.
+  // Forces and row defects that belong to the given active dislocations; the largest defect, in the
+  // units of LayeredSystem::scale().
+  template <typename Number>
   double
-  WorkingScheme::apply(const Vector &active,
+  WorkingScheme::apply(const std::vector<Number> &active,
                        const Vector &force_offset,
                        const Vector &rhs,
                        JointRates &result,
                        Vector &defect) const
   {
     const DenseMatrix &W = system.stiffness();
-    result.forces        = force_offset;
-    result.dislocations.assign(system.n_bars(), 0.);
+    std::vector<Number> forces(force_offset.begin(), force_offset.end());
+    std::vector<Number> dislocations(system.n_bars(), 0.);
     for (std::size_t j = 0; j < rows.size(); ++j)
       {
-        blas::axpy(W.n_rows(), -active[j], W.column(rows[j].bar), result.forces.data());
-        result.dislocations[rows[j].bar] = active[j];
+        subtract(W.n_rows(), active[j], W.column(rows[j].bar), forces.data());
+        dislocations[rows[j].bar] = active[j];
       }
+    double worst = 0.;
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const SchemeRow &row = rows[i];
-        defect[i] = row.own * result.forces[row.bar] + row.weight * result.forces[row.other] -
-                    row.stiffness * active[i] - row.cross * result.dislocations[row.other] - rhs[i];
+        defect[i] = static_cast<double>(row.own * forces[row.bar] + row.weight * forces[row.other] -
+                                        row.stiffness * active[i] -
+                                        row.cross * dislocations[row.other] - rhs[i]);
+        worst     = std::max(worst, std::abs(defect[i]) / system.scale(row.bar));
       }
-    return max_abs(defect);
+    result.forces.assign(forces.begin(), forces.end());
+    result.dislocations.assign(dislocations.begin(), dislocations.end());
+    return worst;
   }
 
+  // Refines with the inverse at hand. Returns the largest defect that is left.
+  template <typename Number>
+  double
+  WorkingScheme::refine(const Vector &rhs,
+                        const Vector &force_offset,
+                        const double driving_force,
+                        JointRates &result) const
+  {
+    std::vector<Number> active(rows.size(), 0.);
+    Vector defect(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      defect[i] = rows[i].own * force_offset[rows[i].bar] +
+                  rows[i].weight * force_offset[rows[i].other] - rhs[i];
+    double worst = std::numeric_limits<double>::infinity();
+    double last  = worst;
+    for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
+                                       (stale ? sweep < max_stale_sweeps && worst < 0.5 * last
+                                              : sweep < max_sweeps));
+         ++sweep)
+      {
+        last                = worst;
+        const Vector change = inverse.solve(defect);
+        for (std::size_t i = 0; i < active.size(); ++i)
+          active[i] += change[i];
+        worst = apply(active, force_offset, rhs, result, defect);
+      }
+    return worst;
+  }
+
+  // A body that hardly anything holds moves by far more than it deforms, and W d in double
+  // precision has not digits enough for the latter: the extended one gives three more.
   std::optional<JointRates>
   WorkingScheme::solve(const Vector &rhs, Vector force_offset)
   {
     if (!bring_up_to_date())
       return {};
 
-    const double driving_force  = std::max(max_abs(force_offset), max_abs(rhs));
-    const auto refined_solution = [&](JointRates &result) {
-      Vector active(rows.size(), 0.), defect(rows.size());
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        defect[i] = rows[i].own * force_offset[rows[i].bar] +
-                    rows[i].weight * force_offset[rows[i].other] - rhs[i];
-      double worst = std::numeric_limits<double>::infinity();
-      double last  = worst;
-      for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
-                                         (stale ? sweep < max_stale_sweeps && worst < 0.5 * last
-                                                : sweep < max_sweeps));
-           ++sweep)
-        {
-          last                = worst;
-          const Vector change = inverse.solve(defect);
-          for (std::size_t i = 0; i < active.size(); ++i)
-            active[i] += change[i];
-          worst = apply(active, force_offset, rhs, result, defect);
-        }
-      return worst <= (stale ? accepted_stale_defect : accepted_defect) * driving_force;
-    };
+    double driving_force = 0.;
+    for (std::size_t i = 0; i < force_offset.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(force_offset[i]) / system.scale(i));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(rhs[i]) / system.scale(rows[i].bar));
 
     JointRates result;
-    if (refined_solution(result))
+    const auto refined_solution = [&]() {
+      if (refine<double>(rhs, force_offset, driving_force, result) >
+            accepted_double_defect * driving_force &&
+          (stale || refine<long double>(rhs, force_offset, driving_force, result) >
+                      accepted_defect * driving_force))
+        return false;
+      return system.scaled_size(result.dislocations) <= largest_motion * driving_force;
+    };
+    if (refined_solution())
       return result;
     singular = !rebuild();
-    if (!singular && refined_solution(result))
+    if (!singular && refined_solution())
       return result;
     return {};
   }

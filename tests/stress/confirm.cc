@@ -118,11 +118,13 @@ namespace fuga::stress
           case RateAnswer::undecided:
             break;
         }
-      // A complete enumeration needs no further witness.
-      if (search.answer != RateAnswer::none && examiner.finds_step_beyond(end, 1e-6))
+      const bool mechanism =
+        result.verdict == Verdict::limit_load && examiner.is_mechanism(end, result.mechanism_jumps);
+      // A complete enumeration needs no further witness; nor does a mechanism: a finite step may
+      // find a place for a body that nothing holds and nothing drives.
+      if (search.answer != RateAnswer::none && !mechanism && examiner.finds_step_beyond(end, 1e-6))
         confirmation.objection += "an implicit step of 1e-6 goes on; ";
-      if (result.verdict == Verdict::limit_load &&
-          examiner.is_mechanism(end, result.mechanism_jumps))
+      if (mechanism)
         by += by.empty() ? "mechanism" : ", mechanism";
       if (confirmation.objection.empty() && by.empty())
         confirmation.objection = "no independent solver could decide; ";

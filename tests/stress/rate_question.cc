@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace fuga::stress
@@ -29,6 +30,8 @@ namespace fuga::stress
       double sign, friction;
       std::size_t n = 0, t = 0;
       bool has_shear = false, cohesive = false;
+      /** Of the problem. */
+      std::size_t normal_bar = 0, tangential_bar = 0;
     };
 
     /** forces = q - M rates of dislocation, rows and columns scaled to unit stiffness. */
@@ -45,6 +48,10 @@ namespace fuga::stress
       /** Dislocation rates of the bars that carry no more force: last column minus the others times
        * the rates of dislocation above, scaled likewise. */
       DenseMatrix follow;
+      /** The unscaled form, and which of its bars carry no more force whatever the candidates do.
+       */
+      DislocationForm form;
+      std::vector<std::size_t> free_bars;
     };
 
     ReducedProblem
@@ -71,9 +78,11 @@ namespace fuga::stress
           Candidate candidate{status, elements[k].sign, element.friction};
           candidate.n = bars.size();
           bars.push_back(element.normal_bar);
-          candidate.has_shear = element.has_tangential_bar();
-          candidate.cohesive  = element.cohesion > 0.;
-          candidate.t         = bars.size();
+          candidate.has_shear      = element.has_tangential_bar();
+          candidate.cohesive       = element.cohesion > 0.;
+          candidate.t              = bars.size();
+          candidate.normal_bar     = element.normal_bar;
+          candidate.tangential_bar = element.tangential_bar;
           if (candidate.has_shear)
             bars.push_back(element.tangential_bar);
           reduced.candidates.push_back(candidate);
@@ -128,8 +137,10 @@ namespace fuga::stress
             answer(a, j) *= root * (j < n ? scale[j] : 1.);
           reduced.size = std::max(reduced.size, std::abs(form.R[0][free_bars[a]]) / root);
         }
-      reduced.follow  = std::move(answer);
-      reduced.regular = true;
+      reduced.follow    = std::move(answer);
+      reduced.form      = form;
+      reduced.free_bars = std::move(free_bars);
+      reduced.regular   = true;
       return reduced;
     }
 
@@ -240,6 +251,115 @@ namespace fuga::stress
       return true;
     }
 
+    /** Gauss' elimination with complete choice of the row in extended precision, for a matrix of
+     * unit scale; false where a pivot is but rounding of double precision. */
+    bool
+    eliminate(std::vector<std::vector<long double>> &A, std::vector<long double> &b)
+    {
+      const std::size_t n        = b.size();
+      const long double no_pivot = 1e-13L;
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          std::size_t best = k;
+          for (std::size_t i = k + 1; i < n; ++i)
+            if (std::abs(A[i][k]) > std::abs(A[best][k]))
+              best = i;
+          if (std::abs(A[best][k]) <= no_pivot)
+            return false;
+          std::swap(A[k], A[best]);
+          std::swap(b[k], b[best]);
+          for (std::size_t i = k + 1; i < n; ++i)
+            if (const long double factor = A[i][k] / A[k][k]; factor != 0.L)
+              {
+                for (std::size_t j = k; j < n; ++j)
+                  A[i][j] -= factor * A[k][j];
+                b[i] -= factor * b[k];
+              }
+        }
+      for (std::size_t k = n; k-- > 0;)
+        {
+          for (std::size_t j = k + 1; j < n; ++j)
+            b[k] -= A[k][j] * b[j];
+          b[k] /= A[k][k];
+        }
+      return true;
+    }
+
+    /**
+     * The largest rate of the whole problem with these states, like is_consistent(), but without
+     * condensation, which may cancel: infinite for a mechanism, be it driven or not.
+     */
+    double
+    exact_rate(const ReducedProblem &problem, const std::vector<ContactState> &states)
+    {
+      struct Row
+      {
+        std::size_t bar, other;
+        double weight;
+      };
+      std::vector<Row> rows;
+      for (const std::size_t bar : problem.free_bars)
+        rows.push_back({bar, bar, 0.});
+      for (std::size_t c = 0; c < states.size(); ++c)
+        {
+          const Candidate &candidate = problem.candidates[c];
+          if (states[c] == ContactState::open)
+            rows.push_back({candidate.normal_bar, candidate.normal_bar, 0.});
+          if (candidate.has_shear && states[c] != ContactState::stick)
+            rows.push_back({candidate.tangential_bar,
+                            candidate.normal_bar,
+                            slip_sign(states[c]) * candidate.friction});
+        }
+      const DenseMatrix &W   = problem.form.W;
+      const Vector stiffness = stiffness_scales(W);
+      const Vector &R        = problem.form.R[0];
+      const std::size_t n    = rows.size();
+      std::vector<std::vector<long double>> A(n, std::vector<long double>(n));
+      std::vector<long double> b(n);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const Row &row          = rows[i];
+          const long double scale = 1.L / std::sqrt(static_cast<long double>(stiffness[row.bar]));
+          b[i] = scale * (R[row.bar] + static_cast<long double>(row.weight) * R[row.other]);
+          for (std::size_t j = 0; j < n; ++j)
+            {
+              const std::size_t bar = rows[j].bar;
+              A[i][j] =
+                scale *
+                (W(row.bar, bar) + static_cast<long double>(row.weight) * W(row.other, bar)) /
+                std::sqrt(static_cast<long double>(stiffness[bar]));
+            }
+        }
+      if (!eliminate(A, b))
+        return std::numeric_limits<double>::infinity();
+      long double rate = 0.L, size = 0.L;
+      for (const long double x : b)
+        rate = std::max(rate, std::abs(x));
+      for (std::size_t i = 0; i < R.size(); ++i)
+        size = std::max(size, std::abs(R[i]) / std::sqrt(static_cast<long double>(stiffness[i])));
+      return static_cast<double>(size > 0.L ? rate / size : rate);
+    }
+
+    /** Whether the path can go on with these states, at a bounded rate. */
+    bool
+    goes_on(const ReducedProblem &problem,
+            const std::vector<ContactState> &states,
+            RateSearch &result)
+    {
+      double rate = 0.;
+      if (!is_consistent(problem, states, rate))
+        return false;
+      if (rate < unbounded_rate)
+        rate = exact_rate(problem, states);
+      if (rate < unbounded_rate)
+        {
+          result.answer = RateAnswer::continuation;
+          return true;
+        }
+      result.unbounded = std::max(result.unbounded, rate);
+      return false;
+    }
+
     void
     enumerate(const ReducedProblem &problem,
               const std::vector<std::vector<ContactState>> &options,
@@ -253,16 +373,8 @@ namespace fuga::stress
           for (std::size_t c = 0; c < options.size(); ++c)
             states[c] = options[c][digits[c]];
           ++result.n_schemes;
-          double largest_rate = 0.;
-          if (is_consistent(problem, states, largest_rate))
-            {
-              if (largest_rate < unbounded_rate)
-                {
-                  result.answer = RateAnswer::continuation;
-                  return;
-                }
-              result.unbounded = std::max(result.unbounded, largest_rate);
-            }
+          if (goes_on(problem, states, result))
+            return;
           std::size_t c = 0;
           while (c < options.size() && ++digits[c] == options[c].size())
             digits[c++] = 0;
@@ -330,13 +442,8 @@ namespace fuga::stress
               states[unknowns[i].candidate] = unknowns[i].sign == 0.  ? ContactState::open
                                               : unknowns[i].sign > 0. ? ContactState::slip_forward
                                                                       : ContactState::slip_backward;
-          double largest_rate = 0.;
-          if (is_consistent(problem, states, largest_rate) && largest_rate < unbounded_rate)
-            {
-              result.answer = RateAnswer::continuation;
-              return;
-            }
-          result.unbounded = std::max(result.unbounded, largest_rate);
+          if (goes_on(problem, states, result))
+            return;
         }
     }
   } // namespace

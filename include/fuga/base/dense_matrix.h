@@ -117,8 +117,10 @@ namespace fuga
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B);
 
   /**
-   * LU factors of a square matrix with partial pivoting. The matrix is given away;
-   * reciprocal_condition() tells LAPACK's estimate in the 1-norm, 0 when a pivot vanished.
+   * LU factors of a square matrix with partial pivoting, its rows and columns brought to one size
+   * before by powers of two: bars of any stiffness stand side by side. The matrix is given away;
+   * reciprocal_condition() tells LAPACK's estimate in the 1-norm for the matrix so scaled, 0 when a
+   * pivot vanished.
    */
   class LuFactors
   {
@@ -148,7 +150,12 @@ namespace fuga
     release_inverse();
 
   private:
+    void
+    equilibrate();
+
     DenseMatrix factors;
+    /** Powers of two by which rows and columns were multiplied. */
+    Vector row_scale, column_scale;
     std::vector<int> pivots;
     double rcond = 0.;
   };

@@ -135,6 +135,12 @@ namespace fuga
     }
 
     const DenseMatrix &
+    rigid_coordinates() const override
+    {
+      return motion_coordinates;
+    }
+
+    const DenseMatrix &
     rigid_motion_loads() const override
     {
       return motion_loads;

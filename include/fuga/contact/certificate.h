@@ -227,6 +227,8 @@ namespace fuga
     energy_of_bodies(const Vector &x, const Vector &elastic) const;
     void
     add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length);
+    Vector
+    resistance(const Vector &x) const;
     double
     body_equilibrium_error(const JointState &state) const;
     void
@@ -268,6 +270,7 @@ namespace fuga
     const ContactSystem &system;
     const std::vector<ContactElement> &elements;
     const LoadHistory &history;
+    const RigidBasis rigid_motions;
     /** Gives coordinates from jumps if there are more bars than coordinates. */
     DenseMatrix inverse_jump_operator;
     /** 2-norms of the rows of S. */

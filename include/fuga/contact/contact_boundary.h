@@ -91,6 +91,7 @@ namespace fuga
       const LayeredSystem &system;
       const Drive &drive;
       double largest_dislocation;
+      double scaled_dislocation;
       double jump_noise;
     };
 

@@ -64,6 +64,15 @@ namespace fuga
     virtual const DenseMatrix &
     rigid_motions() const = 0;
 
+    /** The coordinates x of those motions, n_coordinates x n_motions; empty if they are not known.
+     */
+    virtual const DenseMatrix &
+    rigid_coordinates() const
+    {
+      static const DenseMatrix unknown;
+      return jump_operator().empty() ? rigid_motions() : unknown;
+    }
+
     /**
      * Work of the applied (not condensed) load patterns on those motions: n_motions x n_patterns.
      * Equilibrium of a floating body reads rigid_motions()ᵀ p = rigid_motion_loads() a(t).

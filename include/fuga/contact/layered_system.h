@@ -6,6 +6,9 @@
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
+#include <fuga/contact/rigid_basis.h>
+
+#include <optional>
 
 namespace fuga
 {
@@ -29,6 +32,7 @@ namespace fuga
   class LayeredSystem
   {
   public:
+    /** @p system must live as long as this object. */
     LayeredSystem(const ContactSystem &system, const std::vector<ContactElement> &elements);
 
     std::size_t
@@ -51,6 +55,20 @@ namespace fuga
       return largest;
     }
 
+    /**
+     * √W_ii, but for what is only rounding [√(MN/m)]. Divided by it forces, multiplied by it jumps
+     * of bars as different as can be are of one size, for |W_ij| ≤ √(W_ii W_jj).
+     */
+    double
+    scale(const std::size_t bar) const
+    {
+      return scales[bar];
+    }
+
+    /** Largest jump of any bar times its scale. */
+    double
+    scaled_size(const Vector &jumps) const;
+
     /** R, n_bars x n_patterns [MN]. */
     const DenseMatrix &
     reactions() const
@@ -72,7 +90,11 @@ namespace fuga
       return Q;
     }
 
-    /** Forces p = R a - W d, and those of the water ω if it is not empty. */
+    /**
+     * Forces p = R a - W d, and those of the water ω if it is not empty. Where a joint is so much
+     * softer than the bodies that the digits of p decide about their deformation, p is refined
+     * until it satisfies the equations of the ContactSystem, of which W is but the inverse.
+     */
     Vector
     forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
 
@@ -92,12 +114,35 @@ namespace fuga
     eliminate_with_jump_operator(const ContactSystem &system);
     void
     add_imposed_jumps(const ContactSystem &system);
+    void
+    refine_in_jumps(const Vector &factors,
+                    const Vector &dislocations,
+                    const Vector &water,
+                    Vector &forces) const;
+    void
+    refine_with_jump_operator(const Vector &factors,
+                              const Vector &dislocations,
+                              const Vector &water,
+                              Vector &forces) const;
+    bool
+    has_soft_joint() const;
 
+    Accurate
+    loads_on_bodies(const Accurate &factors) const;
+
+    const ContactSystem &bodies;
+    /** Whether forces() refines; with a jump operator by these factors of the saddle point matrix,
+     * scaled. */
+    bool delicate = false;
+    std::optional<RigidBasis> rigid_motions;
+    std::optional<LuFactors> saddle_factors;
+    double saddle_scale = 1.;
     Vector compliances;
     DenseMatrix W;
     DenseMatrix R;
     DenseMatrix Q;
     double largest = 0.;
+    Vector scales;
   };
 
   /** D = ρ/A of a bar with the given law [m/MN]. */

@@ -246,8 +246,15 @@ namespace fuga
     note_position(const std::size_t row);
     std::optional<JointRates>
     solve(const Vector &rhs, Vector force_offset);
+    template <typename Number>
     double
-    apply(const Vector &active_dislocations,
+    refine(const Vector &rhs,
+           const Vector &force_offset,
+           const double driving_force,
+           JointRates &result) const;
+    template <typename Number>
+    double
+    apply(const std::vector<Number> &active_dislocations,
           const Vector &force_offset,
           const Vector &rhs,
           JointRates &result,
