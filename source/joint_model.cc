@@ -69,7 +69,7 @@ namespace fuga
       return gap;
     }
     /** Share of the bodies' own compliance that makes the forces of repeated rigid bars unique. */
-    constexpr double crossing_compliance = 1e-6;
+    constexpr double crossing_compliance = 1e-4;
 
     bool
     is_rigid(const ContactElement &element, const bool normal)

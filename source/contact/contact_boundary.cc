@@ -42,15 +42,13 @@ namespace fuga
   void
   ContactBoundary::set_scales(const JointState &state, const Vector &factors, const double widening)
   {
-    const DenseMatrix &R             = system.reactions();
-    const double largest_dislocation = max_abs(state.dislocations);
-    const double scaled_dislocation  = system.scaled_size(state.dislocations);
-    const double relative            = value_tolerance * widening;
-    double largest_jump              = largest_dislocation;
+    const DenseMatrix &R            = system.reactions();
+    const double scaled_dislocation = system.scaled_size(state.dislocations);
+    const double relative           = value_tolerance * widening;
+    double largest_jump             = max_abs(state.dislocations);
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
-        double terms = std::min(system.stiffness()(i, i) * largest_dislocation,
-                                system.scale(i) * scaled_dislocation);
+        double terms = system.scale(i) * scaled_dislocation;
         for (std::size_t j = 0; j < factors.size(); ++j)
           terms += std::abs(R(i, j) * factors[j]);
         if (!state.water.empty())
@@ -162,10 +160,9 @@ namespace fuga
                                         const Drive &path_drive)
     : system(layered_system)
     , drive(path_drive)
-    , largest_dislocation(max_abs(rates.dislocations))
     , scaled_dislocation(system.scaled_size(rates.dislocations))
   {
-    double size = largest_dislocation;
+    double size = max_abs(rates.dislocations);
     for (std::size_t i = 0; i < drive.reactions.size(); ++i)
       size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
     jump_noise = rate_tolerance * size;
@@ -174,9 +171,8 @@ namespace fuga
   double
   ContactBoundary::RateNoise::force(const std::size_t bar) const
   {
-    const double strength  = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
-    const double of_motion = std::min(system.stiffness()(bar, bar) * largest_dislocation,
-                                      system.scale(bar) * scaled_dislocation);
-    return rate_tolerance * (std::abs(drive.reactions[bar]) + of_motion + strength);
+    const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
+    return rate_tolerance *
+           (std::abs(drive.reactions[bar]) + system.scale(bar) * scaled_dislocation + strength);
   }
 } // namespace fuga

@@ -17,20 +17,21 @@ namespace fuga
     /** Rates that differ by less than this share of the largest are the same branch. */
     constexpr double same_rates = 1e-7;
     /** Covering vectors with which Lemke's method looks for further branches. */
-    constexpr unsigned int n_covering_vectors = 8;
+    constexpr unsigned int n_covering_vectors = 12;
     /** First guesses at random. */
     constexpr unsigned int n_random_guesses = 64;
 
-    /** Numbers between 1/4 and 4 that fill the interval evenly: multiples of the golden ratio. */
+    /** The parts of the covering vector that may be chosen, between 0.05 and 1.05, fill the
+     * interval evenly: multiples of the golden ratio. */
     Vector
-    varied(const Vector &covering, const unsigned int attempt)
+    varied(const BoundaryLcp &lcp, const unsigned int attempt)
     {
       constexpr double golden_ratio = 0.6180339887498949;
-      Vector result                 = covering;
+      Vector result                 = lcp.covering;
       for (std::size_t i = 0; i < result.size() && attempt > 0; ++i)
         {
           const double position = golden_ratio * static_cast<double>(attempt * result.size() + i);
-          result[i] *= std::pow(4., 2. * (position - std::floor(position)) - 1.);
+          result[i]             = lcp.friction_share[i] + 0.05 + position - std::floor(position);
         }
       return result;
     }
@@ -84,13 +85,10 @@ namespace fuga
     return true;
   }
 
-  // Switching from all stuck, from all slipping, from the present branch with one critical element
-  // turned, from random schemes; Lemke's method with several covering vectors.
-  void
-  RateProblem::search_branches(const JointState &state,
-                               const std::vector<BoundaryElement> &set,
-                               const Drive &drive,
-                               std::vector<Branch> &found)
+  // From all stuck, from all slipping, from the present branch with one critical element turned, at
+  // random.
+  std::vector<std::vector<ContactState>>
+  RateProblem::first_guesses(const std::vector<BoundaryElement> &set)
   {
     const std::vector<ContactState> present = states_of(set);
     const std::vector<std::size_t> critical = critical_elements(set);
@@ -123,25 +121,40 @@ namespace fuga
             guesses.back()[k]                          = admissible[random() % admissible.size()];
           }
       }
+    return guesses;
+  }
+
+  // Lemke's method with several covering vectors, then switching from several schemes.
+  std::vector<Branch>
+  RateProblem::search_branches(const JointState &state,
+                               const std::vector<BoundaryElement> &set,
+                               const Drive &drive,
+                               const std::vector<Branch> &known,
+                               const std::size_t n_wanted)
+  {
+    std::vector<Branch> found                            = known;
+    const std::vector<std::vector<ContactState>> guesses = first_guesses(set);
     Continuation result;
     const auto note = [&] {
       if (switch_states(state, set, drive, Stride::one_at_a_time, result) &&
           is_new(found, result.rates, drive))
         found.push_back(present_branch(state, set, result.rates));
     };
-    for (const std::vector<ContactState> &guess : guesses)
-      {
-        set_states(set, guess);
-        note();
-      }
     const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
-    for (unsigned int attempt = 0; lcp && attempt < n_covering_vectors; ++attempt)
+    for (unsigned int attempt = 0; lcp && attempt < n_covering_vectors && found.size() < n_wanted;
+         ++attempt)
       {
-        const LcpSolution solution = solve_lcp(lcp->M, lcp->q, varied(lcp->covering, attempt));
+        const LcpSolution solution = solve_lcp(lcp->M, lcp->q, varied(*lcp, attempt));
         if (!solution.solved())
           continue;
         take_states(*lcp, set, solution.z);
         note();
       }
+    for (std::size_t i = 0; i < guesses.size() && found.size() < n_wanted; ++i)
+      {
+        set_states(set, guesses[i]);
+        note();
+      }
+    return found;
   }
 } // namespace fuga

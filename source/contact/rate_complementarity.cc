@@ -140,9 +140,10 @@ namespace fuga
           lcp.M(i, j) = s * lcp.scale[j] * reserve(unknown, element, f, lcp.responses[j].forces);
         // Both directions of slip of an element may grow together without moving anything: a ray
         // that means nothing. It cannot occur if the artificial variable acts in the friction rows
-        // as f times as in the opening row on top of its own share.
-        lcp.covering.push_back(
-          unknown.state == ContactState::open ? 1. : 1. + f * s / unit(element.normal_bar));
+        // by more than f times what it does in the opening row.
+        lcp.friction_share.push_back(
+          unknown.state == ContactState::open ? 0. : 2. * f * s / unit(element.normal_bar));
+        lcp.covering.push_back(1. + lcp.friction_share.back());
       }
     return lcp;
   }

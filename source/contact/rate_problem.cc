@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace fuga
@@ -76,8 +77,7 @@ namespace fuga
         enumerate(state, set, drive, result, [] { return true; });
         return result;
       }
-    std::vector<Branch> found;
-    search_branches(state, set, drive, found);
+    const std::vector<Branch> found = search_branches(state, set, drive, {}, 1);
     if (!found.empty())
       {
         take(set, found.front());
@@ -300,7 +300,7 @@ namespace fuga
         return false;
       });
     else
-      search_branches(state, set, drive, found);
+      found = search_branches(state, set, drive, found, std::numeric_limits<std::size_t>::max());
     set_states(set, present);
     return found;
   }

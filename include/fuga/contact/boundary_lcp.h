@@ -27,8 +27,9 @@ namespace fuga
     std::vector<Unknown> unknowns;
     DenseMatrix M;
     Vector q;
-    /** Covering vector of Lemke's method that excludes meaningless rays. */
-    Vector covering;
+    /** Covering vector of Lemke's method that excludes meaningless rays, and the part of it that
+     * does so: the rest, here 1, may be any number between 0 and 1.1. */
+    Vector covering, friction_share;
     /** True rates of dislocation are scale z. */
     Vector scale;
     /** Rates with every boundary element closed and stuck. */

@@ -90,7 +90,6 @@ namespace fuga
     private:
       const LayeredSystem &system;
       const Drive &drive;
-      double largest_dislocation;
       double scaled_dislocation;
       double jump_noise;
     };

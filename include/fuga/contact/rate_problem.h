@@ -216,11 +216,15 @@ namespace fuga
     states_of(const std::vector<BoundaryElement> &set) const;
     bool
     is_new(const std::vector<Branch> &known, const JointRates &rates, const Drive &drive) const;
-    void
+    std::vector<std::vector<ContactState>>
+    first_guesses(const std::vector<BoundaryElement> &set);
+    /** Adds to @p known, up to @p n_wanted. */
+    std::vector<Branch>
     search_branches(const JointState &state,
                     const std::vector<BoundaryElement> &set,
                     const Drive &drive,
-                    std::vector<Branch> &found);
+                    const std::vector<Branch> &known,
+                    const std::size_t n_wanted);
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
