@@ -71,16 +71,27 @@ namespace fuga
     /** Share of the bodies' own compliance that makes the forces of repeated rigid bars unique. */
     constexpr double crossing_compliance = 1e-4;
 
-    bool
-    is_rigid(const ContactElement &element, const bool normal)
+    /** Softer bars share their forces by themselves. [m/MPa] */
+    double
+    smallest_compliance(const ContactElement &element, const double stiffness)
     {
-      const ComplianceLaw &law = normal ? *element.normal_law : *element.shear_law;
-      return law.kind() == ComplianceKind::rigid;
+      return crossing_compliance * element.area / stiffness;
     }
 
-    /** For every coordinate: do more rigid bars than coordinates hang together there? */
+    bool
+    is_rigid(const ContactElement &element, const bool normal, const double stiffness)
+    {
+      const ComplianceLaw &law = normal ? *element.normal_law : *element.shear_law;
+      return law.kind() == ComplianceKind::rigid ||
+             (law.kind() == ComplianceKind::linear &&
+              law.initial_compliance() < smallest_compliance(element, stiffness));
+    }
+
+    /** For every bar: is it one of more rigid bars than coordinates that hang together? */
     std::vector<bool>
-    find_repeated(const DenseMatrix &B, const std::vector<ContactElement> &elements)
+    find_repeated(const DenseMatrix &B,
+                  const std::vector<ContactElement> &elements,
+                  const double stiffness)
     {
       DisjointSets sets(static_cast<unsigned int>(B.n_columns()));
       std::vector<unsigned int> coordinate_of_bar(B.n_rows(), 0), n_bars(B.n_columns(), 0),
@@ -88,11 +99,11 @@ namespace fuga
       std::vector<bool> rigid(B.n_rows(), false);
       for (const ContactElement &element : elements)
         {
-          rigid[element.normal_bar] = is_rigid(element, true);
+          rigid[element.normal_bar] = is_rigid(element, true, stiffness);
           if (element.has_tangential_bar())
-            rigid[element.tangential_bar] = is_rigid(element, false);
+            rigid[element.tangential_bar] = is_rigid(element, false, stiffness);
           if (element.has_second_tangential_bar())
-            rigid[element.second_tangential_bar] = is_rigid(element, false);
+            rigid[element.second_tangential_bar] = is_rigid(element, false, stiffness);
         }
       for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
         {
@@ -129,7 +140,8 @@ namespace fuga
       double stiffness = 0.;
       for (std::size_t i = 0; i < system.stiffness().n_rows(); ++i)
         stiffness = std::max(stiffness, system.stiffness()(i, i));
-      const std::vector<bool> repeated = find_repeated(system.jump_operator(), model.elements);
+      const std::vector<bool> repeated =
+        find_repeated(system.jump_operator(), model.elements, stiffness);
       for (ContactElement &element : model.elements)
         {
           const bool normal = repeated[element.normal_bar];
@@ -138,16 +150,17 @@ namespace fuga
             (element.has_second_tangential_bar() && repeated[element.second_tangential_bar]);
           if (!normal && !shear)
             continue;
-          const double compliance = crossing_compliance * element.area / stiffness;
+          const double compliance = smallest_compliance(element, stiffness);
           model.laws.push_back(make_linear_law(compliance));
           if (normal)
             element.normal_law = model.laws.back().get();
           if (shear)
             element.shear_law = model.laws.back().get();
-          model.report.push_back(fmt::format("rigid joints cross at {}: the element there gets the "
-                                             "compliance {:.3g}, so that its forces are unique",
-                                             text_of(place_of<dim>(element)),
-                                             compliance));
+          model.report.push_back(
+            fmt::format("rigid, or almost rigid, joints cross at {}: the element there gets the "
+                        "compliance {:.3g}, so that its forces are unique",
+                        text_of(place_of<dim>(element)),
+                        compliance));
         }
     }
   } // namespace

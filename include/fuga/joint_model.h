@@ -28,9 +28,9 @@ namespace fuga
   /**
    * Gives elements, whose geometry the bodies know, the laws, frictions and initial gaps of @p joints.
    *
-   * Where rigid joints cross, their bars repeat each other: the forces of the elements at the
-   * crossing are not unique. Only these elements get a compliance, a ten-thousandth of that of the
-   * bodies there, which makes them unique; the report says so.
+   * Where rigid joints, or almost rigid ones, cross, their bars repeat each other: the forces of
+   * the elements at the crossing are not unique. Only these elements get a compliance, a
+   * ten-thousandth of that of the bodies there, which makes them unique; the report says so.
    */
   template <int dim>
   JointModel

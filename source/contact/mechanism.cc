@@ -14,7 +14,7 @@ namespace fuga
     constexpr double free_force = 1e-7;
     /** Nor does one that does less than this share of the work: the force in a contact that has
      * shrunk to a point, about which a body turns. */
-    constexpr double free_work = 1e-9;
+    constexpr double free_work = 1e-7;
     /** A jump below this share of the largest is none. */
     constexpr double no_jump = 1e-6;
   } // namespace
