@@ -4,6 +4,7 @@
 #include <fuga/contact/change_of_state.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fuga
 {
@@ -71,7 +72,8 @@ namespace fuga
             state.states[k]                      = ContactState::open;
             state.unreleased[element.normal_bar] = N;
           }
-        if (element.has_tangential_bar())
+        if (element.has_tangential_bar() &&
+            std::abs(state.forces[element.tangential_bar]) > no_force)
           state.unreleased[element.tangential_bar] = state.forces[element.tangential_bar];
       }
     strength.cohesion = strength.tension = 0.;

@@ -19,6 +19,8 @@ namespace fuga
     constexpr double smallest_ratio = 1e-10;
     /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
     constexpr double max_combinations = 4096.;
+    /** Mechanisms that one attempt to switch states one by one may pass through. */
+    constexpr std::size_t most_mechanisms = 12;
   } // namespace
 
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
@@ -152,8 +154,8 @@ namespace fuga
     return switches;
   }
 
-  // Switches violating elements until none is left. A scheme that comes back, or one that is a
-  // mechanism, ends the attempt: then the next method has to decide.
+  // Switches violating elements until none is left. A scheme that comes back, or a mechanism that
+  // violates nothing as it moves, ends the attempt: then the next method has to decide.
   bool
   RateProblem::switch_states(const JointState &state,
                              const std::vector<BoundaryElement> &set,
@@ -163,16 +165,21 @@ namespace fuga
   {
     std::set<std::vector<ContactState>> visited;
     const std::size_t max_schemes = stride == Stride::all_at_once ? 60 : 20 + 4 * set.size();
+    std::size_t n_mechanisms      = 0;
     for (std::size_t count = 0; count < max_schemes; ++count)
       {
         ++result.n_schemes;
         if (!visited.insert(states_of(set)).second)
           return false;
-        const std::optional<JointRates> rates = scheme.rates(drive);
-        if (!rates)
+        std::optional<JointRates> rates = scheme.rates(drive);
+        const bool is_mechanism         = !rates;
+        if (is_mechanism && (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms ||
+                             !(rates = scheme.driven_motion(drive))))
           return false;
-        result.met_negative_determinant |= scheme.determinant_sign() < 0;
+        result.met_negative_determinant |= !is_mechanism && scheme.determinant_sign() < 0;
         const std::vector<Switch> switches = violations(state, set, drive, *rates);
+        if (switches.empty() && is_mechanism)
+          return false;
         if (switches.empty())
           {
             result.exists = true;

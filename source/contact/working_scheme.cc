@@ -194,6 +194,29 @@ namespace fuga
   }
 
   std::optional<JointRates>
+  WorkingScheme::driven_motion(const Drive &drive) const
+  {
+    constexpr double added_stiffness = 1e-8;
+    DenseMatrix M                    = active_matrix();
+    Vector rhs(rows.size()), active(rows.size()), defect(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const double scale = system.scale(rows[i].bar);
+        M(i, i) += added_stiffness * scale * scale;
+        rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
+        active[i] = rows[i].own * drive.reactions[rows[i].bar] +
+                    rows[i].weight * drive.reactions[rows[i].other] - rhs[i];
+      }
+    const LuFactors factors(std::move(M));
+    if (!(factors.reciprocal_condition() > 0.))
+      return {};
+    factors.solve(active);
+    JointRates result;
+    apply(active, drive.reactions, rhs, result, defect);
+    return result;
+  }
+
+  std::optional<JointRates>
   WorkingScheme::response(const std::size_t bar)
   {
     if (!bring_up_to_date())

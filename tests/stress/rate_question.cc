@@ -19,8 +19,6 @@ namespace fuga::stress
   {
     /** Violations below this share of the largest term are rounding. */
     constexpr double tolerance = 1e-9;
-    /** Rates so many times larger than what drives them are those of a mechanism. */
-    constexpr double unbounded_rate = 1e7;
 
     std::vector<ContactState>
     choices(const Candidate &candidate)
@@ -131,9 +129,9 @@ namespace fuga::stress
       double rate = 0.;
       if (!is_consistent(problem, states, rate))
         return false;
-      if (rate < unbounded_rate)
+      if (rate < problem.unbounded_rate)
         rate = exact_rate(problem, states);
-      if (rate < unbounded_rate)
+      if (rate < problem.unbounded_rate)
         {
           result.answer = RateAnswer::continuation;
           return true;

@@ -100,6 +100,17 @@ namespace fuga::stress
     reduced.form      = form;
     reduced.free_bars = std::move(free_bars);
     reduced.regular   = true;
+    // W is a difference of numbers S D times as large; a hundredth of what that leaves is trusted.
+    double stiffest = 0., softest = 0.;
+    for (std::size_t i = 0; i < problem.S.n_rows(); ++i)
+      stiffest = std::max(stiffest, problem.S(i, i));
+    for (const JudgeElement &element : problem.elements)
+      softest = std::max({softest,
+                          element.normal_compliance / element.area,
+                          element.shear_compliance / element.area});
+    const double noise = std::numeric_limits<double>::epsilon() * stiffest * softest;
+    if (noise > 0.)
+      reduced.unbounded_rate = std::min(reduced.unbounded_rate, 1e-2 / noise);
     return reduced;
   }
 

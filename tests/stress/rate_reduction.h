@@ -38,6 +38,9 @@ namespace fuga::stress
      */
     judges::DislocationForm form;
     std::vector<std::size_t> free_bars;
+    /** Rates so many times larger than what drives them are those of a mechanism. On joints much
+     * softer than the bodies fewer digits are left in W to tell. */
+    double unbounded_rate = 1e7;
   };
 
   /** Condenses the elements inside their cones, and those that are open, out of the rates under @p

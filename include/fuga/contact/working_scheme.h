@@ -154,6 +154,14 @@ namespace fuga
     std::optional<JointRates>
     correction(const Vector &residual);
 
+    /**
+     * How @p drive sets a singular scheme in motion: rates with a stiffness added to every active
+     * bar that is too small to matter where others resist. Only their signs mean something. Nothing
+     * if even that has no solution.
+     */
+    std::optional<JointRates>
+    driven_motion(const Drive &drive) const;
+
     /** A direction of motion without resistance of a singular scheme (null vector, largest entry
      * 1). */
     JointRates
