@@ -113,6 +113,17 @@ namespace fuga
         return table(row, 2 * n + 1);
       }
 
+      /** The z part of the present basic solution, times @p size. */
+      Vector
+      vertex(const double size) const
+      {
+        Vector z(n, 0.);
+        for (std::size_t i = 0; i < n; ++i)
+          if (basis[i] >= n && basis[i] != covering_variable())
+            z[basis[i] - n] = size * std::max(0., q(i));
+        return z;
+      }
+
       /** The z part of the ray along which @p entering grows, nothing limiting it. */
       void
       direction_of(const std::size_t entering, Vector &z) const
@@ -182,9 +193,7 @@ namespace fuga
         tableau.pivot(row, entering);
         if (leaving == tableau.covering_variable())
           {
-            for (std::size_t i = 0; i < n; ++i)
-              if (tableau.basic_variable(i) >= n)
-                result.z[tableau.basic_variable(i) - n] = size * std::max(0., tableau.q(i));
+            result.z      = tableau.vertex(size);
             result.status = LcpStatus::solved;
             return result;
           }
@@ -193,6 +202,7 @@ namespace fuga
         if (row == n)
           {
             tableau.direction_of(entering, result.z);
+            result.vertex = tableau.vertex(size);
             result.status = LcpStatus::ray;
             return result;
           }

@@ -145,9 +145,7 @@ namespace fuga
          ++attempt)
       {
         const LcpSolution solution = solve_lcp(lcp->M, lcp->q, varied(*lcp, attempt));
-        if (!solution.solved())
-          continue;
-        take_states(*lcp, set, solution.z);
+        take_states(*lcp, set, solution.solved() ? solution.z : solution.vertex);
         note();
       }
     for (std::size_t i = 0; i < guesses.size() && found.size() < n_wanted; ++i)

@@ -156,7 +156,7 @@ namespace fuga
     for (const BoundaryElement &candidate : set)
       scheme.set_state(candidate.element, ContactState::stick);
     const double smallest = 1e-12 * max_abs(z);
-    for (std::size_t j = lcp.size(); j-- > 0;)
+    for (std::size_t j = z.size(); j-- > 0;)
       if (z[j] > smallest && scheme.state(lcp.unknowns[j].element) != ContactState::open)
         scheme.set_state(lcp.unknowns[j].element, lcp.unknowns[j].state);
   }
@@ -171,12 +171,9 @@ namespace fuga
     if (!lcp)
       return false;
     const LcpSolution solution = solve_lcp(lcp->M, lcp->q, lcp->covering);
-    if (solution.solved())
-      {
-        take_states(*lcp, set, solution.z);
-        if (switch_states(state, set, drive, Stride::one_at_a_time, result))
-          return true;
-      }
+    take_states(*lcp, set, solution.solved() ? solution.z : solution.vertex);
+    if (switch_states(state, set, drive, Stride::one_at_a_time, result))
+      return true;
     // The ray, or a solution that is unbounded but for rounding, is the motion that meets no
     // resistance if anything does; whether it really changes no force is for the caller to see.
     result.has_mechanism = true;

@@ -23,6 +23,9 @@ namespace fuga
     LcpStatus status = LcpStatus::undecided;
     /** z ≥ 0 with q + M z ≥ 0 complementary to it; on a ray the direction of the ray. */
     Vector z;
+    /** Where the ray begins. If the artificial variable is zero there but for rounding, this is the
+     * solution. */
+    Vector vertex;
 
     bool
     solved() const
