@@ -23,7 +23,7 @@ namespace fuga
     /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
      * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
      * scheme. */
-    constexpr double largest_motion = 1e7;
+    constexpr double largest_motion = 1e8;
     /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
      * as long as each divides the defect by two. */
     constexpr int max_sweeps       = 3;
