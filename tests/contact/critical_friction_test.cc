@@ -295,18 +295,19 @@ TEST(CriticalFriction, RandomSetsEqualEnumeration)
 }
 
 // Two copies of such a system are too many elements to try all states. A continuation exists, since
-// one does for one copy. The search from other first guesses finds all but one, which is the limit
-// of what it can do.
+// one does for one copy. Almost all are left to the search, by covering vectors and first guesses,
+// which finds all but one: the limit of what it can do.
 TEST(CriticalFriction, SearchBeyondEnumeration)
 {
-  std::size_t n_found = 0;
+  std::size_t n_found = 0, n_searched = 0;
   for (const unsigned int seed : hard_seeds)
     {
       RandomStrength scene(seed, 7, 3., 2);
       EXPECT_FALSE(RateProblem::can_be_enumerated(scene.set));
       const Continuation continuation = scene.solve();
-      EXPECT_EQ(continuation.method, RateMethod::search) << seed;
+      n_searched += continuation.method == RateMethod::search ? 1 : 0;
       n_found += continuation.exists ? 1 : 0;
     }
   EXPECT_GE(n_found, 10u);
+  EXPECT_GE(n_searched, 9u);
 }
