@@ -172,11 +172,11 @@ namespace fuga::tests
   std::vector<std::string>
   SceneRun::states(const double t) const
   {
-    std::vector<std::pair<std::array<double, 2>, std::string>> found;
+    std::vector<std::pair<std::array<double, 3>, std::string>> found;
     for (std::size_t r = 0; r < history.rows.size(); ++r)
       if (std::abs(history.number(r, "t") - t) < same_time)
-        found.push_back(
-          {{{history.number(r, "x"), history.number(r, "y")}}, history.text(r, "state")});
+        found.push_back({{{history.number(r, "x"), history.number(r, "y"), history.number(r, "z")}},
+                         history.text(r, "state")});
     std::sort(found.begin(), found.end());
     std::vector<std::string> result;
     for (const auto &row : found)

@@ -54,6 +54,7 @@ namespace fuga::tests
     Vector
     values(const std::string &name, const double t) const;
 
+    /** In the same order. */
     std::vector<std::string>
     states(const double t) const;
 
