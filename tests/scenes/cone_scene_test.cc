@@ -156,3 +156,114 @@ TEST(ConeScenes, WhatIsNotAvailableIsRefused)
       EXPECT_NE(complaint.find("joint 'joint'"), std::string::npos) << complaint;
     }
 }
+
+namespace
+{
+  /** The block of BlockSlidesInTheDirectionOfThePush under half of the push it can bear. */
+  std::string
+  pushed_block()
+  {
+    const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 4), uniform(0., 0.5, 2));
+    Json scene           = in_space(rough_scene(), "free", "free");
+    add_top_load(scene, "press", "pressure", "1");
+    add_top_load(scene, "push", "traction", "0.2; 0; -0.15");
+    scene["Stages"]["press"]["Loads"] = "press: t";
+    scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 2}};
+    return write_scene(extruded(plane, uniform(0., 1.5, 3)), scene);
+  }
+} // namespace
+
+// Factor of safety of a load: by equilibrium the block slides at |push| = f p, as above; from
+// |push| = p/4 on that is the factor 2. Its last state has the forces of that load.
+TEST(ConeScenes, LoadFactorOfSafety)
+{
+  const SceneRun run = run_scene(pushed_block(), {"Safety/Load factor=push"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.summary.at("t"), 2.);
+  EXPECT_LE(run.certificate(), 1e-8);
+  const auto &found = run.summary.at("safety").at("load_factor");
+  EXPECT_EQ(found.at("verdict"), "limit load");
+  EXPECT_EQ(found.at("mechanism"), "sliding");
+  expect_answer({"Block pushed obliquely", "load factor of safety", 2., "equilibrium"},
+                found.at("factor").get<double>(),
+                2e-6);
+  EXPECT_NEAR(run.resultant("T", 2.), 0.2 * 3., 1e-9);
+  EXPECT_NEAR(run.resultant("T2", 2.), 0.15 * 3., 1e-9); // t2 = n x t1 = -z
+  EXPECT_NEAR(run.resultant("T", run.last_t()), 0.4 * 3., 2e-6);
+  EXPECT_NEAR(run.resultant("T2", run.last_t()), 0.3 * 3., 2e-6);
+}
+
+// A sweep over the friction: what is below |push|/p = 1/4 slides at the load f p of its stage, what
+// is above bears the whole push.
+TEST(ConeScenes, SweepOverFriction)
+{
+  const std::string folder = temporary_directory();
+  const ProgramRun run     = run_program({pushed_block(),
+                                          "--output-dir",
+                                          folder,
+                                          "--set",
+                                          "Sweep/Friction coefficient=0.1 : 0.1 : 0.4"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Table table = parse_csv(file_text(folder + "/sweep.csv"));
+  ASSERT_EQ(table.rows.size(), 4u);
+  for (std::size_t row = 0; row < 4; ++row)
+    {
+      const double f = 0.1 * static_cast<double>(row + 1);
+      EXPECT_NEAR(table.number(row, "Friction coefficient"), f, 1e-15);
+      EXPECT_EQ(table.text(row, "verdict"), f < 0.25 ? "limit load" : "done");
+      EXPECT_NEAR(table.number(row, "t"), 1. + std::min(1., f / 0.25), 1e-6);
+    }
+}
+
+// Pressed, tilted and pushed to and fro: elements open, close, slip and stick again. Two elements
+// deep between planes that hold both ends across, as above; 1e-9 of the largest value.
+TEST(ConeScenes, ExtrudedCycleEqualsThePlaneOne)
+{
+  const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 8), uniform(0., 1., 4));
+  Json scene           = rough_scene();
+  add_top_load(scene, "press", "pressure", "1");
+  add_top_load(scene, "push", "traction", "0.4; 0");
+  scene["Stages"]["press"]["Loads"] = "press: t";
+  scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 2}};
+  scene["Stages"]["back"]           = {{"Loads", "push: 1 - 2*t"}, {"Levels", 4}};
+  scene["Stages"]["again"]          = {{"Loads", "push: 2*t - 1"}, {"Levels", 4}};
+  const SceneRun flat               = run_scene(write_scene(plane, scene));
+
+  scene["Loads"]["push"]["Value"] = "0.4; 0; 0";
+  const SceneRun deep =
+    run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z", "z")));
+  EXPECT_EQ(flat.exit_code, 0);
+  EXPECT_EQ(deep.exit_code, 0);
+  EXPECT_LE(deep.certificate(), 1e-8);
+  // The scene is worth comparing.
+  for (const auto &[from, to] :
+       {std::pair("stick", "slip"), {"slip", "stick"}, {"slip", "open"}, {"open", "stick"}})
+    {
+      std::size_t n = 0;
+      for (std::size_t row = 0; row < flat.events.rows.size(); ++row)
+        n += flat.events.text(row, "from") == from && flat.events.text(row, "to") == to ? 1 : 0;
+      EXPECT_GT(n, 0u) << from << " to " << to;
+    }
+  const Vector flat_times = flat.event_times(0.), times = deep.event_times(0.);
+  ASSERT_EQ(times.size(), 3 * flat_times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(times[i], flat_times[i / 3], 1e-9);
+  for (const char *column : {"N", "T1", "pressure", "slip1", "gap", "jump_n", "jump_t1"})
+    for (const double t : {1.5, 2., 2.25, 2.5, 2.75, 3., 3.25, 3.5, 3.75, 4.})
+      {
+        const bool is_force      = column[0] == 'N' || column[0] == 'T';
+        const Vector flat_values = flat.values(column, t), values = deep.values(column, t);
+        ASSERT_EQ(values.size(), 3 * flat_values.size());
+        double largest = 1e-9;
+        for (const double value : flat_values)
+          largest = std::max(largest, std::abs(value));
+        for (std::size_t k = 0; k < values.size(); ++k)
+          EXPECT_NEAR(values[k],
+                      (!is_force    ? 1.
+                       : k % 3 == 1 ? 0.5
+                                    : 0.25) *
+                        flat_values[k / 3],
+                      1e-9 * largest)
+            << column << " " << k << " t = " << t;
+      }
+}
