@@ -196,6 +196,7 @@ namespace fuga
   void
   ConeSegment::find_end_of_curve()
   {
+    end                   = 0.; // as far as the curve is known, if a step fails
     const double shortest = shortest_step * std::max(1., course.t_end);
     double length         = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));

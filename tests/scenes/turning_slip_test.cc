@@ -238,3 +238,18 @@ TEST(LargeTorsion, FirstSlipOfAnElasticShaft)
       last_error = found - first;
     }
 }
+
+// So stiff a stamp that the digits do not suffice for following its curve: what is written up to
+// there obeys Coulomb's law all the same, and nothing is written behind.
+TEST(TurningSlip, NothingIsWrittenBehindAFailure)
+{
+  const SceneRun run =
+    run_stamp(1e10 * H / rho_t_stamp, 1, 1, 4. * f_stamp * p_stamp * rho_t_stamp / a, 8);
+  for (std::size_t row = 0; row < run.history.rows.size(); ++row)
+    {
+      const double N = run.history.number(row, "N"), T1 = run.history.number(row, "T1"),
+                   T2 = run.history.number(row, "T2");
+      EXPECT_LE(std::hypot(T1, T2), f_stamp * std::abs(N) + 1e-6 * p_stamp)
+        << run.history.text(row, "t");
+    }
+}
