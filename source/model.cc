@@ -207,6 +207,10 @@ namespace fuga
           what = "the reduction of strength is";
         else if (parameters.solver.beyond_limit)
           what = "the path beyond the limit load is";
+        else if (!parameters.solver.follow_events)
+          what = "one step per stage without events is";
+        else if (parameters.solver.non_unique != NonUniqueChoice::stop)
+          what = "the choice between several continuations is";
         if (!what.empty())
           throw InputError(fmt::format(
             "{}: joint '{}': in space, where friction acts along two directions, {} not available "
