@@ -16,9 +16,13 @@ namespace fuga
   {
     using Quantity = AccuracyTarget::Quantity;
 
-    /** Error of a mesh over the difference to the mesh refined once more, if the error falls in
-     * proportion to the size of the cells. */
-    constexpr double error_over_difference = 2.;
+    /** Error of a mesh over the difference to the mesh refined once more, if it falls like the size
+     * of the cells (pressures) or its square (single numbers). */
+    double
+    error_over_difference(const Quantity quantity)
+    {
+      return quantity == Quantity::pressure ? 2. : 4. / 3.;
+    }
 
     double
     distance(const std::array<double, 3> &a, const std::array<double, 3> &b)
@@ -44,7 +48,8 @@ namespace fuga
         largest.difference    = std::max(largest.difference, squares.difference);
         largest.size          = std::max(largest.size, squares.size);
       }
-    error = largest.size > 0. ? error_over_difference * std::sqrt(largest.difference / largest.size)
+    error = largest.size > 0. ? error_over_difference(target.quantity) *
+                                  std::sqrt(largest.difference / largest.size)
                               : std::numeric_limits<double>::quiet_NaN();
   }
 

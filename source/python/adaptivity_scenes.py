@@ -150,6 +150,7 @@ class Run:
         self.estimate = float(self.rounds[-1]["estimated_error"])
         rows = [row for row in table(f"{folder}/results/joint_history.csv") if float(row["t"]) == 1]
         self.x, self.area, self.pressure = ([float(row[name]) for row in rows] for name in ("x", "area", "pressure"))
+        self.shear_force = float([row for row in table(f"{folder}/results/resultants.csv") if float(row["t"]) == 1][-1]["T"])
         self.monitor = None
         if os.path.exists(f"{folder}/results/monitors.csv"):
             row = table(f"{folder}/results/monitors.csv")[-1]
