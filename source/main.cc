@@ -3,6 +3,7 @@
 
 #include <fuga/adaptive_run.h>
 #include <fuga/base/errors.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/io/law_plot.h>
 #include <fuga/io/parameters.h>
 #include <fuga/io/report.h>
@@ -18,9 +19,10 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
-#include <unistd.h>
+#include <sstream>
 
 namespace
 {
@@ -57,7 +59,7 @@ namespace
   {
   public:
     PassingLine(const std::string &text, const bool is_wanted)
-      : width(is_wanted && isatty(STDOUT_FILENO) != 0 ? text.size() : 0)
+      : width(is_wanted && processes::have_terminal() ? text.size() : 0)
     {
       show(text);
     }
@@ -193,7 +195,7 @@ namespace
                : Sweep<dim>(*model).run();
     };
     const ExitCode code = run();
-    if (parameters.output.report && code != ExitCode::input_error)
+    if (parameters.output.report && code != ExitCode::input_error && processes::is_first())
       report_after_run(parameters.output);
     return static_cast<int>(code);
   }
@@ -212,7 +214,8 @@ namespace
         return 0;
       }
     if (!line.reported_directory.empty())
-      return make_report(line.reported_directory, line.quiet);
+      return !processes::is_first() ? processes::no_code
+                                    : make_report(line.reported_directory, line.quiet);
     if (line.file.empty())
       throw InputError(first_steps);
     set_threads(line.n_threads);
@@ -247,24 +250,34 @@ main(int argc, char **argv)
                "compliant joints");
   CommandLine line;
   declare(app, line);
+  processes::join();
+  int code = processes::no_code;
+  std::string complaint;
   try
     {
       app.parse(argc, argv);
-      return execute(line);
+      code = execute(line);
     }
   catch (const CLI::ParseError &error)
     {
-      const int code = app.exit(error);
-      return code == 0 ? 0 : static_cast<int>(ExitCode::input_error);
+      std::ostringstream text;
+      const int of_parser = app.exit(error, std::cout, text);
+      code      = static_cast<int>(of_parser == 0 ? ExitCode::done : ExitCode::input_error);
+      complaint = text.str();
     }
   catch (const InputError &error)
     {
-      fmt::print(stderr, "Error: {}\n", error.what());
-      return static_cast<int>(ExitCode::input_error);
+      code      = static_cast<int>(ExitCode::input_error);
+      complaint = fmt::format("Error: {}\n", error.what());
+    }
+  catch (const processes::Separated &)
+    {
     }
   catch (const std::exception &error)
     {
-      fmt::print(stderr, "Failure: {}\n", error.what());
-      return static_cast<int>(ExitCode::numerical_failure);
+      code      = static_cast<int>(ExitCode::numerical_failure);
+      complaint = fmt::format("Failure: {}\n", error.what());
     }
+  code = processes::leave(code, complaint);
+  return code == processes::no_code ? static_cast<int>(ExitCode::numerical_failure) : code;
 }

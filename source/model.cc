@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/process_info.h>
 #include <fuga/contact/path_choice.h>
-#include <fuga/io/process_info.h>
 #include <fuga/joint_model.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/model.h>

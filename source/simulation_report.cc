@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/process_info.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/point_text.h>
-#include <fuga/io/process_info.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
 #include <fuga/simulation.h>

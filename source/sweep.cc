@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/process_info.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/io/joint_resultant.h>
-#include <fuga/io/process_info.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
 

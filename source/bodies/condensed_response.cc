@@ -3,6 +3,7 @@
 
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
 
 #include <deal.II/lac/vector.h>
@@ -144,7 +145,7 @@ namespace fuga
             work.n_condensed_loads,
             work.n_solutions,
             n_recovered_fields,
-            solver->n_processes()};
+            processes::number()};
   }
 
   template <int dim>

@@ -14,6 +14,7 @@
 #include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
 #include <fuga/bodies/uplift_assembly.h>
 
@@ -84,20 +85,38 @@ namespace fuga
   {
     bodies                   = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
     SymmetricTriplets matrix = bodies->assemble(*coordinates);
-    lines.push_back(fmt::format("{} unknowns, {} of them interface coordinates; {} matrix entries",
-                                coordinates->size(),
-                                coordinates->n_interface(),
-                                matrix.values.size()));
+    report_sizes(matrix);
     timer.finish("assembly");
     solver = std::make_unique<SchurSolver>();
     timer.finish("start of MPI and MUMPS");
-    std::vector<int> order = elimination_order(*space, *coordinates);
+    std::vector<int> order;
+    if (processes::is_first())
+      order = elimination_order(*space, *coordinates);
     timer.finish("ordering");
     const Vector lips = lip_stiffness(matrix);
     S                 = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
     timer.set_apart("analysis", solver->analysis_seconds());
     timer.finish("factorisation");
     return lips;
+  }
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::report_sizes(const SymmetricTriplets &matrix)
+  {
+    Vector n_entries(processes::number(), 0.), n_cells = n_entries;
+    n_entries[processes::rank()] = static_cast<double>(matrix.values.size());
+    n_cells[processes::rank()]   = static_cast<double>(space->n_own_cells());
+    processes::sum(n_entries);
+    processes::sum(n_cells);
+    lines.push_back(
+      fmt::format("{} unknowns, {} of them interface coordinates; {:.0f} matrix entries",
+                  coordinates->size(),
+                  coordinates->n_interface(),
+                  fmt::join(n_entries, " + ")));
+    if (processes::number() > 1)
+      lines.push_back(
+        fmt::format("{} processes: {:.0f} cells", processes::number(), fmt::join(n_cells, " + ")));
   }
 
   // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
@@ -110,6 +129,7 @@ namespace fuga
     for (std::size_t k = 0; k < matrix.values.size(); ++k)
       if (matrix.rows[k] == matrix.columns[k] && matrix.rows[k] > static_cast<int>(first))
         result[static_cast<std::size_t>(matrix.rows[k] - 1) - first] += matrix.values[k];
+    processes::sum(result);
     return result;
   }
 

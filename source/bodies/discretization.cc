@@ -11,11 +11,13 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/bodies/cell_owners.h>
 #include <fuga/bodies/construction.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/mesh_refinement.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/bodies/processes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,6 +175,9 @@ namespace fuga
       hanging = HangingNodes<dim>(*dofs, node_dofs);
     find_boundary_faces();
     find_pieces();
+    my_rank = processes::rank();
+    if (processes::number() > 1)
+      owners = cell_owners(*this, processes::number());
   }
 
 
@@ -306,6 +311,16 @@ namespace fuga
               sets.unite(one, other);
           }
     piece_count = sets.number(pieces);
+  }
+
+
+  template <int dim>
+  std::size_t
+  Discretization<dim>::n_own_cells() const
+  {
+    return owners.empty()
+             ? n_cells()
+             : static_cast<std::size_t>(std::count(owners.begin(), owners.end(), my_rank));
   }
 
 

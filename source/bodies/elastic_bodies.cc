@@ -5,6 +5,7 @@
 #include <fuga/bodies/cell_geometry.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/node_graph.h>
+#include <fuga/bodies/processes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,9 +152,11 @@ namespace fuga
     for (std::size_t node = 0; node < is_plain.size(); ++node)
       is_plain[node] = coordinates.is_plain(node);
     std::vector<std::size_t> plain, special;
-    plain.reserve(discretization.n_cells());
+    plain.reserve(discretization.n_own_cells());
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
+        if (!discretization.is_own(cell))
+          continue;
         const unsigned int *nodes = discretization.cell_nodes(cell);
         const bool all            = std::all_of(nodes,
                                      nodes + discretization.reference_element().n_nodes(),
@@ -283,7 +286,7 @@ namespace fuga
     Vector local(n_local), force(n_local);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
-        if (only && !(*only)[discretization.cell_body(cell)])
+        if (!discretization.is_own(cell) || (only && !(*only)[discretization.cell_body(cell)]))
           continue;
         const unsigned int *nodes = discretization.cell_nodes(cell);
         // A shift of the whole cell causes no force, and no rounding error either; but a growing
@@ -295,7 +298,7 @@ namespace fuga
         const double *K = stiffness.of(cell);
         for (std::size_t i = 0; i < n_local; ++i)
           force[i] = std::inner_product(local.begin(), local.end(), K + i * n_local, 0.);
-        action(nodes, local, force, K);
+        action(cell, local, force, K);
       }
   }
 
@@ -307,11 +310,13 @@ namespace fuga
     Vector result(discretization.n_dofs(), 0.);
     for_each_cell_force(
       u,
-      [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *) {
+      [&](const std::size_t cell, const Vector &, const Vector &force, const double *) {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
         for (std::size_t i = 0; i < force.size(); ++i)
           result[nodes[i / dim] * dim + i % dim] += force[i];
       },
       only);
+    processes::sum(result);
     return result;
   }
 
@@ -323,8 +328,9 @@ namespace fuga
     Vector result(discretization.n_dofs(), 0.);
     terms.assign(discretization.n_dofs(), 0.);
     for_each_cell_force(
-      u, [&](const unsigned int *nodes, const Vector &, const Vector &force, const double *K) {
-        const std::size_t n = force.size();
+      u, [&](const std::size_t cell, const Vector &, const Vector &force, const double *K) {
+        const unsigned int *nodes = discretization.cell_nodes(cell);
+        const std::size_t n       = force.size();
         for (std::size_t i = 0; i < n; ++i)
           {
             const std::size_t row = nodes[i / dim] * dim + i % dim;
@@ -333,6 +339,8 @@ namespace fuga
               terms[row] += std::abs(K[i * n + j] * u[nodes[j / dim] * dim + j % dim]);
           }
       });
+    processes::sum(result);
+    processes::sum(terms);
     return result;
   }
 
@@ -350,12 +358,12 @@ namespace fuga
   Vector
   ElasticBodies<dim>::cell_energies(const Vector &u) const
   {
-    Vector result;
-    result.reserve(discretization.n_cells());
+    Vector result(discretization.n_cells(), 0.);
     for_each_cell_force(
-      u, [&](const unsigned int *, const Vector &local, const Vector &force, const double *) {
-        result.push_back(std::inner_product(local.begin(), local.end(), force.begin(), 0.) / 2.);
+      u, [&](const std::size_t cell, const Vector &local, const Vector &force, const double *) {
+        result[cell] = std::inner_product(local.begin(), local.end(), force.begin(), 0.) / 2.;
       });
+    processes::sum(result);
     return result;
   }
 

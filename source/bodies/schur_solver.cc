@@ -3,49 +3,19 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/bodies/schur_solver.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <dmumps_c.h>
-#include <mpi.h>
 #include <numeric>
 
 namespace fuga
 {
   namespace
   {
-    void
-    finalise_mpi()
-    {
-      int finalised = 0;
-      MPI_Finalized(&finalised);
-      if (!finalised)
-        MPI_Finalize();
-    }
-
-    void
-    initialise_mpi()
-    {
-      int initialised = 0;
-      MPI_Initialized(&initialised);
-      if (initialised)
-        return;
-      // A program that mpirun did not start has nobody to talk to: do not open any network.
-      if (!std::getenv("OMPI_COMM_WORLD_SIZE"))
-        {
-          setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-          setenv("OMPI_MCA_btl", "self", 0);
-          setenv("OMPI_MCA_pml", "ob1", 0);
-          // Runs that begin and end at the same time would delete each other's session directory.
-          setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-        }
-      MPI_Init(nullptr, nullptr);
-      std::atexit(finalise_mpi);
-    }
-
     double
     seconds()
     {
@@ -85,8 +55,7 @@ namespace fuga
 
   SchurSolver::SchurSolver() : mumps(std::make_unique<Instance>())
   {
-    initialise_mpi();
-    mumps->data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
+    mumps->data.comm_fortran = static_cast<MUMPS_INT>(processes::fortran_communicator());
     mumps->data.par          = 1;
     mumps->data.sym          = 1;
     call(-1, "start");
@@ -95,24 +64,30 @@ namespace fuga
     mumps->control(4)  = 0;
     mumps->control(7)  = 5;
     mumps->control(14) = 30;
+    mumps->control(18) = processes::number() > 1 ? 3 : 0;
     mumps->control(27) = 32;
   }
 
 
   SchurSolver::~SchurSolver()
   {
-    int finalised = 0;
-    MPI_Finalized(&finalised);
-    if (finalised)
+    if (processes::have_ended())
       return;
-    mumps->data.job = -2;
-    dmumps_c(&mumps->data);
+    try
+      {
+        call(-2, "end");
+      }
+    catch (const std::exception &)
+      {
+        // A process that is alone cannot end what it shares with the others.
+      }
   }
 
 
   void
   SchurSolver::call(const int job, const char *what)
   {
+    processes::meet(processes::Place::solver, static_cast<std::size_t>(job + 2));
     mumps->data.job = job;
     dmumps_c(&mumps->data);
     const int error = mumps->info(1);
@@ -134,10 +109,10 @@ namespace fuga
     auto &data = mumps->data;
     n_kept     = kept;
     data.n     = matrix.size;
-    data.nnz   = static_cast<MUMPS_INT8>(matrix.values.size());
-    data.irn   = matrix.rows.data();
-    data.jcn   = matrix.columns.data();
-    data.a     = matrix.values.data();
+    data.nnz = data.nnz_loc = static_cast<MUMPS_INT8>(matrix.values.size());
+    data.irn = data.irn_loc = matrix.rows.data();
+    data.jcn = data.jcn_loc = matrix.columns.data();
+    data.a = data.a_loc = matrix.values.data();
 
     DenseMatrix S(n_kept, n_kept);
     nothing_to_eliminate = static_cast<int>(n_kept) == matrix.size;
@@ -149,6 +124,7 @@ namespace fuga
             S(static_cast<std::size_t>(row - 1), static_cast<std::size_t>(column - 1)) +=
               matrix.values[k];
           }
+        processes::sum(S.data(), n_kept * n_kept);
         mirror_lower_triangle(S);
         return S;
       }
@@ -187,8 +163,9 @@ namespace fuga
     factorisation_time = seconds() - analysed;
     ++its_work.n_factorisations;
 
-    data.irn = data.jcn = nullptr;
-    data.a              = nullptr;
+    data.irn = data.jcn = data.irn_loc = data.jcn_loc = nullptr;
+    data.a = data.a_loc = nullptr;
+    processes::broadcast(S.data(), n_kept * n_kept);
     for (std::size_t i = 0; i < n_kept; ++i)
       if (!std::isfinite(S(i, i)))
         throw NumericalFailure(
@@ -212,6 +189,7 @@ namespace fuga
     // Without kept unknowns this is the whole solution.
     mumps->control(26) = n_kept > 0 ? 1 : 0;
     call(3, "condensation of the loads");
+    processes::broadcast(reduced.data(), n_kept * n_columns);
   }
 
 
@@ -241,20 +219,13 @@ namespace fuga
     DenseMatrix reduced;
     run_condensation(load.data(), 1, reduced);
     ++its_work.n_solutions;
-    if (n_kept == 0)
-      return;
-    std::copy(x.begin(), x.end(), reduced.data());
-    mumps->control(26) = 2;
-    call(3, "expansion of the solution");
-  }
-
-
-  int
-  SchurSolver::n_processes() const
-  {
-    int size = 0;
-    MPI_Comm_size(MPI_Comm_f2c(static_cast<MPI_Fint>(mumps->data.comm_fortran)), &size);
-    return size;
+    if (n_kept > 0)
+      {
+        std::copy(x.begin(), x.end(), reduced.data());
+        mumps->control(26) = 2;
+        call(3, "expansion of the solution");
+      }
+    processes::broadcast(load.data(), load.size());
   }
 
 

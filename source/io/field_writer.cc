@@ -4,6 +4,7 @@
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/elastic_bodies.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/io/field_writer.h>
 #include <fuga/io/joint_patches.h>
 #include <fuga/io/output_files.h>
@@ -34,7 +35,7 @@ namespace fuga
       return flags;
     }
 
-    /** The comment of a PVD file is the time of day. */
+    /** The comment of a PVD or PVTU file is the time of day. */
     std::string
     without_comment(const std::string &text)
     {
@@ -68,6 +69,31 @@ namespace fuga
     write_complete_file(directory + "/" + file, content);
     collection.emplace_back(t, file);
     write_collection(name, collection);
+  }
+
+  // The record appears when all pieces are there.
+  template <int dim>
+  void
+  FieldWriter<dim>::add_bodies(const double t, const dealii::DataOut<dim, dim> &output)
+  {
+    std::ostringstream content;
+    output.write_vtu(content);
+    if (processes::number() == 1)
+      {
+        add("bodies", bodies, t, content.str());
+        return;
+      }
+    const std::string stem = fmt::format("bodies_{:04d}", bodies.size());
+    std::vector<std::string> pieces;
+    for (unsigned int i = 0; i < processes::number(); ++i)
+      pieces.push_back(fmt::format("{}.{}.vtu", stem, i));
+    write_piece(directory + "/" + pieces[processes::rank()], content.str());
+    processes::meet(processes::Place::fields);
+    std::ostringstream record;
+    output.write_pvtu_record(record, pieces);
+    write_complete_file(directory + "/" + stem + ".pvtu", without_comment(record.str()));
+    bodies.emplace_back(t, stem + ".pvtu");
+    write_collection("bodies", bodies);
   }
 
   template <int dim>
@@ -149,9 +175,18 @@ namespace fuga
       output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
       output.build_patches(space.mapping(), model.polynomial_degree);
     };
+    const auto is_own = [&space](const auto &cell) {
+      const unsigned int number = space.cell_number(cell->active_cell_index());
+      return number != Discretization<dim>::no_cell && space.is_own(number);
+    };
     dealii::DataOut<dim> output;
     if (space.is_complete() && system.stress_free_shapes().empty())
-      build(output, displacement);
+      {
+        if (processes::number() > 1)
+          output.set_cell_selection(
+            [&is_own](const auto &cell) { return cell->is_active() && is_own(cell); });
+        build(output, displacement);
+      }
     else
       {
         bool is_first = true;
@@ -159,8 +194,8 @@ namespace fuga
           {
             dealii::DataOut<dim> more;
             dealii::DataOut<dim> &selected = is_first ? output : more;
-            selected.set_cell_selection([&part](const auto &cell) {
-              return cell->is_active() && part.bodies[cell->material_id()];
+            selected.set_cell_selection([&part, &is_own](const auto &cell) {
+              return cell->is_active() && part.bodies[cell->material_id()] && is_own(cell);
             });
             build(selected, part.straining);
             if (!is_first)
@@ -168,9 +203,7 @@ namespace fuga
             is_first = false;
           }
       }
-    std::ostringstream content;
-    output.write_vtu(content);
-    add("bodies", bodies, t, content.str());
+    add_bodies(t, output);
   }
 
   template <int dim>
@@ -181,6 +214,8 @@ namespace fuga
                                  const Vector &dissipation)
   {
     const auto write = [&](const std::string &name, Collection &collection, const JointView view) {
+      if (!processes::is_first())
+        return;
       JointPatches<dim> patches(system, elements, results, dissipation, view);
       patches.set_flags(vtk_flags());
       std::ostringstream content;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/io/output_files.h>
 
 #include <cerrno>
@@ -15,6 +16,13 @@ namespace fuga
 {
   void
   write_complete_file(const std::string &path, const std::string &content)
+  {
+    if (processes::is_first())
+      write_piece(path, content);
+  }
+
+  void
+  write_piece(const std::string &path, const std::string &content)
   {
     const std::string temporary = path + ".part";
     std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
@@ -40,6 +48,13 @@ namespace fuga
   {
     namespace fs = std::filesystem;
 
+    bool
+    ends_with(const std::string &name, const std::string &end)
+    {
+      return name.size() > end.size() &&
+             name.compare(name.size() - end.size(), std::string::npos, end) == 0;
+    }
+
     /** Whether a file in a result directory was written by an earlier run of this program. */
     bool
     is_own_file(const std::string &name)
@@ -58,17 +73,26 @@ namespace fuga
         if (name == known)
           return true;
       for (const char *prefix : {"bodies", "joints", "joints_exploded"})
-        if (name.rfind(prefix, 0) == 0 &&
-            (name == std::string(prefix) + ".pvd" ||
-             (name.size() > 4 && name.substr(name.size() - 4) == ".vtu")))
+        if (name.rfind(prefix, 0) == 0 && (name == std::string(prefix) + ".pvd" ||
+                                           ends_with(name, ".vtu") || ends_with(name, ".pvtu")))
           return true;
-      return name.size() > 5 && name.substr(name.size() - 5) == ".part";
+      return ends_with(name, ".part");
+    }
+
+    /** The pieces "x.0.vtu", "x.1.vtu" ... are kept with the record "x.pvtu" that names them. */
+    bool
+    is_kept(const std::string &name, const std::set<std::string> &kept)
+    {
+      return kept.count(name) > 0 ||
+             (ends_with(name, ".vtu") && kept.count(name.substr(0, name.find('.')) + ".pvtu") > 0);
     }
   } // namespace
 
   void
   make_output_directory(const std::string &directory)
   {
+    if (!processes::is_first())
+      return;
     std::error_code error;
     fs::create_directories(directory, error);
     if (error)
@@ -82,12 +106,14 @@ namespace fuga
   void
   remove_earlier_results(const std::string &directory, const std::set<std::string> &kept)
   {
+    if (!processes::is_first())
+      return;
     // Collections and checkpoint first: they may not name a file that is gone.
     for (const bool references : {true, false})
       for (const auto &entry : fs::directory_iterator(directory))
         {
           const std::string name = entry.path().filename().string();
-          if (entry.is_regular_file() && kept.count(name) == 0 && is_own_file(name) &&
+          if (entry.is_regular_file() && !is_kept(name, kept) && is_own_file(name) &&
               (!references || entry.path().extension() == ".pvd" || name == checkpoint_file_name))
             fs::remove(entry.path());
         }
@@ -110,6 +136,11 @@ namespace fuga
   void
   TextFile::publish(const bool now)
   {
+    if (!processes::is_first())
+      {
+        text.clear();
+        return;
+      }
     using seconds             = std::chrono::duration<double>;
     const double cost_divisor = 20.;
     const auto begin          = std::chrono::steady_clock::now();
@@ -133,7 +164,8 @@ namespace fuga
   void
   TextFile::restore(const TextMemory &memory)
   {
-    text      = recover_text(path, memory);
+    if (processes::is_first())
+      text = recover_text(path, memory);
     published = {};
   }
 

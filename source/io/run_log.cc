@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/processes.h>
 #include <fuga/io/run_log.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace fuga
 {
@@ -16,7 +16,7 @@ namespace fuga
                  const std::string &file)
     : detail(log_detail)
     , context(history_context)
-    , terminal(log_detail != LogDetail::quiet && isatty(STDOUT_FILENO) != 0)
+    , terminal(log_detail != LogDetail::quiet && processes::have_terminal())
     , record(file)
   {
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/processes.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
 
@@ -201,9 +202,11 @@ namespace fuga
     std::string
     with_last_part(Json json, const RunSummary &summary, const Parameters &parameters)
     {
-      json["work"]       = work_section(summary.work);
-      json["seconds"]    = object(summary.phases);
-      json["memory_MB"]  = summary.memory_MB;
+      json["work"]      = work_section(summary.work);
+      json["seconds"]   = object(summary.phases);
+      json["memory_MB"] = summary.memory_MB;
+      if (const std::vector<double> memory = processes::peak_memory(); !memory.empty())
+        json["memory_of_processes_MB"] = memory;
       json["joints"]     = summary.split_report;
       json["warnings"]   = summary.warnings;
       json["versions"]   = {{"fuga", version}, {"deal.II", DEAL_II_PACKAGE_VERSION}};

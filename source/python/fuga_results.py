@@ -213,8 +213,16 @@ class Results:
         return f"end of {stage}" if fraction == 1.0 else f"{100 * fraction:.4g} % of {stage}"
 
     def field_file(self, collection, t=None):
-        """Path of the VTU file of a collection (bodies, joints, joints_exploded) nearest to t."""
+        """Path of the VTU file of a collection (bodies, joints, joints_exploded) nearest to t; behind a run of several
+        processes that of the PVTU file, which names those of the bodies."""
         tree = xml.parse(self._path(collection + ".pvd"))
         entries = [(float(entry.get("timestep")), entry.get("file")) for entry in tree.iter("DataSet")]
         nearest = entries[-1] if t is None else min(entries, key=lambda entry: abs(entry[0] - t))
         return self._path(nearest[1])
+
+    def field_pieces(self, collection, t=None):
+        """Paths of the VTU files that make up field_file()."""
+        path = self.field_file(collection, t)
+        if not path.endswith(".pvtu"):
+            return [path]
+        return [self._path(piece.get("Source")) for piece in xml.parse(path).iter("Piece")]

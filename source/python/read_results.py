@@ -44,9 +44,11 @@ def print_run(results):
 def print_fields(results):
     """The fields of the last level, as arrays by name."""
     for name in ("bodies", "joints", "joints_exploded"):
-        mesh = meshio.read(results.field_file(name))
-        print(f"\n{name}: {len(mesh.points)} points, {sum(len(block.data) for block in mesh.cells)} cells")
-        for array, values in mesh.point_data.items():
+        pieces = [meshio.read(path) for path in results.field_pieces(name)]  # one, without several processes
+        n_cells = sum(len(block.data) for mesh in pieces for block in mesh.cells)
+        print(f"\n{name}: {sum(len(mesh.points) for mesh in pieces)} points, {n_cells} cells")
+        for array in pieces[0].point_data:
+            values = numpy.concatenate([mesh.point_data[array] for mesh in pieces])
             print(f"  {array:<20} from {values.min():.6g} to {values.max():.6g}")
 
 

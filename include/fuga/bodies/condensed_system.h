@@ -69,7 +69,7 @@ namespace fuga
      * recovered field (the second refines), two per LinearResponse. */
     std::size_t n_solutions        = 0;
     std::size_t n_recovered_fields = 0;
-    int n_processes                = 0;
+    unsigned int n_processes       = 0;
   };
 
   /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
@@ -87,7 +87,8 @@ namespace fuga
 
   /**
    * The finite element model as the contact layer sees it: everything but the jumps of the joints
-   * eliminated by one partial factorisation. Mesh and model must live as long as this object.
+   * eliminated by one partial factorisation. Mesh and model must live as long as this object. The
+   * processes of a run share the work (doc/parallel.md); every one has the whole result.
    */
   template <int dim>
   class CondensedSystem : public ContactSystem
@@ -329,6 +330,9 @@ namespace fuga
     /** Returns lip_stiffness(). */
     Vector
     factorise();
+
+    void
+    report_sizes(const SymmetricTriplets &matrix);
 
     Vector
     lip_stiffness(const SymmetricTriplets &matrix) const;

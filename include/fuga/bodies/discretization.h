@@ -26,7 +26,8 @@ namespace fuga
   /**
    * The finite element space on the open mesh: deal.II's triangulation (boundary id = label,
    * material id = body), degrees of freedom, and flat tables of *nodes* (a node carries one degree
-   * of freedom per direction) that the rest of this layer works with.
+   * of freedom per direction) that the rest of this layer works with. Every process of a run has
+   * all of it, numbered as in a run of one process, and computes on the cells that are its own.
    */
   template <int dim>
   class Discretization
@@ -88,6 +89,16 @@ namespace fuga
     {
       return cell_numbers[active_cell_index];
     }
+
+    /** Whether this process computes on a cell; see cell_owners(). */
+    bool
+    is_own(const std::size_t cell) const
+    {
+      return owners.empty() || owners[cell] == my_rank;
+    }
+
+    std::size_t
+    n_own_cells() const;
 
     std::size_t
     n_nodes() const
@@ -246,6 +257,9 @@ namespace fuga
     std::set<unsigned int> absent_labels;
     std::vector<unsigned int> nodes_of_cells;
     std::vector<unsigned int> bodies;
+    /** By cell the process that computes on it; empty if there is only one. */
+    std::vector<unsigned int> owners;
+    unsigned int my_rank = 0;
     std::vector<unsigned int> pieces;
     unsigned int piece_count = 0;
     std::vector<unsigned int> node_dofs;

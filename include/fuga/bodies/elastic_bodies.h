@@ -30,6 +30,7 @@ namespace fuga
    * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
    * the matrix in the coordinates goes straight into MUMPS' triplets, and products with it
    * (residuals, energies, reactions) are sums over cells. Vectors: entry node * dim + component.
+   * Every process computes on its own cells and has to call alike; sums are the same on all.
    */
   template <int dim>
   class ElasticBodies
@@ -39,7 +40,7 @@ namespace fuga
                   const JointedMesh &mesh,
                   const ModelDefinition &model);
 
-    /** Cᵀ K C, one triangle, with C of @p coordinates. */
+    /** Cᵀ K C, one triangle, with C of @p coordinates; of the own cells. */
     SymmetricTriplets
     assemble(const InterfaceCoordinates<dim> &coordinates) const;
 
@@ -64,8 +65,8 @@ namespace fuga
   private:
     class CellStiffness;
 
-    /** Calls @p action(nodes, u of the cell relative to its first node, forces, stiffness) for every
-     * cell, or those of some bodies only. */
+    /** Calls @p action(cell, u of the cell relative to its first node, forces, stiffness) for every
+     * own cell, or those of some bodies only. */
     template <typename Action>
     void
     for_each_cell_force(const Vector &u,

@@ -33,8 +33,9 @@ namespace fuga
    *
    *     S = K_cc - K_ci K_ii⁻¹ K_ic.
    *
-   * K_ii must be positive definite. Serial; MPI, which MUMPS wants, is initialised at the first
-   * use and finalised when the program ends, unless somebody else does it.
+   * K_ii must be positive definite. All processes of the run share the factors and have to call
+   * alike; MPI, which MUMPS wants even of a single one, is initialised at the first use and
+   * finalised when the program ends, unless somebody else does it.
    */
   class SchurSolver
   {
@@ -44,20 +45,23 @@ namespace fuga
     ~SchurSolver();
 
     /**
-     * Factorises and returns S (n_kept x n_kept, both triangles). @p matrix is not needed afterwards.
-     * @p ordering, if not empty, is the place of every unknown in the elimination, numbered from 1.
+     * Factorises and returns S (n_kept x n_kept, both triangles), the same on all processes, of the
+     * sum of what every process gives as @p matrix, which is not needed afterwards. @p ordering, if
+     * not empty, is the place of every unknown in the elimination, numbered from 1; that of the
+     * first process counts.
      * @throws NumericalFailure
      */
     DenseMatrix
     factorise(SymmetricTriplets &matrix, const unsigned int n_kept, std::vector<int> ordering = {});
 
-    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of @p loads, which is overwritten. */
+    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of the @p loads of the first process, which are
+     *  overwritten. */
     DenseMatrix
     condense(DenseMatrix &loads);
 
     /**
      * Overwrites @p load by the solution K_ii⁻¹ (load_i - K_ic x) of the eliminated unknowns,
-     * followed by the kept ones, @p x.
+     * followed by the kept ones, @p x; load and x of the first process count for all.
      */
     void
     solve(Vector &load, const Vector &x);
@@ -80,10 +84,6 @@ namespace fuga
     {
       return its_work;
     }
-
-    /** Processes that share the work. */
-    int
-    n_processes() const;
 
     /** Peak memory of the factorisation in megabytes, as MUMPS reports it. */
     int

@@ -11,6 +11,12 @@
 
 #include <deal.II/lac/vector.h>
 
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class DataOut;
+}
+
 namespace fuga
 {
   /** The files of a run and their load times, by collection. */
@@ -42,6 +48,9 @@ namespace fuga
    * seen;
    *  - view_in_paraview.py, which shows all of them. Every file appears complete. Values are
    * rounded to single precision; for numbers see the CSV files.
+   *
+   * Of several processes each writes the bodies of its own cells, bodies_0000.1.vtu, and the first
+   * one the record bodies_0000.pvtu that joins them.
    */
   template <int dim>
   class FieldWriter : private FieldCollections
@@ -89,6 +98,8 @@ namespace fuga
         Collection &collection,
         const double t,
         const std::string &content);
+    void
+    add_bodies(const double t, const dealii::DataOut<dim, dim> &output);
     void
     write_script() const;
     void

@@ -15,11 +15,16 @@ namespace fuga
 {
   /**
    * Writes a whole file under a temporary name in the same directory and renames it: whoever looks,
-   * and whatever kills the program, the file is either the old one or complete.
+   * and whatever kills the program, the file is either the old one or complete. Of several
+   * processes only the first one writes.
    * @throws NumericalFailure naming the file and the reason of the system.
    */
   void
   write_complete_file(const std::string &path, const std::string &content);
+
+  /** The same, a file of this process. */
+  void
+  write_piece(const std::string &path, const std::string &content);
 
   constexpr const char *checkpoint_file_name = "checkpoint.cbor";
   constexpr const char *paraview_script_name = "view_in_paraview.py";
@@ -28,13 +33,13 @@ namespace fuga
   std::string
   read_file(const std::string &path);
 
-  /** @throws InputError if the directory is not there and cannot be made. */
+  /** By the first process. @throws InputError if the directory is not there and cannot be made. */
   void
   make_output_directory(const std::string &directory);
 
   /**
-   * Removes what an earlier run of this program left, but for the files @p kept: a directory never
-   * shows a mixture of two runs.
+   * Removes what an earlier run of this program left, but for the files @p kept (and the pieces of
+   * a .pvtu file among them): a directory never shows a mixture of two runs. By the first process.
    */
   void
   remove_earlier_results(const std::string &directory, const std::set<std::string> &kept);
@@ -65,6 +70,7 @@ namespace fuga
   /**
    * A text that grows during the run and whose file is complete whenever it can be seen: it is
    * published whole, and not so often that publishing costs more than a small share of the run.
+   * Processes but the first forget it instead.
    */
   class TextFile
   {

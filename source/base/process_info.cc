@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/process_info.h>
+#include <fuga/base/process_info.h>
 
 #include <fstream>
 #include <sstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_io_process_info_h
-#define fuga_io_process_info_h
+#ifndef fuga_base_process_info_h
+#define fuga_base_process_info_h
 
 namespace fuga
 {
