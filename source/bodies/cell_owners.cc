@@ -2,59 +2,85 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/cell_owners.h>
-#include <fuga/bodies/processes.h>
-
-#include <deal.II/grid/tria.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace fuga
 {
   namespace
   {
-    /** Which cells share faces. */
     template <int dim>
-    dealii::SparsityPattern
-    neighbours(const Discretization<dim> &space)
+    class Bisection
     {
-      const auto n = static_cast<dealii::types::global_dof_index>(space.n_cells());
-      dealii::DynamicSparsityPattern pattern(n, n);
-      for (const auto &cell : space.triangulation().active_cell_iterators())
-        if (const unsigned int one = space.cell_number(cell->active_cell_index());
-            one != Discretization<dim>::no_cell)
+    public:
+      Bisection(const Discretization<dim> &space, std::vector<unsigned int> &cell_owners)
+        : discretization(space), owners(cell_owners)
+      {
+      }
+
+      /** Gives the cells to the processes from @p first on. */
+      void
+      divide(unsigned int *begin,
+             unsigned int *end,
+             const unsigned int first,
+             const unsigned int n_processes)
+      {
+        if (n_processes == 1 || begin == end)
           {
-            pattern.add(one, one);
-            for (const unsigned int f : cell->face_indices())
-              if (!cell->at_boundary(f) && cell->neighbor(f)->is_active())
-                if (const unsigned int other =
-                      space.cell_number(cell->neighbor(f)->active_cell_index());
-                    other != Discretization<dim>::no_cell)
-                  {
-                    pattern.add(one, other);
-                    pattern.add(other, one);
-                  }
+            for (; begin != end; ++begin)
+              owners[*begin] = first;
+            return;
           }
-      dealii::SparsityPattern result;
-      result.copy_from(pattern);
-      return result;
-    }
+        const unsigned int direction = longest_side(begin, end);
+        const unsigned int half      = n_processes / 2;
+        unsigned int *const middle   = begin + (end - begin) * half / n_processes;
+        // Cells at the same place in this direction: by their numbers.
+        std::nth_element(begin, middle, end, [&](const unsigned int a, const unsigned int b) {
+          return std::make_pair(place(a)[direction], a) < std::make_pair(place(b)[direction], b);
+        });
+        divide(begin, middle, first, half);
+        divide(middle, end, first + half, n_processes - half);
+      }
+
+    private:
+      const dealii::Point<dim> &
+      place(const unsigned int cell) const
+      {
+        return discretization.position(discretization.cell_nodes(cell)[0]);
+      }
+
+      unsigned int
+      longest_side(const unsigned int *begin, const unsigned int *end) const
+      {
+        dealii::Point<dim> least = place(*begin), most = least;
+        for (; begin != end; ++begin)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              least[c] = std::min(least[c], place(*begin)[c]);
+              most[c]  = std::max(most[c], place(*begin)[c]);
+            }
+        unsigned int longest = 0;
+        for (unsigned int c = 1; c < dim; ++c)
+          if (most[c] - least[c] > most[longest] - least[longest])
+            longest = c;
+        return longest;
+      }
+
+      const Discretization<dim> &discretization;
+      std::vector<unsigned int> &owners;
+    };
   } // namespace
 
 
   template <int dim>
   std::vector<unsigned int>
-  cell_owners(const Discretization<dim> &space, const unsigned int n_processes)
+  cell_owners(const Discretization<dim> &discretization, const unsigned int n_processes)
   {
-    std::vector<unsigned int> owners(space.n_cells(), 0);
-    const auto n_parts =
-      static_cast<unsigned int>(std::min<std::size_t>(n_processes, space.n_cells()));
-    if (processes::is_first() && n_parts > 1)
-      dealii::SparsityTools::partition(neighbours(space), n_parts, owners);
-    processes::broadcast(owners);
+    std::vector<unsigned int> owners(discretization.n_cells(), 0), cells(owners.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    Bisection<dim>(discretization, owners)
+      .divide(cells.data(), cells.data() + cells.size(), 0, n_processes);
     return owners;
   }
 

@@ -78,6 +78,8 @@ namespace fuga
   {
     if (!has_launcher())
       return;
+    // Who waits while the first process works alone leaves his core to others.
+    setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
     initialise_mpi();
     State &all = state();
     MPI_Comm_size(MPI_COMM_WORLD, &all.number);
@@ -201,18 +203,6 @@ namespace fuga
     meet(Place::broadcast, n);
     in_portions(n, [&](const std::size_t begin, const int count) {
       MPI_Bcast(values + begin, count, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-    });
-  }
-
-
-  void
-  processes::broadcast(std::vector<unsigned int> &values)
-  {
-    if (number() == 1)
-      return;
-    meet(Place::broadcast, values.size());
-    in_portions(values.size(), [&](const std::size_t begin, const int count) {
-      MPI_Bcast(values.data() + begin, count, MPI_UNSIGNED, 0, MPI_COMM_WORLD);
     });
   }
 

@@ -58,7 +58,7 @@ def fuga(program, n, *arguments):
     """Runs the program on n processes; without mpirun on one."""
     launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", str(n)] if n > 1 else []
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1")
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     return subprocess.run(launcher + [program, *map(str, arguments)], env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS)
 

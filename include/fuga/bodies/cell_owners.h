@@ -9,8 +9,8 @@
 namespace fuga
 {
   /**
-   * Divides the cells among processes: by METIS through deal.II, in parts of equal size that touch
-   * along few faces. The same on all processes, which have to call alike.
+   * Divides the cells among processes, in parts of equal size: across the longest side of the box
+   * around their first corners, again and again, as elimination_order() does with the nodes.
    */
   template <int dim>
   std::vector<unsigned int>

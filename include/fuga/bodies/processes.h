@@ -92,8 +92,6 @@ namespace fuga
     /** Gives the values of the first process to all. */
     void
     broadcast(double *values, const std::size_t n);
-    void
-    broadcast(std::vector<unsigned int> &values);
 
     /** Peak memory of every process when they met last [MB]; empty if there is only one. */
     std::vector<double>
