@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Runs the tests that compare with known answers and writes what they found to doc/verification.md.
+"""Runs the tests that compare with known answers and writes what they found to doc/verification.md, with its figure.
 
 usage: verification_page.py [--build DIR] [--output FILE]
 
@@ -15,6 +15,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import sphere_figure
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 COMMAND = "/usr/bin/python3 source/python/verification_page.py"
@@ -31,6 +33,8 @@ Known answers come from closed forms, publications, equilibrium, or solvers that
 judges in `tests/judges`, and prototypes whose printed digits are all that is known (their tolerance is half of the
 last digit). The reason of every tolerance stands in the test. Units are those of the problem.
 """
+
+FIGURES = {"V7 sphere": ("spheres.png", "Two spheres, pressed and sheared")}
 
 
 def collect(build):
@@ -89,6 +93,9 @@ def page(rows):
                    "answer, absolute where it is zero.\n"]
     for problem in problems:
         parts.append(f"## {problem}\n\n{table([row for row in rows if row['problem'] == problem])}\n")
+        if problem in FIGURES:
+            name, caption = FIGURES[problem]
+            parts.append(f"![{caption}]({name})\n")
     return "\n".join(parts)
 
 
@@ -100,6 +107,8 @@ def main():
     text = page(collect(arguments.build))
     with open(arguments.output, "w", encoding="utf-8") as file:
         file.write(text)
+    sphere_figure.draw(os.path.join(arguments.build, "fuga"),
+                       os.path.join(os.path.dirname(arguments.output), FIGURES["V7 sphere"][0]))
 
 
 if __name__ == "__main__":

@@ -275,6 +275,18 @@ TEST(SpatialScenes, DamBlockWithUplift)
               12. * scale);
   for (const char *column : {"T2", "M1", "Mn"})
     EXPECT_NEAR(run.resultant(column, 2.), 0., 12. * scale) << column;
+
+  // How many times this thrust the friction of the base, 0.7, bears. The search ends where 1e-6 of
+  // its stage, which goes up to the factor 10, would double the slips.
+  const double limit     = 0.7 * (weight - first - second) / thrust;
+  const SceneRun further = run_scene("dam_block_3d.prm", {"Safety/Load factor=water"});
+  const auto &found      = further.summary.at("safety").at("load_factor");
+  EXPECT_EQ(found.at("verdict"), "limit load");
+  EXPECT_EQ(further.count("stick", further.last_t()), 0u);
+  expect_answer(
+    {"Block of a dam in space", "load factor of the water at sliding", limit, "statics"},
+    found.at("factor").get<double>(),
+    9e-6);
 }
 
 namespace
