@@ -154,7 +154,7 @@ def draw(fuga, path):
     draw_profiles(left, levels, force, a)
     fig.colorbar(draw_ring(right, levels[1.6], force, a), ax=right, ticks=numpy.linspace(0, 1, 6))
     fig.tight_layout()
-    fig.savefig(path, dpi=90)
+    fig.savefig(path, dpi=90, bbox_inches="tight")
 
 
 def main():
