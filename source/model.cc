@@ -3,7 +3,9 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/process_info.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/contact/path_choice.h>
+#include <fuga/io/stiffness_need.h>
 #include <fuga/joint_model.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/model.h>
@@ -46,8 +48,7 @@ namespace fuga
       take_over_joints(*before);
     if (construction.stage > 0)
       bodies.set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
-    for (const auto &[name, seconds] : bodies.phase_seconds())
-      timer.set_apart(name, seconds);
+    timer.set_apart(bodies.phases());
     timer.finish("elements and loads");
   }
 
@@ -92,6 +93,7 @@ namespace fuga
   Model<dim>::make_loads(const PhaseEnd *before)
   {
     check_cones();
+    check_body_solver();
     check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);
     LoadProgram program = make_load_program(parameters.model, bodies);
     if (construction.stage == 0)
@@ -207,8 +209,10 @@ namespace fuga
           what = "the reduction of strength is";
         else if (parameters.solver.beyond_limit)
           what = "the path beyond the limit load is";
-        else if (!parameters.solver.follow_events)
-          what = "one step per stage without events is";
+        else if (!parameters.solver.follow_events &&
+                 parameters.model.body_solver != BodySolver::matrix_free)
+          what =
+            "one step per stage without events, but for Solver/Bodies = iterative matrix-free, is";
         else if (parameters.solver.non_unique != NonUniqueChoice::stop)
           what = "the choice between several continuations is";
         if (!what.empty())
@@ -220,6 +224,30 @@ namespace fuga
             joint.definition.name,
             what));
       }
+  }
+
+  template <int dim>
+  void
+  Model<dim>::check_body_solver() const
+  {
+    const BodySolver solver = parameters.model.body_solver;
+    if (processes::number() > 1 &&
+        (solver == BodySolver::iterative || solver == BodySolver::matrix_free))
+      throw InputError(fmt::format("{}: Solver/Bodies = {}: not available on several processes in "
+                                   "this version. Choose direct, or start one process.",
+                                   parameters.parameter_file,
+                                   name_of(solver)));
+    if (solver != BodySolver::matrix_free)
+      return;
+    std::string what = what_needs_stiffness(parameters);
+    if (what.empty() && !bodies.jump_operator().empty())
+      what = "the crossing of joints is";
+    if (!what.empty())
+      throw InputError(fmt::format(
+        "{}: Solver/Bodies = iterative matrix-free: {} not available without the stiffness of the "
+        "interface. Choose Solver/Bodies = iterative or direct.",
+        parameters.parameter_file,
+        what));
   }
 
   template <int dim>
@@ -271,7 +299,7 @@ namespace fuga
     return {{"cells", bodies.discretization().n_cells()},
             {"degrees_of_freedom", bodies.discretization().n_dofs()},
             {"load_patterns", bodies.load_patterns().n_columns()},
-            {"interface_coordinates", bodies.stiffness().n_rows()},
+            {"interface_coordinates", bodies.n_coordinates()},
             {"contact_elements", bodies.elements().size()},
             {"bars", n_bars}};
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/contact/matrix_free_path.h>
 #include <fuga/io/summary.h>
 #include <fuga/simulation.h>
 
@@ -20,7 +21,7 @@ namespace fuga
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
     , loading(model.loads.history.until(model.loads.end_of_loading))
-    , path(make_contact_path(joint.elements, layered, loading, model.path_options()))
+    , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
     , tables(joint.elements)
     , context{joint.elements,
@@ -40,6 +41,15 @@ namespace fuga
 
   template <int dim>
   Simulation<dim>::~Simulation() = default;
+
+  template <int dim>
+  std::unique_ptr<ContactPath>
+  Simulation<dim>::make_path() const
+  {
+    if (model.bodies.has_stiffness())
+      return make_contact_path(joint.elements, layered, loading, model.path_options());
+    return std::make_unique<MatrixFreePath>(joint.elements, model.bodies, model.bodies, loading);
+  }
 
   template <int dim>
   ExitCode

@@ -328,6 +328,7 @@ namespace fuga
     summary.certificate       = worst;
     summary.certificate_bound = parameters.solver.certificate_bound;
     summary.phases            = model.timer.seconds();
+    summary.peaks             = model.timer.peak_megabytes();
     summary.memory_MB         = peak_memory_in_megabytes();
     summary.split_report      = model.mesh.report;
     summary.warnings          = log.all_warnings();

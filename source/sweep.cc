@@ -205,6 +205,7 @@ namespace fuga
     summary.work.bodies       = model.bodies.work();
     summary.certificate_bound = model.parameters.solver.certificate_bound;
     summary.phases            = model.timer.seconds();
+    summary.peaks             = model.timer.peak_megabytes();
     summary.memory_MB         = peak_memory_in_megabytes();
     summary.split_report      = model.mesh.report;
     write_complete_file(model.parameters.output.directory + "/summary.json",

@@ -114,6 +114,8 @@ namespace fuga
     find_frames() const;
     void
     check_cones() const;
+    void
+    check_body_solver() const;
     std::vector<bool>
     find_joints_there() const;
   };

@@ -99,6 +99,8 @@ namespace fuga
       std::vector<SafetyFactor> safety;
     };
 
+    std::unique_ptr<ContactPath>
+    make_path() const;
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
     bool

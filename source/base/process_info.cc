@@ -4,12 +4,19 @@
 #include <fuga/base/process_info.h>
 
 #include <fstream>
+#include <limits>
 #include <sstream>
+#include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 
 namespace fuga
 {
+  namespace
+  {
+    constexpr double kilobytes_per_megabyte = 1024.;
+  }
+
   // Field 22 of /proc/self/stat is the start of the process in clock ticks since boot; the name in
   // field 2 may contain blanks, so counting begins behind its closing bracket.
   double
@@ -36,7 +43,21 @@ namespace fuga
   {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const double kilobytes_per_megabyte = 1024.;
     return static_cast<double>(usage.ru_maxrss) / kilobytes_per_megabyte;
+  }
+
+
+  double
+  available_memory_in_megabytes()
+  {
+    std::ifstream file("/proc/meminfo");
+    std::string name, unit;
+    for (double kilobytes = 0.; file >> name >> kilobytes;)
+      {
+        if (name == "MemAvailable:")
+          return kilobytes / kilobytes_per_megabyte;
+        std::getline(file, unit);
+      }
+    return std::numeric_limits<double>::max();
   }
 } // namespace fuga

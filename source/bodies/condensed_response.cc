@@ -145,7 +145,10 @@ namespace fuga
             work.n_condensed_loads,
             work.n_solutions,
             n_recovered_fields,
-            processes::number()};
+            processes::number(),
+            work.n_iterations,
+            used_solver,
+            estimate};
   }
 
   template <int dim>

@@ -10,8 +10,8 @@
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
-#include <fuga/bodies/elimination_order.h>
 #include <fuga/bodies/imposed_gap.h>
+#include <fuga/bodies/iterative_solver.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/point_text.h>
 #include <fuga/bodies/processes.h>
@@ -49,7 +49,8 @@ namespace fuga
   {
     const Vector lips = factorise();
     find_rigid_motions();
-    remove_rounding(lips);
+    if (!matrix_free_solver)
+      remove_rounding(lips);
     timer.finish("rigid motions");
   }
 
@@ -87,15 +88,12 @@ namespace fuga
     SymmetricTriplets matrix = bodies->assemble(*coordinates);
     report_sizes(matrix);
     timer.finish("assembly");
-    solver = std::make_unique<SchurSolver>();
-    timer.finish("start of MPI and MUMPS");
-    std::vector<int> order;
-    if (processes::is_first())
-      order = elimination_order(*space, *coordinates);
-    timer.finish("ordering");
     const Vector lips = lip_stiffness(matrix);
-    S                 = solver->factorise(matrix, coordinates->n_interface(), std::move(order));
-    timer.set_apart("analysis", solver->analysis_seconds());
+    choose_solver(matrix);
+    if (matrix_free_solver)
+      matrix_free_solver->prepare(matrix, coordinates->n_interface());
+    else
+      S = solver->eliminate(matrix, coordinates->n_interface());
     timer.finish("factorisation");
     return lips;
   }
@@ -167,7 +165,8 @@ namespace fuga
             "The jumps of the joints do not determine the motion of the bodies.");
       }
     projection = std::make_unique<RigidProjection>(motion_coordinates);
-    projection->project_stiffness(S);
+    if (!matrix_free_solver)
+      projection->project_stiffness(S);
   }
 
   template <int dim>

@@ -141,32 +141,41 @@ namespace fuga
 
 
   template <int dim>
-  std::vector<int>
-  elimination_order(const Discretization<dim> &discretization,
-                    const InterfaceCoordinates<dim> &coordinates)
+  std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<dim> &discretization,
+                        const InterfaceCoordinates<dim> &coordinates)
   {
     using Term                      = typename InterfaceCoordinates<dim>::Term;
     constexpr unsigned int none     = static_cast<unsigned int>(-1);
     const unsigned int n_eliminated = coordinates.first_interface_coordinate();
-
-    // Every coordinate belongs to one node: the one it is a displacement of, or that it moves
-    // first.
     std::vector<unsigned int> owner(n_eliminated, none);
-    std::vector<bool> is_plain(discretization.n_nodes());
     std::vector<Term> terms;
     for (unsigned int pass = 0; pass < 2; ++pass)
       for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
-        {
-          is_plain[node] = coordinates.is_plain(node);
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              coordinates.terms_of(node * dim + c, terms);
-              for (const Term &term : terms)
-                if (term.coordinate < n_eliminated && owner[term.coordinate] == none &&
-                    (terms.size() == 1 || pass == 1))
-                  owner[term.coordinate] = node;
-            }
-        }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            coordinates.terms_of(node * dim + c, terms);
+            for (const Term &term : terms)
+              if (term.coordinate < n_eliminated && owner[term.coordinate] == none &&
+                  (terms.size() == 1 || pass == 1))
+                owner[term.coordinate] = node;
+          }
+    return owner;
+  }
+
+
+  template <int dim>
+  std::vector<int>
+  elimination_order(const Discretization<dim> &discretization,
+                    const InterfaceCoordinates<dim> &coordinates)
+  {
+    using Term                            = typename InterfaceCoordinates<dim>::Term;
+    const unsigned int n_eliminated       = coordinates.first_interface_coordinate();
+    const std::vector<unsigned int> owner = owners_of_coordinates(discretization, coordinates);
+    std::vector<bool> is_plain(discretization.n_nodes());
+    for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+      is_plain[node] = coordinates.is_plain(node);
+    std::vector<Term> terms;
 
     Lists cells;
     const std::size_t n_local = discretization.reference_element().n_nodes();
@@ -209,6 +218,10 @@ namespace fuga
   }
 
 
+  template std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<2> &, const InterfaceCoordinates<2> &);
+  template std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<3> &, const InterfaceCoordinates<3> &);
   template std::vector<int>
   elimination_order(const Discretization<2> &, const InterfaceCoordinates<2> &);
   template std::vector<int>

@@ -7,7 +7,6 @@
 #include <fuga/bodies/schur_solver.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <dmumps_c.h>
 #include <numeric>
@@ -16,13 +15,6 @@ namespace fuga
 {
   namespace
   {
-    double
-    seconds()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-    }
-
     void
     mirror_lower_triangle(DenseMatrix &S)
     {
@@ -53,8 +45,9 @@ namespace fuga
   };
 
 
-  SchurSolver::SchurSolver() : mumps(std::make_unique<Instance>())
+  SchurSolver::SchurSolver(std::vector<int> ordering) : mumps(std::make_unique<Instance>())
   {
+    mumps->ordering          = std::move(ordering);
     mumps->data.comm_fortran = static_cast<MUMPS_INT>(processes::fortran_communicator());
     mumps->data.par          = 1;
     mumps->data.sym          = 1;
@@ -101,22 +94,43 @@ namespace fuga
   }
 
 
-  DenseMatrix
-  SchurSolver::factorise(SymmetricTriplets &matrix,
-                         const unsigned int kept,
-                         std::vector<int> ordering)
+  DirectEstimate
+  SchurSolver::analyse(SymmetricTriplets &matrix, const unsigned int kept)
   {
-    auto &data = mumps->data;
-    n_kept     = kept;
-    data.n     = matrix.size;
+    auto &data           = mumps->data;
+    n_kept               = kept;
+    nothing_to_eliminate = static_cast<int>(n_kept) == matrix.size;
+    if (nothing_to_eliminate) // which MUMPS refuses
+      return {};
+    data.n   = matrix.size;
     data.nnz = data.nnz_loc = static_cast<MUMPS_INT8>(matrix.values.size());
     data.irn = data.irn_loc = matrix.rows.data();
     data.jcn = data.jcn_loc = matrix.columns.data();
     data.a = data.a_loc = matrix.values.data();
+    mumps->kept.resize(n_kept);
+    std::iota(mumps->kept.begin(), mumps->kept.end(), matrix.size - static_cast<int>(n_kept) + 1);
+    mumps->control(19) = n_kept > 0 ? 3 : 0;
+    data.size_schur    = static_cast<int>(n_kept);
+    data.listvar_schur = mumps->kept.data();
+    data.nprow = data.npcol = 1;
+    data.mblock = data.nblock = 100;
+    data.schur_lld            = static_cast<int>(n_kept);
+    mumps->control(7)         = mumps->ordering.empty() ? 5 : 1;
+    data.perm_in              = mumps->ordering.empty() ? nullptr : mumps->ordering.data();
 
+    call(1, "analysis");
+    is_analysed = true;
+    return {static_cast<double>(mumps->info(16)), data.rinfog[0]};
+  }
+
+
+  DenseMatrix
+  SchurSolver::eliminate(SymmetricTriplets &matrix, const unsigned int kept)
+  {
+    if (!is_analysed)
+      analyse(matrix, kept);
     DenseMatrix S(n_kept, n_kept);
-    nothing_to_eliminate = static_cast<int>(n_kept) == matrix.size;
-    if (nothing_to_eliminate) // which MUMPS refuses
+    if (nothing_to_eliminate)
       {
         for (std::size_t k = 0; k < matrix.values.size(); ++k)
           {
@@ -128,23 +142,8 @@ namespace fuga
         mirror_lower_triangle(S);
         return S;
       }
-    mumps->kept.resize(n_kept);
-    std::iota(mumps->kept.begin(), mumps->kept.end(), matrix.size - static_cast<int>(n_kept) + 1);
-    mumps->control(19) = n_kept > 0 ? 3 : 0;
-    data.size_schur    = static_cast<int>(n_kept);
-    data.listvar_schur = mumps->kept.data();
-    data.nprow = data.npcol = 1;
-    data.mblock = data.nblock = 100;
-    data.schur_lld            = static_cast<int>(n_kept);
-    data.schur                = S.data();
-    mumps->ordering           = std::move(ordering);
-    mumps->control(7)         = mumps->ordering.empty() ? 5 : 1;
-    data.perm_in              = mumps->ordering.empty() ? nullptr : mumps->ordering.data();
-
-    const double start = seconds();
-    call(1, "analysis");
-    const double analysed = seconds();
-    analysis_time         = analysed - start;
+    auto &data = mumps->data;
+    data.schur = S.data();
     for (unsigned int attempt = 0;; ++attempt)
       try
         {
@@ -160,7 +159,6 @@ namespace fuga
             throw;
           mumps->control(14) = 2 * mumps->control(14) + 50; // estimates were too low: more room
         }
-    factorisation_time = seconds() - analysed;
     ++its_work.n_factorisations;
 
     data.irn = data.jcn = data.irn_loc = data.jcn_loc = nullptr;

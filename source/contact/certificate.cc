@@ -123,7 +123,7 @@ namespace fuga
         largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
       }
     const DenseMatrix &S = system.stiffness();
-    stiffness_row_norms.assign(S.n_rows(), 0.);
+    stiffness_row_norms.assign(system.load_patterns().n_rows(), 0.);
     for (std::size_t j = 0; j < S.n_columns(); ++j)
       stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
     const DenseMatrix &B = system.jump_operator();
@@ -298,6 +298,8 @@ namespace fuga
   Vector
   Judge::resistance(const Vector &x) const
   {
+    if (!system.has_stiffness())
+      return system.resistance(x);
     if (rigid_motions.empty())
       return multiply(system.stiffness(), x);
     const Accurate result =

@@ -110,6 +110,8 @@ namespace fuga
           compliances.at(element.second_tangential_bar) =
             bar_compliance(*element.shear_law, element.area);
       }
+    if (!system.has_stiffness())
+      return; // forces are found otherwise
     if (system.jump_operator().empty())
       eliminate_in_jumps(system);
     else

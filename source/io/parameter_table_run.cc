@@ -22,6 +22,15 @@ namespace fuga
          "keeps "
          "doing so; energies and events are not known then."),
        defaulted(
+         "Bodies",
+         "automatic",
+         choice("automatic|direct|iterative|iterative matrix-free"),
+         "How the bodies are eliminated. Direct: one factorisation. Iterative: conjugate gradients "
+         "with "
+         "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
+         "without the stiffness of the interface as well, for Follow = stage ends and linear "
+         "layers. Automatic: by an estimate of memory and time."),
+       defaulted(
          "Non-unique",
          "stop",
          choice("stop|first|largest dissipation"),

@@ -6,6 +6,7 @@
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/parameter_values.h>
 #include <fuga/io/parameters.h>
+#include <fuga/io/stiffness_need.h>
 
 #include <fmt/format.h>
 
@@ -77,6 +78,17 @@ namespace fuga
     }
 
 
+    BodySolver
+    read_body_solver(const ParameterSection &section)
+    {
+      for (const BodySolver solver :
+           {BodySolver::direct, BodySolver::iterative, BodySolver::matrix_free})
+        if (section.text("Bodies") == name_of(solver))
+          return solver;
+      return BodySolver::automatic;
+    }
+
+
     ModelDefinition
     read_model(const ParameterValues &values)
     {
@@ -97,6 +109,7 @@ namespace fuga
                               mesh.origin("Assumption")));
       model.thickness       = mesh.number("Thickness");
       model.load_knots      = values.section("Solver").integer("Load knots");
+      model.body_solver     = read_body_solver(values.section("Solver"));
       model.constants       = values.constants();
       model.constants["pi"] = std::acos(-1.);
 
@@ -184,8 +197,9 @@ namespace fuga
     parameters.solver = read_solver(values.section("Solver"));
     parameters.output = read_output(values, file);
     read_accuracy(values, parameters);
-    parameters.mesh_file = read_mesh_file(values.section("Mesh"), file);
-    parameters.echo      = values.echo();
+    parameters.mesh_file                = read_mesh_file(values.section("Mesh"), file);
+    parameters.echo                     = values.echo();
+    parameters.model.may_be_matrix_free = what_needs_stiffness(parameters).empty();
     return parameters;
   }
 } // namespace fuga

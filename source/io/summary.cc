@@ -172,12 +172,27 @@ namespace fuga
     }
 
     Json
+    bodies_section(const BodiesWork &work)
+    {
+      Json json = {{"solver", name_of(work.solver)}};
+      if (work.estimate)
+        json["estimate"] = {{"direct_memory_MB", work.estimate->direct_megabytes},
+                            {"direct_seconds", work.estimate->direct_seconds},
+                            {"iterative_memory_MB", work.estimate->iterative_megabytes},
+                            {"iterative_seconds", work.estimate->iterative_seconds},
+                            {"available_memory_MB", work.estimate->available_megabytes},
+                            {"choice", name_of(work.estimate->choice)}};
+      return json;
+    }
+
+    Json
     work_section(const WorkSummary &work)
     {
       return {{"processes", work.bodies.n_processes},
               {"factorisations_of_bodies", work.bodies.n_factorisations},
               {"condensed_loads", work.bodies.n_condensed_loads},
               {"solutions_of_bodies", work.bodies.n_solutions},
+              {"iterations_of_bodies", work.bodies.n_iterations},
               {"recovered_fields", work.bodies.n_recovered_fields},
               {"layered_systems", work.n_layered_systems},
               {"bars_ever_active", work.scheme.n_bars_ever_active},
@@ -202,9 +217,11 @@ namespace fuga
     std::string
     with_last_part(Json json, const RunSummary &summary, const Parameters &parameters)
     {
-      json["work"]      = work_section(summary.work);
-      json["seconds"]   = object(summary.phases);
-      json["memory_MB"] = summary.memory_MB;
+      json["work"]                                = work_section(summary.work);
+      json["work"]["bodies"]                      = bodies_section(summary.work.bodies);
+      json["work"]["peak_memory_MB_behind_phase"] = object(summary.peaks);
+      json["seconds"]                             = object(summary.phases);
+      json["memory_MB"]                           = summary.memory_MB;
       if (const std::vector<double> memory = processes::peak_memory(); !memory.empty())
         json["memory_of_processes_MB"] = memory;
       json["joints"]     = summary.split_report;

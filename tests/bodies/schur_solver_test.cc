@@ -22,7 +22,7 @@ TEST(SchurSolver, NothingToEliminate)
 {
   SchurSolver solver;
   SymmetricTriplets matrix   = small_matrix();
-  const DenseMatrix S        = solver.factorise(matrix, 3);
+  const DenseMatrix S        = solver.eliminate(matrix, 3);
   const double expected[][3] = {{4., 1., 0.}, {1., 3., 2.}, {0., 2., 5.}};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -41,7 +41,7 @@ TEST(SchurSolver, OneEliminated)
 {
   SchurSolver solver;
   SymmetricTriplets matrix = small_matrix();
-  const DenseMatrix S      = solver.factorise(matrix, 2);
+  const DenseMatrix S      = solver.eliminate(matrix, 2);
   EXPECT_NEAR(S(0, 0), 2.75, 1e-14);
   EXPECT_NEAR(S(0, 1), 2., 1e-14);
   EXPECT_NEAR(S(1, 1), 5., 1e-14);

@@ -4,6 +4,8 @@
 #ifndef fuga_base_phase_timer_h
 #define fuga_base_phase_timer_h
 
+#include <fuga/base/process_info.h>
+
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -12,7 +14,8 @@
 
 namespace fuga
 {
-  /** A stop watch that books wall time to named phases. */
+  /** A stop watch that books wall time to named phases, and how much memory had been needed behind
+   * each of them. */
   class PhaseTimer
   {
   public:
@@ -42,12 +45,15 @@ namespace fuga
       add(name, seconds);
     }
 
-    /** Books @p seconds to @p name that finish() must not book again. */
+    /** Adds the phases of another watch; finish() will not book them again. */
     void
-    set_apart(const std::string &name, const double seconds)
+    set_apart(const PhaseTimer &other)
     {
-      add(name, seconds);
-      start += seconds;
+      for (std::size_t i = 0; i < other.phases.size(); ++i)
+        {
+          add(other.phases[i].first, other.phases[i].second, other.peaks[i].second);
+          start += other.phases[i].second;
+        }
     }
 
     /** In the order of first use. */
@@ -55,6 +61,13 @@ namespace fuga
     seconds() const
     {
       return phases;
+    }
+
+    /** Largest memory of the process up to the last end of every phase [MB], in the same order. */
+    const std::vector<std::pair<std::string, double>> &
+    peak_megabytes() const
+    {
+      return peaks;
     }
 
   private:
@@ -66,17 +79,25 @@ namespace fuga
     }
 
     void
-    add(const std::string &name, const double seconds)
+    add(const std::string &name,
+        const double seconds,
+        const double megabytes = peak_memory_in_megabytes())
     {
       const auto phase = std::find_if(
         phases.begin(), phases.end(), [&](const auto &entry) { return entry.first == name; });
       if (phase == phases.end())
-        phases.emplace_back(name, seconds);
+        {
+          phases.emplace_back(name, seconds);
+          peaks.emplace_back(name, megabytes);
+        }
       else
-        phase->second += seconds;
+        {
+          phase->second += seconds;
+          peaks[static_cast<std::size_t>(phase - phases.begin())].second = megabytes;
+        }
     }
 
-    std::vector<std::pair<std::string, double>> phases;
+    std::vector<std::pair<std::string, double>> phases, peaks;
     double start;
   };
 } // namespace fuga

@@ -13,6 +13,10 @@ namespace fuga
   /** Largest memory of this process so far [MB]. */
   double
   peak_memory_in_megabytes();
+
+  /** Memory that this process can still get without swapping, as the kernel estimates it [MB]. */
+  double
+  available_memory_in_megabytes();
 } // namespace fuga
 
 #endif

@@ -13,6 +13,9 @@
 #include <fuga/bodies/rigid_projection.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
+#include <fuga/contact/tangent_solver.h>
+
+#include <optional>
 
 namespace dealii
 {
@@ -33,7 +36,8 @@ namespace fuga
   template <int dim>
   class RigidPieces;
   struct SymmetricTriplets;
-  class SchurSolver;
+  class InteriorSolver;
+  class IterativeSolver;
 
   /** One face of a joint, for output: its contact elements, or no_element, in the order of
    * JointGeometry::Face. */
@@ -70,6 +74,11 @@ namespace fuga
     std::size_t n_solutions        = 0;
     std::size_t n_recovered_fields = 0;
     unsigned int n_processes       = 0;
+    /** Of conjugate gradients, one vector each; 0 for the direct solver. */
+    std::size_t n_iterations = 0;
+    BodySolver solver        = BodySolver::direct;
+    /** Unless a solver was asked for that needs none. */
+    std::optional<SolverEstimate> estimate = {};
   };
 
   /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
@@ -91,7 +100,7 @@ namespace fuga
    * processes of a run share the work (doc/parallel.md); every one has the whole result.
    */
   template <int dim>
-  class CondensedSystem : public ContactSystem
+  class CondensedSystem : public ContactSystem, public TangentSolver
   {
   public:
     /**
@@ -113,6 +122,23 @@ namespace fuga
     {
       return S;
     }
+
+    bool
+    has_stiffness() const override
+    {
+      return used_solver != BodySolver::matrix_free;
+    }
+
+    Vector
+    resistance(const Vector &x) const override;
+
+    Solution
+    solve_with_bars(const std::vector<ElementStiffness> &bars,
+                    const Vector &r,
+                    const double tolerance) const override;
+
+    unsigned int
+    n_coordinates() const;
 
     const DenseMatrix &
     load_patterns() const override
@@ -313,11 +339,11 @@ namespace fuga
       return lines;
     }
 
-    /** Wall time of every phase so far, in the order of first use. */
-    const std::vector<std::pair<std::string, double>> &
-    phase_seconds() const
+    /** Time and memory of every phase so far. */
+    const PhaseTimer &
+    phases() const
     {
-      return timer.seconds();
+      return timer;
     }
 
   private:
@@ -333,6 +359,9 @@ namespace fuga
 
     void
     report_sizes(const SymmetricTriplets &matrix);
+
+    void
+    choose_solver(SymmetricTriplets &matrix);
 
     Vector
     lip_stiffness(const SymmetricTriplets &matrix) const;
@@ -376,8 +405,13 @@ namespace fuga
     std::unique_ptr<ContactBars<dim>> bars;
     std::unique_ptr<InterfaceCoordinates<dim>> coordinates;
     std::unique_ptr<ElasticBodies<dim>> bodies;
-    std::unique_ptr<SchurSolver> solver;
+    std::unique_ptr<InteriorSolver> solver;
+    /** The same solver if S is not known. */
+    IterativeSolver *matrix_free_solver = nullptr;
     std::unique_ptr<RigidProjection> projection;
+    BodySolver used_solver = BodySolver::direct;
+    /** Unless a solver was asked for that needs no analysis. */
+    std::optional<SolverEstimate> estimate;
 
     DenseMatrix S, F, E, motions, motion_loads, water_of_open, water_of_closed;
     /** The interface coordinates of the rigid motions. */

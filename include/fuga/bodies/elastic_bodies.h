@@ -5,7 +5,7 @@
 #define fuga_bodies_elastic_bodies_h
 
 #include <fuga/bodies/interface_coordinates.h>
-#include <fuga/bodies/schur_solver.h>
+#include <fuga/bodies/interior_solver.h>
 
 namespace fuga
 {

@@ -8,6 +8,13 @@
 
 namespace fuga
 {
+  /** One node for every eliminated coordinate: the one it is a displacement of, or that it moves
+   * first. */
+  template <int dim>
+  std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<dim> &discretization,
+                        const InterfaceCoordinates<dim> &coordinates);
+
   /**
    * The place of every coordinate in the elimination, numbered from 1 as MUMPS wants it; interface
    * coordinates come last.

@@ -6,6 +6,8 @@
 
 #include <fuga/bodies/contact_bars.h>
 
+#include <optional>
+
 namespace fuga
 {
   /**
@@ -67,6 +69,15 @@ namespace fuga
     plain_coordinate(const std::size_t dof) const
     {
       return static_cast<unsigned int>(rows[dof]);
+    }
+
+    /** The coordinate that a degree of freedom is, if it is one. */
+    std::optional<unsigned int>
+    coordinate_of(const std::size_t dof) const
+    {
+      if (rows[dof] < 0)
+        return {};
+      return plain_coordinate(dof);
     }
 
     /** Replaces @p terms by those of a degree of freedom (none if it is held). */

@@ -4,6 +4,8 @@
 #ifndef fuga_bodies_model_definition_h
 #define fuga_bodies_model_definition_h
 
+#include <fuga/bodies/solver_choice.h>
+
 #include <array>
 #include <map>
 #include <string>
@@ -248,6 +250,10 @@ namespace fuga
     /** Into how many linear pieces a stage is cut if a history, or a load that depends on t, is not
      *  linear in t. */
     unsigned int load_knots = 20;
+    /** How the bodies are eliminated. */
+    BodySolver body_solver = BodySolver::automatic;
+    /** Whether nothing that is asked for needs the stiffness of the interface as a matrix. */
+    bool may_be_matrix_free = false;
     /** Named numbers for all expressions. */
     std::map<std::string, double> constants;
   };

@@ -4,83 +4,49 @@
 #ifndef fuga_bodies_schur_solver_h
 #define fuga_bodies_schur_solver_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/bodies/interior_solver.h>
 
 #include <memory>
 
 namespace fuga
 {
-  /** One triangle of a sparse symmetric matrix by coordinates, numbered from 1; duplicates add up.
-   */
-  struct SymmetricTriplets
+  /** What a factorisation will take, as the analysis says. */
+  struct DirectEstimate
   {
-    int size = 0;
-    std::vector<int> rows, columns;
-    std::vector<double> values;
-  };
-
-  /** What a solver has done so far; loads and solutions count by columns. */
-  struct SolverWork
-  {
-    std::size_t n_factorisations  = 0;
-    std::size_t n_condensed_loads = 0;
-    std::size_t n_solutions       = 0;
+    double megabytes  = 0.;
+    double operations = 0.;
   };
 
   /**
-   * Eliminates all unknowns of a symmetric matrix but the last ones by MUMPS' partial
-   * factorisation:
-   *
-   *     S = K_cc - K_ci K_ii⁻¹ K_ic.
-   *
-   * K_ii must be positive definite. All processes of the run share the factors and have to call
-   * alike; MPI, which MUMPS wants even of a single one, is initialised at the first use and
-   * finalised when the program ends, unless somebody else does it.
+   * An InteriorSolver by MUMPS' partial factorisation, which returns S. All processes of the run
+   * share the factors and have to call alike, each with its part of the matrix; loads and solutions
+   * of the first one count for all, and S is the same on all. MPI, which MUMPS wants even of a
+   * single one, is initialised at the first use and finalised when the program ends, unless
+   * somebody else does it.
    */
-  class SchurSolver
+  class SchurSolver : public InteriorSolver
   {
   public:
-    SchurSolver();
+    /** @p ordering, if not empty, is the place of every unknown in the elimination, numbered from 1. */
+    explicit SchurSolver(std::vector<int> ordering = {});
 
-    ~SchurSolver();
+    ~SchurSolver() override;
 
-    /**
-     * Factorises and returns S (n_kept x n_kept, both triangles), the same on all processes, of the
-     * sum of what every process gives as @p matrix, which is not needed afterwards. @p ordering, if
-     * not empty, is the place of every unknown in the elimination, numbered from 1; that of the
-     * first process counts.
-     * @throws NumericalFailure
-     */
+    /** The symbolic part of eliminate(), which is not done again there. */
+    DirectEstimate
+    analyse(SymmetricTriplets &matrix, const unsigned int n_kept);
+
     DenseMatrix
-    factorise(SymmetricTriplets &matrix, const unsigned int n_kept, std::vector<int> ordering = {});
+    eliminate(SymmetricTriplets &matrix, const unsigned int n_kept) override;
 
-    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of the @p loads of the first process, which are
-     *  overwritten. */
     DenseMatrix
-    condense(DenseMatrix &loads);
+    condense(DenseMatrix &loads) override;
 
-    /**
-     * Overwrites @p load by the solution K_ii⁻¹ (load_i - K_ic x) of the eliminated unknowns,
-     * followed by the kept ones, @p x; load and x of the first process count for all.
-     */
     void
-    solve(Vector &load, const Vector &x);
-
-    /** Seconds spent in the analysis and in the factorisation. */
-    double
-    analysis_seconds() const
-    {
-      return analysis_time;
-    }
-
-    double
-    factorisation_seconds() const
-    {
-      return factorisation_time;
-    }
+    solve(Vector &load, const Vector &x) override;
 
     const SolverWork &
-    work() const
+    work() const override
     {
       return its_work;
     }
@@ -102,8 +68,7 @@ namespace fuga
     unsigned int n_kept = 0;
     /** All unknowns are kept: small bodies whose every node is in a joint. */
     bool nothing_to_eliminate = false;
-    double analysis_time      = 0.;
-    double factorisation_time = 0.;
+    bool is_analysed          = false;
     SolverWork its_work;
   };
 } // namespace fuga

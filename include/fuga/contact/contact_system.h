@@ -30,6 +30,20 @@ namespace fuga
     virtual const DenseMatrix &
     stiffness() const = 0;
 
+    /** Whether stiffness() is known; if not, it is empty and S by its products alone. */
+    virtual bool
+    has_stiffness() const
+    {
+      return true;
+    }
+
+    /** S x where stiffness() is not known. */
+    virtual Vector
+    resistance(const Vector & /*x*/) const
+    {
+      return {};
+    }
+
     /** F, n_coordinates x n_patterns: the condensed force of each load pattern at factor one. */
     virtual const DenseMatrix &
     load_patterns() const = 0;

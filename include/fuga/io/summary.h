@@ -77,6 +77,8 @@ namespace fuga
     double certificate_bound = 0.;
     std::vector<std::pair<std::string, double>> phases;
     double memory_MB = 0.;
+    /** Peak memory behind the last use of every phase [MB]. */
+    std::vector<std::pair<std::string, double>> peaks;
     std::vector<std::string> split_report;
     std::vector<std::string> warnings;
   };

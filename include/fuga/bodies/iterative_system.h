@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_iterative_system_h
+#define fuga_bodies_iterative_system_h
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+#include <fuga/bodies/iterative_solver.h>
+#include <ml_MultiLevelPreconditioner.h>
+
+#include <mpi.h>
+
+namespace fuga
+{
+  /** Relative residuals: of what S is made of, and of other solutions, which are refined. */
+  constexpr double tolerance_of_columns = 1e-11, tolerance_of_solutions = 1e-9;
+
+  /** Compressed rows (or columns) of a sparse matrix. */
+  struct Compressed
+  {
+    std::vector<std::size_t> start;
+    std::vector<int> indices;
+    std::vector<double> values;
+
+    explicit Compressed(const std::size_t n_rows) : start(n_rows + 1, 0)
+    {
+    }
+
+    void
+    count(const std::size_t row)
+    {
+      ++start[row + 1];
+    }
+
+    void
+    finish_counting()
+    {
+      for (std::size_t row = 1; row < start.size(); ++row)
+        start[row] += start[row - 1];
+      indices.resize(start.back());
+      values.resize(start.back());
+      next.assign(start.begin(), start.end() - 1);
+    }
+
+    void
+    add(const std::size_t row, const int index, const double value)
+    {
+      indices[next[row]]  = index;
+      values[next[row]++] = value;
+    }
+
+  private:
+    std::vector<std::size_t> next;
+  };
+
+  /** The matrices of an IterativeSolver, which keeps Trilinos out of its own header. */
+  struct IterativeSolver::System
+  {
+    System(const int n_rows, const int n_columns)
+      : comm(MPI_COMM_SELF)
+      , map(n_rows, 0, comm)
+      , coupling(static_cast<std::size_t>(n_columns))
+      , kept(static_cast<std::size_t>(n_columns))
+    {
+    }
+
+    Epetra_MpiComm comm;
+    Epetra_Map map;
+    std::unique_ptr<Epetra_CrsMatrix> K;
+    /** K_ic by columns, K_cc by rows of one triangle. */
+    Compressed coupling, kept;
+    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> multigrid;
+  };
+} // namespace fuga
+
+#endif

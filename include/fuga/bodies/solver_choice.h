@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_solver_choice_h
+#define fuga_bodies_solver_choice_h
+
+#include <string>
+
+namespace fuga
+{
+  /** How the bodies are eliminated; `automatic` is for the program to decide. */
+  enum class BodySolver
+  {
+    automatic,
+    direct,
+    iterative,
+    /** Iterative without the stiffness of the interface, which is applied instead. */
+    matrix_free
+  };
+
+  const char *
+  name_of(const BodySolver solver);
+
+  /** What either way to eliminate the bodies will take, and the choice. */
+  struct SolverEstimate
+  {
+    /** Analysis of the factorisation by MUMPS: its memory; its operations by the speed of a core.
+     */
+    double direct_megabytes = 0.;
+    double direct_seconds   = 0.;
+    /** From the entries of the matrix and the number of right-hand sides. */
+    double iterative_megabytes = 0.;
+    double iterative_seconds   = 0.;
+    /** What the machine has left. */
+    double available_megabytes = 0.;
+    BodySolver choice          = BodySolver::direct;
+
+    /** One or two lines for the log. */
+    std::string
+    text() const;
+  };
+
+  /** The size of an elimination. */
+  struct EliminationSize
+  {
+    int dimension            = 2;
+    std::size_t n_entries    = 0; // of one triangle
+    std::size_t n_unknowns   = 0;
+    std::size_t n_interface  = 0;
+    double direct_megabytes  = 0.;
+    double direct_operations = 0.;
+    /** Whether the stiffness of the interface can be done without. */
+    bool may_be_matrix_free = false;
+  };
+
+  /**
+   * Estimates both ways. The direct one is chosen where its factor fits into the memory that is
+   * left, unless the iterative one is much faster.
+   */
+  SolverEstimate
+  estimate_solvers(const EliminationSize &size);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/contact_bars.h>
+#include <fuga/bodies/elimination_order.h>
+#include <fuga/bodies/iterative_solver.h>
+#include <fuga/bodies/processes.h>
+#include <fuga/bodies/schur_solver.h>
+
+#include <deal.II/lac/vector.h>
+
+namespace fuga
+{
+  // The analysis for the direct solver, which costs little, says what a factorisation would take.
+  template <int dim>
+  void
+  CondensedSystem<dim>::choose_solver(SymmetricTriplets &matrix)
+  {
+    BodySolver choice = model.body_solver;
+    if (choice == BodySolver::automatic || choice == BodySolver::direct)
+      {
+        std::vector<int> order;
+        if (processes::is_first())
+          order = elimination_order(*space, *coordinates);
+        timer.finish("ordering");
+        auto direct = std::make_unique<SchurSolver>(std::move(order));
+        timer.finish("start of MPI and MUMPS");
+        const DirectEstimate effort = direct->analyse(matrix, coordinates->n_interface());
+        timer.finish("analysis");
+        solver   = std::move(direct);
+        estimate = estimate_solvers({dim,
+                                     matrix.values.size(),
+                                     coordinates->size(),
+                                     coordinates->n_interface(),
+                                     effort.megabytes,
+                                     effort.operations,
+                                     model.may_be_matrix_free && jump_operator().empty()});
+        if (processes::number() > 1)
+          estimate->choice = BodySolver::direct; // the iterative one knows no other processes
+        constexpr double worth_a_line = 1.;      // seconds
+        if (choice == BodySolver::automatic &&
+            (estimate->choice != BodySolver::direct || estimate->direct_seconds > worth_a_line))
+          lines.push_back(estimate->text());
+        if (choice == BodySolver::automatic)
+          choice = estimate->choice;
+      }
+    used_solver = choice;
+    if (choice == BodySolver::direct)
+      return;
+    auto iterative     = std::make_unique<IterativeSolver>(nodal_blocks(*space, *coordinates));
+    matrix_free_solver = choice == BodySolver::matrix_free ? iterative.get() : nullptr;
+    solver             = std::move(iterative);
+    timer.finish("nodal blocks");
+  }
+
+  template <int dim>
+  unsigned int
+  CondensedSystem<dim>::n_coordinates() const
+  {
+    return coordinates->n_interface();
+  }
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::resistance(const Vector &x) const
+  {
+    return matrix_free_solver->resistance(x);
+  }
+
+  template <int dim>
+  TangentSolver::Solution
+  CondensedSystem<dim>::solve_with_bars(const std::vector<ElementStiffness> &stiffness,
+                                        const Vector &r,
+                                        const double tolerance) const
+  {
+    std::vector<BlockOfBars> blocks;
+    for (std::size_t k = 0; k < stiffness.size(); ++k)
+      {
+        const ContactElement &element = elements()[k];
+        BlockOfBars block{{static_cast<int>(element.normal_bar)}, stiffness[k]};
+        if (element.has_tangential_bar())
+          block.bars.push_back(static_cast<int>(element.tangential_bar));
+        if (element.has_second_tangential_bar())
+          block.bars.push_back(static_cast<int>(element.second_tangential_bar));
+        blocks.push_back(std::move(block));
+      }
+    return matrix_free_solver->solve_with_bars(blocks, r, tolerance);
+  }
+
+  template void
+  CondensedSystem<2>::choose_solver(SymmetricTriplets &);
+  template void
+  CondensedSystem<3>::choose_solver(SymmetricTriplets &);
+  template unsigned int
+  CondensedSystem<2>::n_coordinates() const;
+  template unsigned int
+  CondensedSystem<3>::n_coordinates() const;
+  template Vector
+  CondensedSystem<2>::resistance(const Vector &) const;
+  template Vector
+  CondensedSystem<3>::resistance(const Vector &) const;
+  template TangentSolver::Solution
+  CondensedSystem<2>::solve_with_bars(const std::vector<ElementStiffness> &,
+                                      const Vector &,
+                                      const double) const;
+  template TangentSolver::Solution
+  CondensedSystem<3>::solve_with_bars(const std::vector<ElementStiffness> &,
+                                      const Vector &,
+                                      const double) const;
+} // namespace fuga

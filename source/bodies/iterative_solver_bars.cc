@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
+
+#include <Epetra_Vector.h>
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/iterative_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    constexpr unsigned int max_iterations = 1000, basis_size = 60;
+    /** What the rest of the bodies leaves of the stiffness of a lip that moves alone, at the
+     * wavelengths of the mesh; only the number of iterations depends on it. */
+    constexpr double share_of_lip = 0.5;
+    /** Of a product with S, which equilibrium is judged by and nothing refines. */
+    constexpr double tolerance_of_products = 1e-12;
+
+    using Work = dealii::Vector<double>;
+
+    Epetra_Vector
+    interior_part(const Epetra_Map &map, const Work &x)
+    {
+      return {View, map, const_cast<double *>(x.begin())};
+    }
+
+    /** y_c += K_ci x_i. */
+    void
+    add_to_kept(const Compressed &coupling, const double factor, const double *x, double *y)
+    {
+      for (std::size_t i = 0; i + 1 < coupling.start.size(); ++i)
+        for (std::size_t k = coupling.start[i]; k < coupling.start[i + 1]; ++k)
+          y[i] += factor * coupling.values[k] * x[coupling.indices[k]];
+    }
+
+    /** y_i += K_ic x_c. */
+    void
+    add_to_interior(const Compressed &coupling, const double factor, const double *x, double *y)
+    {
+      for (std::size_t i = 0; i + 1 < coupling.start.size(); ++i)
+        for (std::size_t k = coupling.start[i]; k < coupling.start[i + 1]; ++k)
+          y[coupling.indices[k]] += factor * coupling.values[k] * x[i];
+    }
+
+    /** y_c += K_cc x_c, of which one triangle is known. */
+    void
+    add_kept_block(const Compressed &kept, const double *x, double *y)
+    {
+      for (std::size_t i = 0; i + 1 < kept.start.size(); ++i)
+        for (std::size_t k = kept.start[i]; k < kept.start[i + 1]; ++k)
+          {
+            const auto j = static_cast<std::size_t>(kept.indices[k]);
+            y[i] += kept.values[k] * x[j];
+            if (i != j)
+              y[j] += kept.values[k] * x[i];
+          }
+    }
+
+    /** [K_ii K_ic; K_ci K_cc + C]. */
+    struct BodiesWithBars
+    {
+      const Epetra_CrsMatrix &K;
+      const Compressed &coupling, &kept;
+      const std::vector<BlockOfBars> &bars;
+
+      void
+      vmult(Work &y, const Work &x) const
+      {
+        const auto n          = static_cast<std::size_t>(K.NumMyRows());
+        const Epetra_Vector u = interior_part(K.RowMap(), x);
+        Epetra_Vector f       = interior_part(K.RowMap(), y);
+        K.Apply(u, f);
+        add_to_interior(coupling, 1., x.begin() + n, y.begin());
+        std::fill(y.begin() + n, y.end(), 0.);
+        add_to_kept(coupling, 1., x.begin(), y.begin() + n);
+        add_kept_block(kept, x.begin() + n, y.begin() + n);
+        for (const BlockOfBars &block : bars)
+          for (std::size_t i = 0; i < block.bars.size(); ++i)
+            for (std::size_t j = 0; j < block.bars.size(); ++j)
+              y.begin()[n + static_cast<std::size_t>(block.bars[i])] +=
+                block.stiffness[i][j] * x.begin()[n + static_cast<std::size_t>(block.bars[j])];
+      }
+    };
+
+    /** First K_ii by one cycle of multigrid, then the bars of every element for themselves. */
+    struct BlockPreconditioner
+    {
+      const ML_Epetra::MultiLevelPreconditioner &multigrid;
+      const Compressed &coupling;
+      const std::vector<BlockOfBars> &bars;
+      std::vector<ElementStiffness> inverses;
+
+      void
+      vmult(Work &y, const Work &x) const
+      {
+        const Epetra_Map &map = multigrid.RowMatrix().RowMatrixRowMap();
+        const auto n          = static_cast<std::size_t>(map.NumMyElements());
+        const Epetra_Vector f = interior_part(map, x);
+        Epetra_Vector u       = interior_part(map, y);
+        multigrid.ApplyInverse(f, u);
+        Vector rest(x.begin() + n, x.end());
+        add_to_kept(coupling, -1., y.begin(), rest.data());
+        for (std::size_t k = 0; k < bars.size(); ++k)
+          for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
+            {
+              double sum = 0.;
+              for (std::size_t j = 0; j < bars[k].bars.size(); ++j)
+                sum += inverses[k][i][j] * rest[static_cast<std::size_t>(bars[k].bars[j])];
+              y.begin()[n + static_cast<std::size_t>(bars[k].bars[i])] = sum;
+            }
+      }
+    };
+
+    /** Inverse of the leading n x n block by Gauss and Jordan; its symmetric part is positive
+     * definite but for slip, whose coupling is one-sided: no pivots are needed. */
+    ElementStiffness
+    inverse(ElementStiffness a, const std::size_t n)
+    {
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const double pivot = 1. / a[k][k];
+          a[k][k]            = 1.;
+          for (std::size_t j = 0; j < n; ++j)
+            a[k][j] *= pivot;
+          for (std::size_t i = 0; i < n; ++i)
+            if (i != k)
+              {
+                const double factor = a[i][k];
+                a[i][k]             = 0.;
+                for (std::size_t j = 0; j < n; ++j)
+                  a[i][j] -= factor * a[k][j];
+              }
+        }
+      return a;
+    }
+
+    std::vector<ElementStiffness>
+    inverses_of_elements(const std::vector<BlockOfBars> &bars, const Compressed &kept)
+    {
+      std::vector<std::pair<std::size_t, std::size_t>> place(kept.start.size() - 1);
+      std::vector<ElementStiffness> blocks;
+      for (std::size_t k = 0; k < bars.size(); ++k)
+        {
+          blocks.push_back(bars[k].stiffness);
+          for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
+            place[static_cast<std::size_t>(bars[k].bars[i])] = {k, i};
+        }
+      for (std::size_t row = 0; row < place.size(); ++row)
+        for (std::size_t k = kept.start[row]; k < kept.start[row + 1]; ++k)
+          {
+            const auto column = static_cast<std::size_t>(kept.indices[k]);
+            if (place[row].first != place[column].first)
+              continue;
+            auto &block        = blocks[place[row].first];
+            const double value = share_of_lip * kept.values[k];
+            block[place[row].second][place[column].second] += value;
+            if (row != column)
+              block[place[column].second][place[row].second] += value;
+          }
+      for (std::size_t k = 0; k < bars.size(); ++k)
+        blocks[k] = inverse(blocks[k], bars[k].bars.size());
+      return blocks;
+    }
+  } // namespace
+
+
+  Vector
+  IterativeSolver::resistance(const Vector &x)
+  {
+    Vector result(n_kept, 0.);
+    add_kept_block(system->kept, x.data(), result.data());
+    if (blocks.n_rows == 0 || max_abs(x) == 0.)
+      return result;
+    DenseMatrix y(blocks.n_rows, 1);
+    add_to_interior(system->coupling, -1., x.data(), y.data());
+    solve_columns(y, tolerance_of_products);
+    ++its_work.n_solutions;
+    add_to_kept(system->coupling, 1., y.data(), result.data());
+    return result;
+  }
+
+
+  TangentSolver::Solution
+  IterativeSolver::solve_with_bars(const std::vector<BlockOfBars> &bars,
+                                   const Vector &r,
+                                   const double tolerance)
+  {
+    const std::size_t n = blocks.n_rows;
+    Work load(static_cast<unsigned int>(n + n_kept)), y(load);
+    std::copy(r.begin(), r.end(), load.begin() + n);
+
+    dealii::SolverControl control(max_iterations, tolerance * load.l2_norm());
+    dealii::SolverGMRES<Work> gmres(
+      control,
+      dealii::SolverGMRES<Work>::AdditionalData(basis_size, /*right_preconditioning=*/true));
+    try
+      {
+        gmres.solve(
+          BodiesWithBars{*system->K, system->coupling, system->kept, bars},
+          y,
+          load,
+          BlockPreconditioner{
+            *system->multigrid, system->coupling, bars, inverses_of_elements(bars, system->kept)});
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        throw NumericalFailure(fmt::format(
+          "The bodies with their bars were not solved in {} iterations of GMRES: nothing "
+          "may hold them any more, or a layer is much stiffer than the bodies.",
+          max_iterations));
+      }
+    its_work.n_iterations += control.last_step();
+    ++its_work.n_solutions;
+
+    TangentSolver::Solution solution;
+    solution.jumps.assign(y.begin() + n, y.end());
+    solution.resistance.assign(n_kept, 0.);
+    add_kept_block(system->kept, solution.jumps.data(), solution.resistance.data());
+    add_to_kept(system->coupling, 1., y.begin(), solution.resistance.data());
+    return solution;
+  }
+} // namespace fuga

@@ -1,0 +1,291 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""Measures how time and memory grow with degrees of freedom and contact elements, directly and iteratively, on one
+process and on two, and estimates from this what large machines need; writes doc/scaling.md.
+
+usage: scaling_page.py [--fuga BIN] [--output DIR] [--missing | --from-measurements]
+
+Measuring takes about an hour and 12 GB; measurements are kept in doc/scaling.json, from which the page can be
+written again.
+"""
+import argparse
+import json
+import math
+import os
+import platform
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+COMMAND = "/usr/bin/python3 source/python/scaling_page.py"
+LOADS = ["Solver/Load knots=1", "Output/Fields=end", "Output/Checkpoint=never"]
+
+SPACE = "Dam block in space"
+PLANE = "Scene G in the plane"
+DIRECT, ITERATIVE, FREE = "direct", "iterative", "iterative matrix-free"
+
+# Problem, solver, contact faces (elements) across the joint, processes.
+RUNS = sorted([(SPACE, DIRECT, n, 1) for n in (8, 12, 16, 24, 32, 40)] + [(SPACE, ITERATIVE, n, 1) for n in (8, 12, 16)] +
+              [(SPACE, FREE, n, 1) for n in (8, 12, 16, 24, 32, 40, 56)] +
+              [(PLANE, DIRECT, n, 1) for n in (33, 129, 513)] + [(PLANE, ITERATIVE, n, 1) for n in (33, 65, 129)] +
+              [(PLANE, FREE, n, 1) for n in (33, 129, 513)] +
+              [(SPACE, DIRECT, n, 2) for n in (16, 24)] + [(PLANE, DIRECT, n, 2) for n in (129, 513)],
+              key=lambda run: (run[3], run[0] == SPACE and run[2] >= 32, run[2]))
+
+# Phases of summary.json under the name of the page.
+PHASES = {"mesh": ("start", "mesh", "mesh and degrees of freedom", "joints and supports"),
+          "assembly": ("assembly", "nodal blocks", "elements and loads", "loads"),
+          "elimination": ("ordering", "start of MPI and MUMPS", "analysis", "factorisation", "rigid motions",
+                          "layered system"),
+          "loads": ("condensation of loads",),
+          "path": ("path",),
+          "fields": ("recovery of displacements", "equilibrium check", "fields", "tables")}
+
+
+def make_mesh(problem, n, folder):
+    path = os.path.join(folder, f"{problem[:3]}{n}.msh")
+    if not os.path.exists(path):
+        if problem == SPACE:
+            command = ["gmsh", "-3", "-v", "1", "-format", "msh41", "-setnumber", "n", str(n), "-o", path,
+                       os.path.join(TOP, "meshes/dam_block_3d.geo")]
+        else:
+            command = ["/usr/bin/python3", os.path.join(TOP, "meshes/scene_g.py"), str(n), path]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return path
+
+
+def measure(fuga, problem, solver, n, processes, folder):
+    """The summary of a run, reduced to what the page needs."""
+    output = os.path.join(folder, "out")
+    shutil.rmtree(output, ignore_errors=True)
+    name = "dam_block_3d.prm" if problem == SPACE else "scene_g_f06.prm"
+    settings = LOADS + [f"Mesh/File={make_mesh(problem, n, folder)}", f"Solver/Bodies={solver}",
+                        ("Stages/reservoir" if problem == SPACE else "Stages/water") + "/Levels=1"]
+    if solver == FREE:
+        settings.append("Solver/Follow=stage ends")
+    command = ["mpirun", "--allow-run-as-root", "-np", str(processes)] if processes > 1 else []
+    command += [fuga, os.path.join(TOP, "parameters", name), "--quiet", "--output-dir", output]
+    for setting in settings:
+        command += ["--set", setting]
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode:
+        sys.exit(f"{' '.join(command)}\n{done.stderr}")
+    with open(os.path.join(output, "summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    seconds, peaks = summary["seconds"], summary["work"]["peak_memory_MB_behind_phase"]
+    row = {"problem": problem, "solver": solver, "n": n, "processes": processes,
+           "unknowns": summary["sizes"]["degrees_of_freedom"], "elements": summary["sizes"]["contact_elements"],
+           "bars": summary["sizes"]["bars"], "events": summary["events"]["total"],
+           "schemes": summary["iterations"]["iterations"], "iterations": summary["work"]["iterations_of_bodies"],
+           "load": os.getloadavg()[0], "solutions": summary["work"]["solutions_of_bodies"], "certificate": summary["certificate"]["worst"],
+           "megabytes": summary["memory_MB"], "wall": sum(seconds.values()),
+           "seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime}
+    # What the run had of a processor while others worked too; several processes have their own.
+    share = row["seconds"] / row["wall"] if processes == 1 else 1.
+    for phase, names in PHASES.items():
+        row[f"seconds of {phase}"] = share * sum(seconds.get(name, 0.) for name in names)
+        row[f"peak behind {phase}"] = max(peaks.get(name, 0.) for name in names)
+    return row
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]) + "\n"
+
+
+def number(value, digits=3):
+    """A figure of so many digits, with blanks between thousands."""
+    if value == 0:
+        return "0"
+    if value >= 1000:
+        digits_kept = max(0, int(math.log10(value)) + 1 - digits)
+        return f"{round(value, -digits_kept):,.0f}".replace(",", " ")
+    return f"{value:.{digits}g}"
+
+
+def growth(rows, key, variable):
+    """(c, q) of key = c variable^q by least squares in logarithms, over the larger half of the runs."""
+    rows = sorted(rows, key=lambda row: row[variable])
+    rows = rows[-max(2, (len(rows) + 1) // 2):]
+    x = [math.log(row[variable]) for row in rows]
+    y = [math.log(max(row[key], 1e-9)) for row in rows]
+    mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
+    q = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+    return math.exp(mean_y - q * mean_x), q
+
+
+class Page:
+    def __init__(self, data):
+        self.machine, self.rows = data["machine"], data["rows"]
+        loads = [row["load"] for row in self.rows]
+        self.load = f"{min(loads):.0f} to {max(loads):.0f}"
+        self.text = []
+
+    def select(self, problem, solver, processes=1):
+        return [row for row in self.rows
+                if (row["problem"], row["solver"], row["processes"]) == (problem, solver, processes)]
+
+    def write_runs(self):
+        for problem in (PLANE, SPACE):
+            self.text.append(f"## {problem}: growth\n")
+            for solver in (DIRECT, ITERATIVE, FREE):
+                rows = self.select(problem, solver)
+                if not rows:
+                    continue
+                self.text.append(f"**{solver}**\n")
+                self.text.append(table(
+                    ["dofs", "contact elements", "events", "schemes", "CG and GMRES iterations", "CPU [s]", "wall [s]"] +
+                    list(PHASES) + ["peak [MB]", "certificate"],
+                    [[number(row["unknowns"], 7), row["elements"], row["events"] or "-", row["schemes"] or "-",
+                      number(row["iterations"], 7) if row["iterations"] else "-", number(row["seconds"]),
+                      number(row["wall"])] +
+                     [number(row[f"seconds of {phase}"]) for phase in PHASES] +
+                     [number(row["megabytes"], 4), f"{row['certificate']:.0e}"] for row in rows]))
+
+    def write_memory(self):
+        self.text.append("## Memory by phase\n")
+        self.text.append("Peak resident size [MB] of the process behind each phase, largest run of each kind.\n")
+        rows = []
+        for problem in (PLANE, SPACE):
+            for solver in (DIRECT, ITERATIVE, FREE):
+                runs = self.select(problem, solver)
+                if runs:
+                    row = max(runs, key=lambda run: run["unknowns"])
+                    rows.append([problem, solver, number(row["unknowns"], 7)] +
+                                [number(row[f"peak behind {phase}"], 4) for phase in PHASES])
+        self.text.append(table(["problem", "bodies", "dofs"] + list(PHASES), rows))
+
+    def write_processes(self):
+        pairs = [(one, two) for two in self.rows if two["processes"] == 2 for one in self.rows
+                 if one["processes"] == 1 and all(one[key] == two[key] for key in ("problem", "solver", "n"))]
+        if not pairs:
+            return
+        self.text.append("## One process and two\n")
+        self.text.append("Memory is that of the first process.\n")
+        self.text.append(table(
+            ["problem", "bodies", "dofs", "wall time 1 [s]", "wall time 2 [s]", "elimination 1 [s]", "elimination 2 [s]",
+             "memory 1 [MB]", "memory 2 [MB]"],
+            [[one["problem"], one["solver"], number(one["unknowns"], 7), number(one["wall"]),
+              number(two["wall"]), number(one["seconds of elimination"]), number(two["seconds of elimination"]),
+              number(one["megabytes"], 4), number(two["megabytes"], 4)] for one, two in pairs]))
+
+    def write_fits(self):
+        self.text.append("## Exponents\n")
+        self.text.append("Fitted to the larger half of the runs: time and memory grow as dofs to the power of\n")
+        rows = []
+        for problem in (PLANE, SPACE):
+            for solver in (DIRECT, ITERATIVE, FREE):
+                runs = self.select(problem, solver)
+                if len(runs) > 2:
+                    rows.append([problem, solver] + [f"{growth(runs, key, 'unknowns')[1]:.2f}" for key in
+                                                     ("seconds", "seconds of elimination", "seconds of path",
+                                                      "megabytes")])
+        self.text.append(table(["problem", "bodies", "time", "elimination", "path", "memory"], rows))
+
+    def write_estimate(self):
+        unknowns, elements = 1e8, 1e5
+        bars = 3 * elements
+        free = self.select(SPACE, FREE)
+        largest = max(free, key=lambda row: row["unknowns"])
+        direct = self.select(SPACE, DIRECT)
+        c_direct, q_direct = growth(direct, "megabytes", "unknowns")
+        t_direct, p_direct = growth(direct, "seconds of elimination", "unknowns")
+        per_unknown = largest["megabytes"] / largest["unknowns"] * 1e6  # bytes
+        iteration = (largest["seconds of path"] + largest["seconds of loads"]) / largest["iterations"]
+        iteration *= unknowns / largest["unknowns"]
+        levels = math.log(unknowns / largest["unknowns"]) / math.log(27.)
+        per_solution = largest["iterations"] / (largest["solutions"])
+        grown = per_solution * (1. + 0.1 * levels)
+        schemes = largest["schemes"]
+        core_bytes_per_second = 5e9
+        dense = 2. * 8. * bars ** 2 / 1e9
+        dense_time = bars ** 3 * 2. / 1e10
+        column_time = bars * grown * iteration
+        self.text.append("## Estimate: 1e8 dofs and 1e5 contact elements in space\n")
+        self.text.append(
+            "Assumptions: the fits above hold; multigrid needs a tenth more iterations with every level more (27 times "
+            "the unknowns); work on the bodies divides by the number of processes (communication is left out, as are "
+            "the gains of more caches); a process has a core of this machine for itself; nothing of the interface "
+            "is distributed. Computed by the script from the measurements:\n")
+        rows = []
+        for processes in (64, 1024):
+            rows.append([
+                processes,
+                number(c_direct * unknowns ** q_direct / 1e3 / processes),
+                number(t_direct * unknowns ** p_direct / 3600. / processes),
+                number(per_unknown * unknowns / 1e9 / processes),
+                number(grown * largest["solutions"] * iteration / 3600. / processes),
+                number(dense),
+                number(column_time / 3600. / processes),
+                number(dense_time / 3600.)])
+        self.text.append(table(
+            ["processes", "factor: memory per process [GB]", "factor: time [h]", "matrix-free: memory per process [GB]",
+             f"matrix-free: time of a run with {schemes} schemes [h]", "S and W, on every process [GB]",
+             "S by columns: time [h]", "eq. 4 on one process [h]"], rows))
+        self.text.append(
+            f"**First bottleneck.** Following events, the interface: S and W of {number(bars)} bars are {number(dense)} GB on "
+            f"every process and the inversion in eq. 4 takes {number(dense_time / 3600.)} h on one, whatever the number "
+            "of processes. Remedy: compute and keep only the columns of bars that ever open or slip (usually a few per "
+            "cent), by blocks on the processes that share them; or `Solver/Bodies = iterative matrix-free` for stage "
+            "ends, where the interface costs nothing to speak of. **Second.** Mesh, degrees of freedom and tables of "
+            "nodes are whole on every process: at "
+            f"{number(largest['peak behind mesh'] / largest['unknowns'] * 1e6)} bytes per unknown behind the phase "
+            f"*mesh*, {number(largest['peak behind mesh'] / largest['unknowns'] * unknowns / 1e3)} GB each. Remedy: a "
+            "distributed triangulation. "
+            "**Third.** The factor, if one wants it: the table's second and third column; iteration needs none.\n")
+
+    def write(self, path):
+        self.text = [f"<!-- Generated by `{COMMAND}`. Do not edit: run it again. -->\n# Growth of time and memory\n",
+                     f"Written by `{COMMAND}` from runs on {self.machine}. Bodies `direct` (MUMPS) and `iterative` "
+                     "(conjugate gradients with algebraic multigrid, [theory](theory.md), section 1) follow every event; "
+                     "`iterative matrix-free` finds stage ends without the stiffness of the interface (section 18). "
+                     "Problems: `parameters/dam_block_3d.prm` with meshes of `meshes/dam_block_3d.geo`, "
+                     "`parameters/scene_g_f06.prm` with meshes of `meshes/scene_g.py`; loads interpolated between stage "
+                     "ends. One BLAS thread. The machine had other work at the same time (load average "
+                     f"{self.load} while measuring), so times are CPU seconds; those of the phases are wall seconds times "
+                     "the share of a processor that the run got.\n"]
+        self.write_runs()
+        self.write_memory()
+        self.write_processes()
+        self.write_fits()
+        self.write_estimate()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(self.text))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--fuga", default=os.path.join(TOP, "build/fuga"))
+    parser.add_argument("--output", default=os.path.join(TOP, "doc"))
+    parser.add_argument("--from-measurements", action="store_true", help="write the page from scaling.json")
+    parser.add_argument("--missing", action="store_true", help="measure what scaling.json lacks, then write the page")
+    options = parser.parse_args()
+    store = os.path.join(options.output, "scaling.json")
+    data = {"rows": []}
+    if options.from_measurements or options.missing:
+        with open(store, encoding="utf-8") as file:
+            data = json.load(file)
+    known = {(row["problem"], row["solver"], row["n"], row["processes"]) for row in data["rows"]}
+    if not options.from_measurements:
+        data["machine"] = f"{os.cpu_count()} cores, Linux {platform.release().split('-')[0]}"
+        with tempfile.TemporaryDirectory() as folder:
+            for run in RUNS:
+                if run in known:
+                    continue
+                row = measure(os.path.abspath(options.fuga), *run, folder)
+                data["rows"].append(row)
+                print(f"{run}: {row['seconds']:.1f} s, {row['megabytes']:.0f} MB", flush=True)
+                with open(store, "w", encoding="utf-8") as file:
+                    json.dump(data, file, indent=1)
+    Page(data).write(os.path.join(options.output, "scaling.md"))
+
+
+if __name__ == "__main__":
+    main()

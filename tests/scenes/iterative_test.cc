@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// Bodies eliminated by conjugate gradients with multigrid against the direct solver: another
+// algorithm for the same equations, so everything agrees but for the tolerance.
+
+#include "scene_run.h"
+
+#include <gtest/gtest.h>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  SceneRun
+  run_with(const std::string &solver, const std::string &scene, std::vector<std::string> overrides)
+  {
+    overrides.push_back("Solver/Bodies=" + solver);
+    return run_scene(scene, overrides);
+  }
+
+  // Columns of S have residuals of 1e-11, which the path passes on with a factor of ten or so.
+  void
+  expect_same_path(const SceneRun &a, const SceneRun &b)
+  {
+    EXPECT_EQ(a.exit_code, b.exit_code);
+    EXPECT_EQ(a.summary.at("work").at("bodies").at("solver"), "direct");
+    EXPECT_EQ(b.summary.at("work").at("bodies").at("solver"), "iterative");
+    EXPECT_LE(b.certificate(), 1e-9);
+    ASSERT_EQ(a.events.rows.size(), b.events.rows.size());
+    for (std::size_t i = 0; i < a.events.rows.size(); ++i)
+      {
+        EXPECT_NEAR(a.events.number(i, "t"), b.events.number(i, "t"), 1e-9) << i;
+        for (const char *column : {"element", "from", "to"})
+          EXPECT_EQ(a.events.text(i, column), b.events.text(i, column)) << i;
+      }
+    ASSERT_EQ(a.history.rows.size(), b.history.rows.size());
+    for (const char *column : {"N", "T1", "gap", "jump_t1"})
+      {
+        Vector left, right;
+        for (std::size_t i = 0; i < a.history.rows.size(); ++i)
+          {
+            left.push_back(a.history.number(i, column));
+            right.push_back(b.history.number(i, column));
+          }
+        EXPECT_LE(deviation(right, left), 1e-9) << column;
+      }
+  }
+} // namespace
+
+// 30 events in the plane; two stages; every field with its certificate.
+TEST(Iterative, SameEventsInThePlane)
+{
+  expect_same_path(run_with("direct", "scene_g_f06.prm", {}),
+                   run_with("iterative", "scene_g_f06.prm", {}));
+}
+
+// Arch and abutments: bodies that only their rigid or soft joints hold, one after the other.
+TEST(Iterative, SameEventsOfFloatingBodies)
+{
+  expect_same_path(run_with("direct", "arch.prm", {}), run_with("iterative", "arch.prm", {}));
+}
+
+// Hexahedra, circular cones, water in the joint.
+TEST(Iterative, LargeSameEventsInSpace)
+{
+  expect_same_path(run_with("direct", "dam_block_3d.prm", {}),
+                   run_with("iterative", "dam_block_3d.prm", {}));
+}
+
+// Quadratic elements on a locally refined mesh: hanging nodes.
+TEST(Iterative, SameContactOnHangingNodes)
+{
+  const std::vector<std::string> few = {"Target accuracy/Largest number of rounds=2"};
+  const SceneRun direct              = run_with("direct", "punch_adaptive.prm", few);
+  const SceneRun iterative           = run_with("iterative", "punch_adaptive.prm", few);
+  EXPECT_EQ(direct.summary.at("sizes"), iterative.summary.at("sizes"));
+  EXPECT_LE(iterative.certificate(), 1e-9);
+  EXPECT_LE(deviation(iterative.values("N", 1.), direct.values("N", 1.)), 1e-9);
+}
+
+// Without the stiffness of the interface: the state at the ends of monotone stages is that to which
+// the events lead, in the plane (30 events) and on cones in space.
+TEST(Iterative, MatrixFreeStageEnds)
+{
+  const SceneRun events = run_with("direct", "scene_g_f06.prm", {"Stages/water/Levels=1"});
+  const SceneRun steps  = run_with("iterative matrix-free",
+                                  "scene_g_f06.prm",
+                                  {"Stages/water/Levels=1", "Solver/Follow=stage ends"});
+  EXPECT_EQ(steps.exit_code, 0);
+  EXPECT_EQ(steps.summary.at("work").at("bodies").at("solver"), "iterative matrix-free");
+  EXPECT_EQ(steps.summary.at("events").at("implicit_steps"), 2);
+  EXPECT_LE(steps.certificate(), 1e-9);
+  EXPECT_EQ(steps.states(2.), events.states(2.));
+  EXPECT_LE(deviation(steps.values("N", 2.), events.values("N", 2.)), 1e-9);
+  EXPECT_LE(deviation(steps.values("T1", 2.), events.values("T1", 2.)), 1e-9);
+}
+
+// On cones the slips turn while the load grows, and a step takes their last direction: the scheme
+// is that of the events, forces are close (every step less is an error of first order in a slip of
+// a few elements), and all conditions hold to the bound of the certificate.
+TEST(Iterative, LargeMatrixFreeStageEndsInSpace)
+{
+  std::vector<std::string> settings = {"Stages/reservoir/Levels=1", "Solver/Load knots=1"};
+  const SceneRun events             = run_with("direct", "dam_block_3d.prm", settings);
+  settings.push_back("Solver/Follow=stage ends");
+  const SceneRun steps = run_with("iterative matrix-free", "dam_block_3d.prm", settings);
+  EXPECT_EQ(steps.exit_code, 0);
+  EXPECT_LE(steps.certificate(), 1e-9);
+  EXPECT_EQ(steps.states(2.), events.states(2.));
+  EXPECT_LE(deviation(steps.values("N", 2.), events.values("N", 2.)), 1e-5);
+  EXPECT_LE(deviation(steps.values("T1", 2.), events.values("T1", 2.)), 1e-4);
+}
+
+TEST(Iterative, MatrixFreeRefusesWhatNeedsTheStiffness)
+{
+  const ProgramRun run = run_program(
+    {parameter_path("scene_g_f06.prm"), "--check", "--set", "Solver/Bodies=iterative matrix-free"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("Follow = events"), std::string::npos) << run.err;
+}
