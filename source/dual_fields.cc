@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/dual_fields.h>
+#include <fuga/joint_model.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -14,16 +15,6 @@ namespace fuga
   namespace
   {
     using Quantity = AccuracyTarget::Quantity;
-
-    template <int dim>
-    dealii::Point<dim>
-    place(const ContactElement &element)
-    {
-      dealii::Point<dim> point;
-      for (unsigned int c = 0; c < dim; ++c)
-        point[c] = element.position[c];
-      return point;
-    }
 
     /** Jump of the bars of a joint whose work is N, T or M (as 0, 1, 2), if the joint is straight.
      */
@@ -57,7 +48,6 @@ namespace fuga
     }
   } // namespace
 
-
   template <int dim>
   std::vector<bool>
   counting_elements(const Model<dim> &model)
@@ -69,26 +59,15 @@ namespace fuga
     std::vector<bool> counts;
     for (const ContactElement &element : model.bodies.elements())
       counts.push_back(std::count(target.items.begin(), target.items.end(), element.joint) > 0 &&
-                       where.value(place<dim>(element), 0) != 0.);
+                       where.value(place_of<dim>(element), 0) != 0.);
     return counts;
   }
-
 
   namespace
   {
     /** Stiffness of a bar without compliance, and of what nothing holds, relative to that of the
      * bodies: near enough to rigid and to free for a field that only weighs. */
     constexpr double nearly_rigid = 1e4, nearly_free = 1e-6;
-
-    double
-    largest_diagonal(const DenseMatrix &S)
-    {
-      double largest = 0.;
-      for (std::size_t i = 0; i < S.n_rows(); ++i)
-        largest = std::max(largest, S(i, i));
-      return largest;
-    }
-
 
     /** The stiffness of the bars in the states of a level: none if they are open, or slip. */
     template <int dim>
@@ -111,7 +90,6 @@ namespace fuga
       return result;
     }
 
-
     /** Adds Bᵀ C B. */
     void
     add_bars(const DenseMatrix &B, const Vector &C, DenseMatrix &K)
@@ -128,7 +106,6 @@ namespace fuga
           for (std::size_t i = 0; i < K.n_rows(); ++i)
             K(i, j) += added(i, j);
     }
-
 
     /** What moves a dual field: a force on nodes, or the jump of bars. */
     struct Cause
@@ -165,7 +142,6 @@ namespace fuga
       return result;
     }
   } // namespace
-
 
   // (S + Bᵀ C B) x = f + Bᵀ C w, with the condensed force f, the jump w and the stiffness C of the
   // bars.
@@ -208,7 +184,6 @@ namespace fuga
       fields.push_back(bodies.bonded_field(all[c].force, Vector(x.column(c), x.column(c) + n)));
     return fields;
   }
-
 
   template std::vector<bool>
   counting_elements(const Model<2> &);

@@ -41,16 +41,6 @@ namespace fuga
     }
 
     template <int dim>
-    dealii::Point<dim>
-    place_of(const ContactElement &element)
-    {
-      dealii::Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = element.position[d];
-      return point;
-    }
-
-    template <int dim>
     double
     initial_gap(const FieldExpression<dim> &expression,
                 const ContactElement &element,
@@ -137,9 +127,7 @@ namespace fuga
     {
       if (system.jump_operator().empty())
         return;
-      double stiffness = 0.;
-      for (std::size_t i = 0; i < system.stiffness().n_rows(); ++i)
-        stiffness = std::max(stiffness, system.stiffness()(i, i));
+      const double stiffness = largest_diagonal(system.stiffness());
       const std::vector<bool> repeated =
         find_repeated(system.jump_operator(), model.elements, stiffness);
       for (ContactElement &element : model.elements)

@@ -4,6 +4,8 @@
 #ifndef fuga_joint_model_h
 #define fuga_joint_model_h
 
+#include <deal.II/base/point.h>
+
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/io/parameters.h>
@@ -37,6 +39,16 @@ namespace fuga
   make_joint_model(const CondensedSystem<dim> &bodies,
                    const std::vector<JointParameters> &joints,
                    const std::map<std::string, double> &constants);
+
+  template <int dim>
+  dealii::Point<dim>
+  place_of(const ContactElement &element)
+  {
+    dealii::Point<dim> point;
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = element.position[d];
+    return point;
+  }
 
   /** @throws InputError if a joint has a negative initial gap at one of its elements. */
   template <int dim>

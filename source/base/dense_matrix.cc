@@ -100,6 +100,15 @@ namespace fuga
     return largest;
   }
 
+  double
+  largest_diagonal(const DenseMatrix &A)
+  {
+    double largest = 0.;
+    for (std::size_t i = 0; i < A.n_rows(); ++i)
+      largest = std::max(largest, A(i, i));
+    return largest;
+  }
+
   bool
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B)
   {
@@ -227,5 +236,20 @@ namespace fuga
       for (std::size_t i = 0; i < factors.n_rows(); ++i)
         factors(i, j) *= column_scale[i] * row_scale[j];
     return std::move(factors);
+  }
+
+  Vector
+  null_vector(DenseMatrix &&shifted)
+  {
+    Vector x(shifted.n_rows(), 1.);
+    const LuFactors factors(std::move(shifted));
+    for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)
+      {
+        factors.solve(x);
+        const double largest = max_abs(x);
+        for (double &value : x)
+          value /= largest;
+      }
+    return x;
   }
 } // namespace fuga

@@ -58,22 +58,14 @@ namespace fuga
     jump_weights(const std::vector<ContactElement> &elements, const DenseMatrix &S)
     {
       constexpr double smallest = 1e-4;
-      double stiffness          = 0.;
-      for (std::size_t i = 0; i < S.n_rows(); ++i)
-        stiffness = std::max(stiffness, S(i, i));
+      const double stiffness    = largest_diagonal(S);
       Vector weights;
-      const auto add = [&](const ComplianceLaw &law, const double area, const std::size_t bar) {
-        weights.resize(std::max(weights.size(), bar + 1), 1.);
-        weights[bar] = std::max(smallest, 1. / (1. + stiffness * law.initial_compliance() / area));
-      };
       for (const ContactElement &element : elements)
-        {
-          add(*element.normal_law, element.area, element.normal_bar);
-          if (element.has_tangential_bar())
-            add(*element.shear_law, element.area, element.tangential_bar);
-          if (element.has_second_tangential_bar())
-            add(*element.shear_law, element.area, element.second_tangential_bar);
-        }
+        element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+          weights.resize(std::max<std::size_t>(weights.size(), bar + 1), 1.);
+          weights[bar] =
+            std::max(smallest, 1. / (1. + stiffness * law.initial_compliance() / element.area));
+        });
       return weights;
     }
 
@@ -151,18 +143,11 @@ namespace fuga
   Vector
   Judge::jumps(const Vector &dislocations, const Vector &forces) const
   {
-    Vector result  = dislocations;
-    const auto add = [&](const ComplianceLaw &law, const double area, const std::size_t bar) {
-      result[bar] += law.initial_compliance() / area * forces[bar];
-    };
+    Vector result = dislocations;
     for (const ContactElement &element : elements)
-      {
-        add(*element.normal_law, element.area, element.normal_bar);
-        if (element.has_tangential_bar())
-          add(*element.shear_law, element.area, element.tangential_bar);
-        if (element.has_second_tangential_bar())
-          add(*element.shear_law, element.area, element.second_tangential_bar);
-      }
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        result[bar] += law.initial_compliance() / element.area * forces[bar];
+      });
     return result;
   }
 
@@ -220,79 +205,6 @@ namespace fuga
       loads[i] += on_coordinates[i];
   }
 
-  // The loads are linear along a piece and the jumps are cubics (exact for straight pieces), so
-  // ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
-  void
-  Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
-  {
-    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces), from.state.t);
-    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), to.state.t);
-    // Imposed jumps have one rate along the piece, which the difference of both rates does not
-    // know.
-    const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
-    const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
-    Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
-    add_water(from.state, f0);
-    add_water(to.state, f1);
-    for (std::size_t i = 0; i < system.carried_load().size(); ++i)
-      {
-        f0[i] -= system.carried_load()[i];
-        f1[i] -= system.carried_load()[i];
-      }
-    for (std::size_t i = 0; i < x0.size(); ++i)
-      {
-        const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
-        ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
-      }
-    add_work_of_imposed_jumps(from, to, length);
-    check_slip(from, to, length);
-  }
-
-  // ∫p·E da: what the forces of the bars do when the lips are put apart, or are taken off.
-  void
-  Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
-  {
-    const DenseMatrix &E = system.imposed_jumps();
-    if (E.empty())
-      return;
-    const Vector e0 = multiply(E, history.factors(from.state.t)),
-                 e1 = multiply(E, history.factors(to.state.t));
-    for (std::size_t i = 0; i < e0.size(); ++i)
-      ledger.external_work +=
-        (e1[i] - e0[i]) * (0.5 * (from.state.forces[i] + to.state.forces[i]) +
-                           length / 12. * (from.rates.forces[i] - to.rates.forces[i]));
-  }
-
-  void
-  Judge::lose_track()
-  {
-    on_track             = false;
-    ledger.external_work = ledger.dissipation = std::numeric_limits<double>::quiet_NaN();
-    element_dissipation.assign(elements.size(), std::numeric_limits<double>::quiet_NaN());
-  }
-
-  double
-  Judge::energy_of_bodies(const Vector &x, const Vector &elastic) const
-  {
-    double energy = energy_of_bodies_before + 0.5 * dot(x, elastic);
-    if (!system.carried_load().empty())
-      energy -= dot(x, system.carried_load());
-    return energy;
-  }
-
-  // The energy of layers that are removed with their bodies is taken out from outside.
-  void
-  Judge::begin_phase(const JudgeMemory &memory, const JointState &state)
-  {
-    restore(memory);
-    ledger.external_work -= ledger.layer;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      ledger.external_work += stored_energy(k, state);
-    const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
-    energy_of_bodies_before = 0.;
-    energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system.stiffness(), x));
-  }
-
   // A body that a soft joint holds moves by far more than it deforms: what of x is rigid motion is
   // taken out, for its resistance is nothing but the rounding of S.
   Vector
@@ -302,8 +214,7 @@ namespace fuga
       return system.resistance(x);
     if (rigid_motions.empty())
       return multiply(system.stiffness(), x);
-    const Accurate result =
-      rigid_motions.resistance(system.stiffness(), Accurate(x.begin(), x.end()));
+    const Accurate result = rigid_motions.resistance(system.stiffness(), accurate(x));
     return {result.begin(), result.end()};
   }
 

@@ -13,16 +13,6 @@ namespace fuga
   {
     constexpr double never = std::numeric_limits<double>::infinity();
 
-    /** Where a reserve is used up. At zero a rate of the size of the noise is none: the rate
-     * problem has taken it for zero as well. */
-    double
-    root(const double value, const double rate, const double tolerance, const double noise)
-    {
-      if (rate >= 0. || (value <= tolerance && rate >= -std::max(tolerance, noise)))
-        return never;
-      return std::max(0., -value / rate);
-    }
-
     /** The smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c > 0. */
     double
     descending_root(const double a, const double b, const double c)
@@ -107,9 +97,10 @@ namespace fuga
     const ContactElement &element = elements[k];
     const std::size_t n           = element.normal_bar;
     if (state.states[k] == ContactState::open)
-      return root(gap(element, state, k), rates.dislocations[n], gap_tolerance(), noise.jump());
+      return used_up_after({gap(element, state, k), rates.dislocations[n], gap_tolerance()},
+                           noise.jump());
     const double nearest =
-      root(-state.forces[n], -rates.forces[n], force_tolerance(n), noise.force(n));
+      used_up_after({-state.forces[n], -rates.forces[n], force_tolerance(n)}, noise.force(n));
     if (state.states[k] != ContactState::stick || !has_friction(element))
       return nearest;
 
@@ -139,7 +130,7 @@ namespace fuga
     return nearest;
   }
 
-  std::vector<ConeBoundary::Reserve>
+  std::vector<Reserve>
   ConeBoundary::reserves(const JointState &state, const JointRates &rates) const
   {
     std::vector<Reserve> result;

@@ -111,16 +111,7 @@ namespace fuga
       {
         for (std::size_t j = 0; j < n; ++j)
           copy(j, j) += smallest_condition;
-        const LuFactors shifted(std::move(copy));
-        Vector null(n, 1.);
-        for (int step = 0; step < 3 && shifted.reciprocal_condition() > 0.; ++step)
-          {
-            shifted.solve(null);
-            const double largest = max_abs(null);
-            for (double &value : null)
-              value /= largest;
-          }
-        take(null, free_motion);
+        take(null_vector(std::move(copy)), free_motion);
         return false;
       }
     factors.solve(x);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/blas.h>
 #include <fuga/base/errors.h>
 #include <fuga/contact/cone_segment.h>
 #include <fuga/contact/joint_water.h>
@@ -45,21 +44,8 @@ namespace fuga
       for (const std::size_t bar : context.released.released_bars())
         dislocations[bar] = 0.;
       for (const SlippingElement &slip : slipping)
-        {
-          set_tangential(context.elements[slip.element], {{0., 0.}}, dislocations);
-        }
+        set_tangential(context.elements[slip.element], {{0., 0.}}, dislocations);
       return dislocations;
-    }
-
-    /** r - W d, d the dislocations or their rates. */
-    Vector
-    forces_with(const LayeredSystem &system, const Vector &reactions, const Vector &dislocations)
-    {
-      Vector forces = reactions;
-      for (std::size_t j = 0; j < dislocations.size(); ++j)
-        if (dislocations[j] != 0.)
-          blas::axpy(forces.size(), -dislocations[j], system.stiffness().column(j), forces.data());
-      return forces;
     }
   } // namespace
 
@@ -220,7 +206,8 @@ namespace fuga
     const Vector reactions =
       context.system.forces(factors, Vector(state.dislocations.size(), 0.), state.water);
     context.released.complete(reactions, state.dislocations);
-    state.forces = forces_with(context.system, reactions, state.dislocations);
+    state.forces = reactions;
+    context.system.subtract_response(state.dislocations, state.forces);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (context.elements[k].has_tangential_bar())
         state.slips[k] = state.dislocations[context.elements[k].tangential_bar];
@@ -239,7 +226,8 @@ namespace fuga
                        station.slip_rates[i] * station.stage.directions[i][1]}},
                      rates.dislocations);
     context.released.complete(course.drive.reactions, rates.dislocations);
-    rates.forces     = forces_with(context.system, course.drive.reactions, rates.dislocations);
+    rates.forces = course.drive.reactions;
+    context.system.subtract_response(rates.dislocations, rates.forces);
     station.reserves = context.boundary.reserves(station.point.state, station.point.rates);
     return true;
   }

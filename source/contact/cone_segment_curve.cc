@@ -18,10 +18,7 @@ namespace fuga
     constexpr double shortest_step = 1e-13;
     /** Rate of slip, relative to the largest rate of dislocation, that is none. */
     constexpr double no_slip_rate = 1e-10;
-  } // namespace
 
-  namespace
-  {
     /** First guess for stage number @p k: the parabola through the three stages before, or less. */
     void
     predict(const std::size_t k,
@@ -249,7 +246,7 @@ namespace fuga
     double first          = none;
     for (std::size_t i = 0; i < a.reserves.size(); ++i)
       {
-        const ConeBoundary::Reserve &before = a.reserves[i], &after = b.reserves[i];
+        const Reserve &before = a.reserves[i], &after = b.reserves[i];
         // What was on its boundary at the beginning has been left there by the rates.
         const bool leaving = before.value <= before.tolerance;
         const double value = std::max(0., before.value);
@@ -275,7 +272,7 @@ namespace fuga
   bool
   ConeSegment::is_passed(const Station &station) const
   {
-    for (const ConeBoundary::Reserve &reserve : station.reserves)
+    for (const Reserve &reserve : station.reserves)
       if (reserve.value < -reserve.tolerance)
         return true;
     for (const double rate : station.slip_rates)
@@ -287,7 +284,7 @@ namespace fuga
   bool
   ConeSegment::is_reached(const Station &station) const
   {
-    for (const ConeBoundary::Reserve &reserve : station.reserves)
+    for (const Reserve &reserve : station.reserves)
       if (reserve.value <= reserve.tolerance && reserve.rate < 0.)
         return true;
     for (std::size_t i = 0; i < slipping.size(); ++i)

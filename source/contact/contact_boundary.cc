@@ -17,17 +17,16 @@ namespace fuga
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
     constexpr double never          = std::numeric_limits<double>::infinity();
-
-    /** Where a function that is φ now and changes at the rate φ' reaches zero from above. At zero a
-     * rate of the size of the noise is none: the rate problem has taken it for zero as well. */
-    double
-    root(const double value, const double rate, const double tolerance, const double noise)
-    {
-      if (rate >= 0. || (value <= tolerance && rate >= -std::max(tolerance, noise)))
-        return never;
-      return std::max(0., -value / rate);
-    }
   } // namespace
+
+  double
+  used_up_after(const Reserve &reserve, const double noise)
+  {
+    if (reserve.rate >= 0. ||
+        (reserve.value <= reserve.tolerance && reserve.rate >= -std::max(reserve.tolerance, noise)))
+      return never;
+    return std::max(0., -reserve.value / reserve.rate);
+  }
 
   ContactBoundary::ContactBoundary(const std::vector<ContactElement> &contact_elements,
                                    const LayeredSystem &layered_system)
@@ -113,19 +112,19 @@ namespace fuga
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return root(gap(element, state, k), rates.dislocations[n], zero_gap, noise.jump());
+      return used_up_after({gap(element, state, k), rates.dislocations[n], zero_gap}, noise.jump());
 
     const Strength &strength_left = state.strengths[k];
-    double nearest                = root(strength_left.tension - state.forces[n],
-                          tensile_strength_rate(element, drive) - rates.forces[n],
-                          force_tolerances[n],
-                          noise.force(n));
+    double nearest                = used_up_after({strength_left.tension - state.forces[n],
+                                                   tensile_strength_rate(element, drive) - rates.forces[n],
+                                                   force_tolerances[n]},
+                                   noise.force(n));
     if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
-      nearest =
-        std::min(nearest,
-                 root(element.friction.dilation_limit - state.dilations[k],
-                      -strength_left.dilatancy * std::abs(slip_rate(element, state, k, rates)),
-                      zero_gap,
+      nearest = std::min(
+        nearest,
+        used_up_after({element.friction.dilation_limit - state.dilations[k],
+                       -strength_left.dilatancy * std::abs(slip_rate(element, state, k, rates)),
+                       zero_gap},
                       strength_left.dilatancy * noise.jump()));
     if (state.states[k] == ContactState::stick && element.has_tangential_bar())
       for (const double sign : {1., -1.})
@@ -133,12 +132,13 @@ namespace fuga
           const double f         = strength_left.friction;
           const double strength  = shear_strength(element, state, k);
           const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
-          nearest                = std::min(nearest,
-                             root(strength - sign * state.forces[t],
-                                  -f * rates.forces[n] + shear_strength_rate(element, drive) -
-                                    sign * rates.forces[t],
-                                  tolerance,
-                                  noise.force(t) + f * noise.force(n)));
+          nearest =
+            std::min(nearest,
+                     used_up_after({strength - sign * state.forces[t],
+                                    -f * rates.forces[n] + shear_strength_rate(element, drive) -
+                                      sign * rates.forces[t],
+                                    tolerance},
+                                   noise.force(t) + f * noise.force(n)));
         }
     return nearest;
   }

@@ -39,7 +39,7 @@ namespace fuga
           }
         const Vector unreleased = state.unreleased;
         const auto states       = state.states;
-        result.n_events += adopt_scheme(state, set, 1, observer);
+        adopt_scheme(state, set, 1, observer, result);
         if (state.unreleased != unreleased)
           continue;
         if (water_has_changed(elements, system, states, state))

@@ -27,7 +27,7 @@ namespace fuga
       return continuation;
     ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
 
-    result.n_events += adopt_scheme(state, set, continuation.n_branches, observer);
+    adopt_scheme(state, set, continuation.n_branches, observer, result);
     return continuation;
   }
 
@@ -43,12 +43,13 @@ namespace fuga
       }
   }
 
-  // Gives the boundary elements the states of the working scheme. Returns the number of changes.
-  std::size_t
+  // Gives the boundary elements the states of the working scheme.
+  void
   EventPath::adopt_scheme(JointState &state,
                           const std::vector<BoundaryElement> &set,
                           const std::size_t n_branches,
-                          PathObserver &observer) const
+                          PathObserver &observer,
+                          PathResult &result) const
   {
     std::vector<ContactEvent> events;
     for (const BoundaryElement &candidate : set)
@@ -56,15 +57,11 @@ namespace fuga
         const std::size_t k = candidate.element;
         if (state.states[k] == scheme.state(k))
           continue;
-        events.push_back({state.t, k, state.states[k], scheme.state(k), n_branches});
-        const double no_force = boundary.force_tolerance(elements[k].normal_bar);
-        change_state(elements[k], k, scheme.state(k), no_force, state);
-        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
-        events.back().to = state.states[k];
+        events.push_back(change_element(
+          k, scheme.state(k), boundary.force_tolerance(elements[k].normal_bar), state));
+        events.back().n_branches = n_branches;
       }
-    if (!events.empty())
-      observer.changed(events, state);
-    return events.size();
+    report(events, state, observer, result);
   }
 
   // A bond at the end of its strength that allows no continuation, neither kept nor lost by
@@ -89,9 +86,7 @@ namespace fuga
         if (state.states[k] != from)
           events.push_back({state.t, k, from, state.states[k]});
       }
-    result.n_events += events.size();
-    if (!events.empty())
-      observer.changed(events, state);
+    report(events, state, observer, result);
     return any;
   }
 } // namespace fuga

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/contact/change_of_state.h>
 #include <fuga/contact/event_path.h>
-#include <fuga/contact/joint_water.h>
-#include <fuga/contact/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,17 +105,6 @@ namespace fuga
     critical.determinant_signs = {scheme.determinant_sign()};
   }
 
-  // The curve of a scheme ends where its matrix becomes singular; what it moved along is the
-  // mechanism.
-  void
-  EventPath::take_limit(const JointState &state, const JointRates &motion, PathResult &result) const
-  {
-    result.t               = state.t;
-    result.verdict         = Verdict::limit_load;
-    result.mechanism_jumps = mechanism_jumps(motion, system);
-    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
-  }
-
   void
   EventPath::lose_equilibrium(JointState &state,
                               const Continuation &continuation,
@@ -134,9 +120,7 @@ namespace fuga
         find_critical_elements(state, result);
         return;
       }
-    result.verdict         = Verdict::limit_load;
-    result.mechanism_jumps = mechanism_jumps(continuation.mechanism, system);
-    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+    take_limit(state, continuation.mechanism, result);
 
     // The elements that reach their boundary at the limit take the state in which the mechanism
     // moves.
@@ -145,17 +129,11 @@ namespace fuga
       {
         const std::size_t k = candidate.element;
         const ContactState to =
-          state_in_mechanism(candidate, state.states[k], elements[k], result.mechanism_jumps);
-        if (to == state.states[k])
-          continue;
-        events.push_back({state.t, k, state.states[k], to});
-        const double no_force = boundary.force_tolerance(elements[k].normal_bar);
-        change_state(elements[k], k, to, no_force, state);
-        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
-        events.back().to = state.states[k];
+          state_in_mechanism(candidate, elements[k], state, result.mechanism_jumps);
+        if (to != state.states[k])
+          events.push_back(
+            change_element(k, to, boundary.force_tolerance(elements[k].normal_bar), state));
       }
-    result.n_events += events.size();
-    if (!events.empty())
-      observer.changed(events, state);
+    report(events, state, observer, result);
   }
 } // namespace fuga

@@ -4,52 +4,10 @@
 #include <fuga/base/blas.h>
 #include <fuga/contact/layered_system.h>
 
-#include <algorithm>
-#include <vector>
-
 namespace fuga
 {
   namespace
   {
-    /** y += sign A x. */
-    void
-    add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y)
-    {
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        if (const long double amount = sign * x[j]; amount != 0.L)
-          for (std::size_t i = 0; i < A.n_rows(); ++i)
-            y[i] += amount * A(i, j);
-    }
-
-    /** y += sign Aᵀ x. */
-    void
-    add_transposed_product(const long double sign,
-                           const DenseMatrix &A,
-                           const Accurate &x,
-                           Accurate &y)
-    {
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        {
-          long double sum = 0.L;
-          for (std::size_t i = 0; i < A.n_rows(); ++i)
-            sum += A(i, j) * x[i];
-          y[j] += sign * sum;
-        }
-    }
-
-    void
-    subtract(const Accurate &x, Accurate &y)
-    {
-      for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] -= x[i];
-    }
-
-    Accurate
-    accurate(const Vector &x)
-    {
-      return {x.begin(), x.end()};
-    }
-
     constexpr int n_sweeps = 2;
   } // namespace
 
@@ -59,13 +17,7 @@ namespace fuga
   LayeredSystem::has_soft_joint() const
   {
     constexpr double soft = 1e4;
-    const DenseMatrix &S  = bodies.stiffness();
-    double stiffest = 0., softest = 0.;
-    for (std::size_t i = 0; i < S.n_rows(); ++i)
-      stiffest = std::max(stiffest, S(i, i));
-    for (const double compliance : compliances)
-      softest = std::max(softest, compliance);
-    return stiffest * softest > soft;
+    return largest_diagonal(bodies.stiffness()) * max_abs(compliances) > soft;
   }
 
   // F a; on rigid motions the resultants of the loads, free of the rounding of the condensation.
@@ -79,16 +31,13 @@ namespace fuga
     return loads;
   }
 
-  // Bars without dislocation cost nothing: on most paths these are the majority.
   Vector
   LayeredSystem::forces(const Vector &factors,
                         const Vector &dislocations,
                         const Vector &water) const
   {
     Vector p = multiply(R, factors);
-    for (std::size_t j = 0; j < n_bars(); ++j)
-      if (dislocations[j] != 0.)
-        blas::axpy(n_bars(), -dislocations[j], W.column(j), p.data());
+    subtract_response(dislocations, p);
     add_water(water, p);
     if (saddle_factors)
       refine_with_jump_operator(factors, dislocations, water, p);
@@ -118,7 +67,7 @@ namespace fuga
             jumps[i] += static_cast<long double>(compliances[i]) * forces[i];
             residual[i] -= forces[i];
           }
-        subtract(rigid_motions->resistance(bodies.stiffness(), jumps), residual);
+        add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), jumps), residual);
         for (std::size_t j = 0; j < n_bars(); ++j)
           {
             const double change = static_cast<double>(residual[j]);
@@ -149,7 +98,7 @@ namespace fuga
     for (int sweep = 0; sweep <= n_sweeps; ++sweep)
       {
         Accurate force_defect = upper, jump_defect = lower;
-        subtract(rigid_motions->resistance(bodies.stiffness(), x), force_defect);
+        add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), x), force_defect);
         add_transposed_product(-1.L, B, p, force_defect);
         add_product(-1.L, B, x, jump_defect);
         Vector change(n_x + n_p);

@@ -55,6 +55,7 @@ namespace fuga
         for (std::size_t i = 0; i < R.n_rows(); ++i)
           R(i, j) -= change(i, W.n_columns() + j);
     }
+
     /** A X = B, with residuals in extended precision where soft bars beside stiff ones would
      * otherwise cost the soft ones their digits. */
     void
@@ -66,7 +67,7 @@ namespace fuga
       factors.solve(B);
       if (factors.reciprocal_condition() > harmless_condition)
         return;
-      std::vector<long double> residual(n);
+      Accurate residual(n);
       DenseMatrix change(n, B.n_columns());
       for (int sweep = 0; sweep < 3; ++sweep)
         {
@@ -74,9 +75,7 @@ namespace fuga
             {
               std::copy_n(rhs.column(column), n, residual.begin());
               for (std::size_t j = 0; j < n; ++j)
-                if (const long double x = B(j, column); x != 0.L)
-                  for (std::size_t i = 0; i < n; ++i)
-                    residual[i] -= x * A(i, j);
+                add_scaled(n, -B(j, column), A.column(j), residual.data());
               std::copy(residual.begin(), residual.end(), change.column(column));
             }
           factors.solve(change);
@@ -102,14 +101,9 @@ namespace fuga
       n_bars += element.n_bars();
     compliances.assign(n_bars, 0.);
     for (const ContactElement &element : elements)
-      {
-        compliances.at(element.normal_bar) = bar_compliance(*element.normal_law, element.area);
-        if (element.has_tangential_bar())
-          compliances.at(element.tangential_bar) = bar_compliance(*element.shear_law, element.area);
-        if (element.has_second_tangential_bar())
-          compliances.at(element.second_tangential_bar) =
-            bar_compliance(*element.shear_law, element.area);
-      }
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        compliances.at(bar) = bar_compliance(law, element.area);
+      });
     if (!system.has_stiffness())
       return; // forces are found otherwise
     if (system.jump_operator().empty())
@@ -117,8 +111,7 @@ namespace fuga
     else
       eliminate_with_jump_operator(system);
     symmetrise(W);
-    for (std::size_t i = 0; i < compliances.size(); ++i)
-      largest = std::max(largest, W(i, i));
+    largest = largest_diagonal(W);
     // A jump that nothing resists has no stiffness of its own to be measured by.
     const double smallest = largest > 0. ? 1e-14 * largest : 1.;
     for (std::size_t i = 0; i < compliances.size(); ++i)
@@ -189,9 +182,7 @@ namespace fuga
     const DenseMatrix &F  = system.load_patterns();
     const std::size_t n_x = S.n_rows(), n_p = n_bars();
 
-    double scale = 0.;
-    for (std::size_t i = 0; i < n_x; ++i)
-      scale = std::max(scale, S(i, i));
+    double scale = largest_diagonal(S);
     if (scale == 0.)
       for (const double D : compliances)
         scale = std::max(scale, D > 0. ? 1. / D : 0.);
@@ -238,6 +229,15 @@ namespace fuga
         for (std::size_t j = 0; j < F.n_columns(); ++j)
           R(i, j) = rhs(n_x + i, n_p + j) * scale;
       }
+  }
+
+  // Bars without dislocation cost nothing: on most paths these are the majority.
+  void
+  LayeredSystem::subtract_response(const Vector &dislocations, Vector &forces) const
+  {
+    for (std::size_t j = 0; j < dislocations.size(); ++j)
+      if (dislocations[j] != 0.)
+        blas::axpy(n_bars(), -dislocations[j], W.column(j), forces.data());
   }
 
   double

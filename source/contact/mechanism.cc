@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/mechanism.h>
+#include <fuga/contact/tangent_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,18 +63,22 @@ namespace fuga
 
   ContactState
   state_in_mechanism(const BoundaryElement &candidate,
-                     const ContactState now,
                      const ContactElement &element,
+                     const JointState &state,
                      const Vector &jumps)
   {
+    const ContactState now = state.states[candidate.element];
     if (now == ContactState::open)
       return now;
     if (candidate.grazing && candidate.shear != ShearPosition::at_strength &&
         jumps[element.normal_bar] > no_jump)
       return ContactState::open;
-    if (candidate.shear == ShearPosition::at_strength && now == ContactState::stick &&
-        candidate.sign * jumps[element.tangential_bar] > no_jump)
-      return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
-    return now;
+    if (candidate.shear != ShearPosition::at_strength || now != ContactState::stick)
+      return now;
+    const TangentVector T = tangential(element, state.forces);
+    if (dot(T, tangential(element, jumps)) <= no_jump * length(T))
+      return now;
+    return element.has_second_tangential_bar() || T[0] > 0. ? ContactState::slip_forward
+                                                            : ContactState::slip_backward;
   }
 } // namespace fuga

@@ -181,11 +181,6 @@ namespace fuga
     result.load_rate = motion->load_rate;
     result.rates     = lcp->motion(motion->z);
     add(result.load_rate, lcp->stuck, result.rates);
-    double stiffness = 0.;
-    for (std::size_t i = 0; i < system.n_bars(); ++i)
-      {
-        stiffness = std::max(stiffness, system.stiffness()(i, i));
-      }
     const double size = max_abs(system.jumps(result.rates.dislocations, result.rates.forces));
     for (std::size_t i = 0; i < system.n_bars(); ++i)
       {
@@ -193,7 +188,8 @@ namespace fuga
         result.rates.dislocations[i] /= size;
       }
     result.load_rate /= size;
-    if (std::abs(result.load_rate) * max_abs(unit_load.reactions) <= no_load_rate * stiffness)
+    if (std::abs(result.load_rate) * max_abs(unit_load.reactions) <=
+        no_load_rate * system.largest_stiffness())
       result.load_rate = 0.;
     take_states(*lcp, set, motion->z);
     Drive drive = unit_load;

@@ -108,9 +108,7 @@ namespace fuga
     for (const std::size_t bar : bars)
       dislocations[bar] = 0.;
     Vector forces = reactions;
-    for (std::size_t j = 0; j < dislocations.size(); ++j)
-      if (dislocations[j] != 0.)
-        blas::axpy(forces.size(), -dislocations[j], W.column(j), forces.data());
+    system.subtract_response(dislocations, forces);
     // The second sweep refines: forces of open elements are differences of large terms.
     for (int sweep = 0; sweep < 2; ++sweep)
       {
@@ -126,7 +124,6 @@ namespace fuga
       }
   }
 
-  // Inverse iteration on the matrix shifted by rounding.
   JointRates
   ReleasedSystem::mechanism() const
   {
@@ -136,15 +133,7 @@ namespace fuga
     for (std::size_t j = 0; j < bars.size(); ++j)
       for (std::size_t i = 0; i < bars.size(); ++i)
         M(i, j) = W(bars[i], bars[j]) + (i == j ? epsilon * system.largest_stiffness() : 0.);
-    const LuFactors factors(std::move(M));
-    Vector x(bars.size(), 1.);
-    for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)
-      {
-        factors.solve(x);
-        const double largest = max_abs(x);
-        for (double &value : x)
-          value /= largest;
-      }
+    const Vector x = null_vector(std::move(M));
     JointRates result;
     result.dislocations.assign(system.n_bars(), 0.);
     result.forces.assign(system.n_bars(), 0.);

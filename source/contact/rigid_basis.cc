@@ -4,7 +4,6 @@
 #include <fuga/contact/rigid_basis.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace fuga
 {
@@ -12,19 +11,6 @@ namespace fuga
   {
     /** What is left of a motion, of size one, that is a combination of others. */
     constexpr long double dependent = 1e-9L;
-
-    long double
-    product(const Accurate &x, const Accurate &y)
-    {
-      return std::inner_product(x.begin(), x.end(), y.begin(), 0.L);
-    }
-
-    void
-    add(const long double amount, const Accurate &x, Accurate &y)
-    {
-      for (std::size_t i = 0; i < x.size(); ++i)
-        y[i] += amount * x[i];
-    }
 
     void
     scale(const long double amount, Accurate &x)
@@ -45,7 +31,7 @@ namespace fuga
         for (std::size_t j = 0; j < loads.n_columns(); ++j)
           motion.loads.push_back(loads(k, j));
         const auto normalise = [&motion](const long double smallest) {
-          const long double size = std::sqrt(product(motion.coordinates, motion.coordinates));
+          const long double size = std::sqrt(dot(motion.coordinates, motion.coordinates));
           if (size <= smallest)
             return false;
           scale(1.L / size, motion.coordinates);
@@ -57,9 +43,9 @@ namespace fuga
         for (int pass = 0; pass < 2; ++pass)
           for (const Motion &other : motions)
             {
-              const long double share = product(other.coordinates, motion.coordinates);
-              add(-share, other.coordinates, motion.coordinates);
-              add(-share, other.loads, motion.loads);
+              const long double share = dot(other.coordinates, motion.coordinates);
+              add_scaled(-share, other.coordinates, motion.coordinates);
+              add_scaled(-share, other.loads, motion.loads);
             }
         if (normalise(dependent))
           motions.push_back(std::move(motion));
@@ -70,14 +56,14 @@ namespace fuga
   RigidBasis::remove(Accurate &x) const
   {
     for (const Motion &motion : motions)
-      add(-product(motion.coordinates, x), motion.coordinates, x);
+      add_scaled(-dot(motion.coordinates, x), motion.coordinates, x);
   }
 
   void
   RigidBasis::correct_resultants(const Accurate &a, Accurate &f) const
   {
     for (const Motion &motion : motions)
-      add(product(motion.loads, a) - product(motion.coordinates, f), motion.coordinates, f);
+      add_scaled(dot(motion.loads, a) - dot(motion.coordinates, f), motion.coordinates, f);
   }
 
   Accurate
@@ -85,10 +71,7 @@ namespace fuga
   {
     Accurate deformation = x, result(S.n_rows(), 0.L);
     remove(deformation);
-    for (std::size_t j = 0; j < S.n_columns(); ++j)
-      if (const long double amount = deformation[j]; amount != 0.L)
-        for (std::size_t i = 0; i < S.n_rows(); ++i)
-          result[i] += amount * S(i, j);
+    add_product(1.L, S, deformation, result);
     remove(result);
     return result;
   }

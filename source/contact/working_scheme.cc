@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/accurate.h>
 #include <fuga/base/blas.h>
 #include <fuga/contact/working_scheme.h>
 
@@ -41,9 +42,7 @@ namespace fuga
              const double *column,
              long double *forces)
     {
-      if (amount != 0.L)
-        for (std::size_t i = 0; i < n; ++i)
-          forces[i] -= amount * column[i];
+      add_scaled(n, -amount, column, forces);
     }
   } // namespace
 
@@ -258,8 +257,6 @@ namespace fuga
     return solve(rhs, Vector(system.n_bars(), 0.));
   }
 
-  // Inverse iteration on the matrix, shifted by rounding: three steps suffice for a
-  // null vector that is only to be shown.
   JointRates
   WorkingScheme::mechanism() const
   {
@@ -268,15 +265,7 @@ namespace fuga
     for (std::size_t i = 0; i < rows.size(); ++i)
       M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
                                     epsilon * system.largest_stiffness());
-    const LuFactors factors(std::move(M));
-    Vector x(rows.size(), 1.);
-    for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)
-      {
-        factors.solve(x);
-        const double largest = max_abs(x);
-        for (double &value : x)
-          value /= largest;
-      }
+    const Vector x = null_vector(std::move(M));
     JointRates result;
     result.forces.assign(system.n_bars(), 0.);
     result.dislocations.assign(system.n_bars(), 0.);

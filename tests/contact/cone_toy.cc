@@ -28,16 +28,16 @@ namespace fuga::tests
       }
   }
 
-  ConeRun::ConeRun(const ContactSystem &system,
-                   const std::vector<ContactElement> &elements,
-                   const LoadHistory &history,
-                   const std::vector<double> &levels)
-    : record(system, elements, history)
+  void
+  expect_same_events(const std::vector<ContactEvent> &a, const std::vector<ContactEvent> &b)
   {
-    const LayeredSystem layered(system, elements);
-    ConePath path(elements, layered, history, PathOptions());
-    result     = path.run(levels, record);
-    iterations = path.iterations();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        EXPECT_NEAR(a[i].t, b[i].t, 1e-9) << "event " << i;
+        EXPECT_EQ(a[i].element, b[i].element) << "event " << i;
+        EXPECT_EQ(state_name(a[i].to), state_name(b[i].to)) << "event " << i;
+      }
   }
 
   DenseMatrix
@@ -56,6 +56,51 @@ namespace fuga::tests
         S(j, j) += 0.5;
       }
     return S;
+  }
+
+  DenseMatrix
+  random_loads(const std::size_t n_elements, std::mt19937 &generator)
+  {
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    DenseMatrix F(3 * n_elements, 3);
+    for (std::size_t k = 0; k < n_elements; ++k)
+      {
+        F(3 * k, 0) = -1. - 0.3 * uniform(generator);
+        for (std::size_t j = 1; j < 3; ++j)
+          for (std::size_t i = 0; i < 3; ++i)
+            F(3 * k + i, j) = uniform(generator) * (i == 0 ? 0.6 : 1.);
+      }
+    return F;
+  }
+
+  LoadHistory
+  roundabout()
+  {
+    return LoadHistory({0., 1., 2., 3., 4., 5.},
+                       {{0., 0., 0.},
+                        {1., 0., 0.},
+                        {1., 1.2, 0.},
+                        {0.9, 0.6, 1.3},
+                        {1.1, -1., 0.4},
+                        {1., 0.2, -1.2}});
+  }
+
+  double
+  largest_difference(const Vector &a, const Vector &b)
+  {
+    double result = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      result = std::max(result, std::abs(a[i] - b[i]));
+    return result;
+  }
+
+  ToySystem
+  random_bodies(const std::size_t n_elements, std::mt19937 &generator)
+  {
+    ToySystem system;
+    system.S = random_stiffness(3 * n_elements, generator);
+    system.F = random_loads(n_elements, generator);
+    return system;
   }
 
   // The update of one element with its own stiffness taken for a scalar (the trace of its block):

@@ -28,20 +28,50 @@ namespace fuga::tests
   };
 
   /** A path and all that it reported. */
-  struct ConeRun
+  template <typename Path>
+  struct PathRun
   {
     PathResult result;
     Record record;
     IterationCount iterations;
-    ConeRun(const ContactSystem &system,
+
+    PathRun(const ContactSystem &system,
             const std::vector<ContactElement> &elements,
             const LoadHistory &history,
-            const std::vector<double> &levels);
+            const std::vector<double> &levels)
+      : record(system, elements, history)
+    {
+      const LayeredSystem layered(system, elements);
+      Path path(elements, layered, history, PathOptions());
+      result     = path.run(levels, record);
+      iterations = path.iterations();
+    }
   };
+
+  using ConeRun = PathRun<ConePath>;
+
+  /** The same elements at the same loads, but for rounding. */
+  void
+  expect_same_events(const std::vector<ContactEvent> &a, const std::vector<ContactEvent> &b);
 
   /** A random symmetric positive definite matrix with a diagonal of the order of one. */
   DenseMatrix
   random_stiffness(const std::size_t n, std::mt19937 &generator);
+
+  /** Random forces on the jumps: pattern 0 presses, the others are arbitrary. */
+  DenseMatrix
+  random_loads(const std::size_t n_elements, std::mt19937 &generator);
+
+  /** Elastic bodies with both for elements with three bars. */
+  ToySystem
+  random_bodies(const std::size_t n_elements, std::mt19937 &generator);
+
+  /** Pressing, then round about with reversals. */
+  LoadHistory
+  roundabout();
+
+  double
+  largest_difference(const Vector &a, const Vector &b);
 
   /**
    * The contact problem at given loads after a step from given slips, by Gauss-Seidel sweeps from

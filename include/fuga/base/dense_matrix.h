@@ -109,6 +109,10 @@ namespace fuga
   double
   max_abs(const Vector &x);
 
+  /** The largest diagonal entry, 0 if none is positive. */
+  double
+  largest_diagonal(const DenseMatrix &A);
+
   /**
    * Overwrites B by A⁻¹ B for a symmetric positive definite A (Cholesky). Returns false, with both
    * arguments in an undefined state, if A is not positive definite to working precision.
@@ -159,6 +163,11 @@ namespace fuga
     std::vector<int> pivots;
     double rcond = 0.;
   };
+
+  /** The null vector, largest entry one, of a singular matrix to which rounding was added: inverse
+   * iteration, three steps, enough for a motion that is to be shown. */
+  Vector
+  null_vector(DenseMatrix &&shifted);
 } // namespace fuga
 
 #endif

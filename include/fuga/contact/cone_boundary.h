@@ -5,44 +5,12 @@
 #define fuga_contact_cone_boundary_h
 
 #include <fuga/contact/contact_boundary.h>
+#include <fuga/contact/tangent_vector.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace fuga
 {
-  /** A vector in the tangent plane of an element, in the directions of its tangential bars. */
-  using TangentVector = std::array<double, 2>;
-
-  inline double
-  dot(const TangentVector &a, const TangentVector &b)
-  {
-    return a[0] * b[0] + a[1] * b[1];
-  }
-
-  /** a turned by a right angle. */
-  inline TangentVector
-  normal_to(const TangentVector &a)
-  {
-    return {{-a[1], a[0]}};
-  }
-
-  inline double
-  length(const TangentVector &a)
-  {
-    return std::hypot(a[0], a[1]);
-  }
-
-  /** The part of a bar vector that lies in the tangent plane of an element; where only one
-   * tangential bar is free, the second component is zero. */
-  inline TangentVector
-  tangential(const ContactElement &element, const Vector &of_bars)
-  {
-    return {{of_bars[element.tangential_bar],
-             element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.}};
-  }
-
   /** It has tangential bars and friction in them. Without friction its tangential bars, if it has
    * any, carry nothing. */
   inline bool
@@ -74,14 +42,6 @@ namespace fuga
      */
     double
     distance(const JointState &state, const JointRates &rates, const Drive &drive) const;
-
-    /** Something that must stay positive, and its rate along the path. */
-    struct Reserve
-    {
-      double value     = 0.;
-      double rate      = 0.;
-      double tolerance = 0.;
-    };
 
     /**
      * The reserves of all elements at a point: gap of open elements, pressure and strength left of

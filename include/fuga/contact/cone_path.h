@@ -7,8 +7,6 @@
 #include <fuga/contact/cone_rate_problem.h>
 #include <fuga/contact/cone_segment.h>
 #include <fuga/contact/contact_path.h>
-#include <fuga/contact/report_counter.h>
-#include <fuga/contact/standstill.h>
 
 namespace fuga
 {
@@ -18,9 +16,9 @@ namespace fuga
 
   /**
    * The path in three dimensions, with Coulomb's circular cone: elements have two tangential bars,
-   * or none (doc/theory.md, section 17). Layers are linear or rigid, friction is
-   * that of Coulomb alone, and joints have no water. In the state slip the direction is that of the
-   * tangential force; the slips along both tangents are the dislocations of the tangential bars.
+   * or none (doc/theory.md, section 17). Layers are linear or rigid, and friction is that of
+   * Coulomb alone. In the state slip the direction is that of the tangential force; the slips along
+   * both tangents are the dislocations of the tangential bars.
    */
   class ConePath : public ContactPath
   {
@@ -31,27 +29,6 @@ namespace fuga
              const LoadHistory &history,
              const PathOptions &options);
 
-    PathResult
-    run(const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) override;
-
-    const PathCut &
-    last_cut() const override
-    {
-      return cut;
-    }
-
-    IterationCount
-    iterations() const override
-    {
-      return iteration_count;
-    }
-
     const SchemeWork &
     work() const override
     {
@@ -60,13 +37,7 @@ namespace fuga
 
   private:
     PathResult
-    follow(const std::vector<double> &levels, ReportCounter &observer);
-    void
-    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
-    Course
-    next_course(const JointState &state) const;
-    double
-    widening_of_tolerances() const;
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
     bool
     release_open_elements(const JointState &state, const std::vector<BoundaryElement> &set);
     ConeContinuation
@@ -78,30 +49,18 @@ namespace fuga
           PathObserver &observer,
           PathResult &result);
     void
-    note_zero_step(const JointState &state, PathResult &result);
-    void
     lose_equilibrium(JointState &state,
                      const ConeContinuation &continuation,
                      PathObserver &observer,
                      PathResult &result);
-    void
-    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
 
-    const std::vector<ContactElement> &elements;
-    const LayeredSystem &system;
-    const LoadHistory &history;
     ConeBoundary boundary;
     ReleasedSystem released;
     ConeRateProblem rate_problem;
-    Standstill standstill;
     /** Slip directions that the last decision left. */
     std::vector<TangentVector> directions;
-    std::vector<std::size_t> resticking;
-    std::size_t next_level = 0;
-    IterationCount iteration_count;
     SchemeWork scheme_work;
     std::vector<bool> ever_active;
-    PathCut cut;
   };
 } // namespace fuga
 

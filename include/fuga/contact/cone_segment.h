@@ -67,7 +67,7 @@ namespace fuga
       ConeStage stage;
       /** Rates of slip along the directions. */
       Vector slip_rates;
-      std::vector<ConeBoundary::Reserve> reserves;
+      std::vector<Reserve> reserves;
     };
 
     bool

@@ -31,6 +31,21 @@ namespace fuga
     double sign = 0.;
   };
 
+  /** Something that must stay positive, and its rate along the path. */
+  struct Reserve
+  {
+    double value = 0.;
+    double rate  = 0.;
+    /** Value that counts as zero. */
+    double tolerance = 0.;
+  };
+
+  /** Length τ after which a reserve is used up; infinity if it is not. At zero a rate of the size
+   * of
+   * @p noise is none: the rate problem has taken it for zero as well. */
+  double
+  used_up_after(const Reserve &reserve, const double noise);
+
   /**
    * Answers where a state stands with respect to the boundaries of Coulomb's contact conditions:
    * which elements are on one, and how far along given rates the next one is reached. Tolerances

@@ -63,6 +63,18 @@ namespace fuga
     {
       return has_second_tangential_bar() ? 3 : has_tangential_bar() ? 2 : 1;
     }
+
+    /** Calls @p action(bar, law of its layer) for every bar. */
+    template <typename Action>
+    void
+    for_each_bar(Action &&action) const
+    {
+      action(normal_bar, *normal_law);
+      if (has_tangential_bar())
+        action(tangential_bar, *shear_law);
+      if (has_second_tangential_bar())
+        action(second_tangential_bar, *shear_law);
+    }
   };
 } // namespace fuga
 

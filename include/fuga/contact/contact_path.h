@@ -4,180 +4,17 @@
 #ifndef fuga_contact_contact_path_h
 #define fuga_contact_contact_path_h
 
-#include <fuga/contact/curved_segment.h>
 #include <fuga/contact/load_history.h>
-#include <fuga/contact/mechanism.h>
-#include <fuga/contact/path_observer.h>
+#include <fuga/contact/path_result.h>
+#include <fuga/contact/report_counter.h>
+#include <fuga/contact/standstill.h>
 
 namespace fuga
 {
-  /** How a path ended. */
-  enum class Verdict
-  {
-    /** The requested end of the load history was reached. */
-    done,
-    /** The working scheme is a mechanism: the load cannot grow. */
-    limit_load,
-    /** No quasi-static continuation exists although nothing moves freely (friction beyond
-       critical). */
-    no_continuation,
-    /** Several continuations exist (friction beyond critical), and the path is not to choose. */
-    non_unique_continuation
-  };
-
-  /** What is known of the first place on a path where friction was seen beyond its critical value.
-   */
-  struct CriticalFriction
-  {
-    double t = 0.;
-    /** Elements on their strength that decide: no other ones differ between the continuations. */
-    std::vector<std::size_t> elements;
-    /** Number of continuations; a lower bound if not `all_counted`. */
-    std::size_t n_branches = 0;
-    bool all_counted       = false;
-    /** Signs of the determinants of their schemes; if there is no continuation, of the scheme in
-     * which all elements on their strength slip. */
-    std::vector<int> determinant_signs;
-  };
-
-  template <typename Place, typename Visitor, only_for<Place, CriticalFriction> = 0>
-  void
-  for_each_field(Place &place, Visitor &&visit)
-  {
-    auto &[t, elements, n_branches, all_counted, determinant_signs] = place;
-    visit("t", t);
-    visit("elements", elements);
-    visit("n_branches", n_branches);
-    visit("all_counted", all_counted);
-    visit("determinant_signs", determinant_signs);
-  }
-
-  /** What the path did beyond its limit load. */
-  struct BeyondLimit
-  {
-    enum class End
-    {
-      /** The path did not go there. */
-      none,
-      /** The largest jump has grown as far as asked for. */
-      largest_jump,
-      /** The load has fallen to where its stage, or the linear piece of it, began. */
-      load_removed,
-      /** The load has risen to the limit again. */
-      limit_regained,
-      /** No motion goes on at any load. */
-      no_continuation
-    };
-
-    End end = End::none;
-    /** Growth of the largest jump [m]. */
-    double length = 0.;
-    /** Load time at the end. */
-    double t            = 0.;
-    std::size_t n_steps = 0;
-  };
-
-  template <typename Way, typename Visitor, only_for<Way, BeyondLimit> = 0>
-  void
-  for_each_field(Way &way, Visitor &&visit)
-  {
-    auto &[end, length, t, n_steps] = way;
-    visit("end", end);
-    visit("length", length);
-    visit("t", t);
-    visit("n_steps", n_steps);
-  }
-
-  struct PathResult
-  {
-    Verdict verdict         = Verdict::done;
-    double t                = 0.;
-    MechanismKind mechanism = MechanismKind::none;
-    /** Jumps of the bars in the mechanism, largest 1. */
-    Vector mechanism_jumps;
-    std::size_t n_events     = 0;
-    std::size_t n_zero_steps = 0;
-    std::size_t n_steps      = 0;
-    /** Implicit steps that took the place of events. */
-    std::size_t n_jumps    = 0;
-    unsigned int n_schemes = 0;
-    /** Continuations found by each RateMethod. */
-    std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
-    /** Decisions with several continuations. */
-    std::size_t n_non_unique = 0;
-    CriticalFriction critical;
-    BeyondLimit beyond;
-  };
-
-  template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
-  void
-  for_each_field(Result &result, Visitor &&visit)
-  {
-    auto &[verdict,
-           t,
-           mechanism,
-           mechanism_jumps,
-           n_events,
-           n_zero_steps,
-           n_steps,
-           n_jumps,
-           n_schemes,
-           n_decided_by,
-           n_non_unique,
-           critical,
-           beyond] = result;
-    visit("verdict", verdict);
-    visit("t", t);
-    visit("mechanism", mechanism);
-    visit("mechanism_jumps", mechanism_jumps);
-    visit("n_events", n_events);
-    visit("n_zero_steps", n_zero_steps);
-    visit("n_steps", n_steps);
-    visit("n_jumps", n_jumps);
-    visit("n_schemes", n_schemes);
-    visit("n_decided_by", n_decided_by);
-    visit("n_non_unique", n_non_unique);
-    visit("critical", critical);
-    visit("beyond", beyond);
-  }
-
   /**
-   * A place between two segments, where the load goes on, from which a path can be followed again,
-   * bit for bit. Segments are
-   * never cut: where they are divided would change the steps along a curve. What the observer heard
-   * behind the cut, levels for instance, is counted instead and not reported again.
-   */
-  struct PathCut
-  {
-    JointState state;
-    /** What was found so far. */
-    PathResult result;
-    IterationCount iterations;
-    SchemeMemory scheme;
-    std::size_t next_level = 0;
-    /** First guess of the next decision, see PathSegment::resticking(). */
-    std::vector<std::size_t> resticking;
-    /** Reports to the observer since the cut. */
-    std::size_t n_reports = 0;
-  };
-
-  template <typename Cut, typename Visitor, only_for<Cut, PathCut> = 0>
-  void
-  for_each_field(Cut &cut, Visitor &&visit)
-  {
-    auto &[state, result, iterations, scheme, next_level, resticking, n_reports] = cut;
-    visit("state", state);
-    visit("result", result);
-    visit("iterations", iterations);
-    visit("scheme", scheme);
-    visit("next_level", next_level);
-    visit("resticking", resticking);
-    visit("n_reports", n_reports);
-  }
-
-  /**
-   * The step-by-step analysis of the contact along a load history, from event to event. EventPath
-   * for friction along one tangent, ConePath for circular cones in three dimensions.
+   * The step-by-step analysis of the contact along a load history, from event to event: what the
+   * paths have in common but the decisions. EventPath for friction along one tangent, ConePath for
+   * circular cones in three dimensions.
    */
   class ContactPath
   {
@@ -188,8 +25,8 @@ namespace fuga
      * Follows the whole history, reporting to @p observer at the load times @p levels (increasing).
      * @throws NumericalFailure if a step cannot be completed.
      */
-    virtual PathResult
-    run(const std::vector<double> &levels, PathObserver &observer) = 0;
+    PathResult
+    run(const std::vector<double> &levels, PathObserver &observer);
 
     /**
      * Follows the rest of a history from a cut of run() on the same problem; levels, events and the
@@ -197,28 +34,119 @@ namespace fuga
      * behind the end of the history of the cut do not matter to it.
      * @throws NumericalFailure also if the path is not the same.
      */
-    virtual PathResult
-    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) = 0;
+    PathResult
+    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer);
 
     /**
      * Follows the loads from a state in which the path of another problem ended: the one before a
      * change of construction. Of @p end, state, result, iterations and next level count.
      * @throws NumericalFailure, as run().
      */
-    virtual PathResult
-    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) = 0;
+    PathResult
+    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer);
 
     /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
-    virtual const PathCut &
-    last_cut() const = 0;
+    const PathCut &
+    last_cut() const
+    {
+      return cut;
+    }
 
     /** Work of the steps along curves so far. */
-    virtual IterationCount
-    iterations() const = 0;
+    IterationCount
+    iterations() const
+    {
+      return iteration_count;
+    }
 
     /** Work on the matrices of the working schemes so far. */
     virtual const SchemeWork &
     work() const = 0;
+
+  protected:
+    ContactPath(const std::vector<ContactElement> &elements,
+                const LayeredSystem &system,
+                const LoadHistory &history);
+
+    /** The loop over the events, from the last cut on. */
+    virtual PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) = 0;
+
+    /** What the working scheme has to remember in a cut. */
+    virtual SchemeMemory
+    scheme_memory() const
+    {
+      return {};
+    }
+
+    virtual void
+    restore_scheme(const SchemeMemory & /*memory*/)
+    {
+    }
+
+    /** Keeps a place from which the path can be followed again, if the observer wants it. */
+    void
+    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
+
+    /** What changes next: lost strength and water at a fixed load, or the load up to its next
+     *  corner. */
+    Course
+    next_course(const JointState &state) const;
+
+    /** The reactions of the stuck joint, and water in open elements, to loads at @p factor_rates. */
+    void
+    set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const;
+
+    /** Factor by which the tolerances of boundaries grow at a standstill. */
+    double
+    widening_of_tolerances() const;
+
+    /** PathSegment::find_end(); a failure reports what was reached before it. */
+    double
+    find_end(PathSegment &segment,
+             const Course &course,
+             const std::vector<double> &levels,
+             PathObserver &observer);
+
+    /** Counts a segment that ended in @p state, and tells progress from a step without length.
+     *  @throws NumericalFailure at a standstill without end. */
+    void
+    note_step(const PathSegment &segment,
+              const Course &course,
+              const double length,
+              const JointState &state,
+              PathResult &result);
+
+    void
+    note_zero_step(const JointState &state, PathResult &result);
+
+    /** Gives an element another state, with all that goes with it; the event. */
+    ContactEvent
+    change_element(const std::size_t k,
+                   const ContactState to,
+                   const double no_force,
+                   JointState &state) const;
+
+    /** Counts and reports events at one load. */
+    static void
+    report(const std::vector<ContactEvent> &events,
+           const JointState &state,
+           PathObserver &observer,
+           PathResult &result);
+
+    /** The limit load with the mechanism @p motion. */
+    void
+    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const LoadHistory &history;
+    Standstill standstill;
+    std::size_t next_level = 0;
+    /** First guess of the next decision, see PathSegment::resticking(). */
+    std::vector<std::size_t> resticking;
+    IterationCount iteration_count;
+    PathCut cut;
   };
 } // namespace fuga
 

@@ -6,8 +6,6 @@
 
 #include <fuga/contact/contact_path.h>
 #include <fuga/contact/rate_problem.h>
-#include <fuga/contact/report_counter.h>
-#include <fuga/contact/standstill.h>
 
 #include <memory>
 
@@ -25,24 +23,6 @@ namespace fuga
               const LoadHistory &history,
               const PathOptions &options);
 
-    PathResult
-    run(const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) override;
-
-    const PathCut &
-    last_cut() const override
-    {
-      return cut;
-    }
-
-    IterationCount
-    iterations() const override;
-
     const SchemeWork &
     work() const override
     {
@@ -51,19 +31,17 @@ namespace fuga
 
   private:
     PathResult
-    follow(const std::vector<double> &levels, ReportCounter &observer);
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
+    SchemeMemory
+    scheme_memory() const override
+    {
+      return scheme.memory();
+    }
     void
-    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
-    Course
-    next_course(const JointState &state) const;
-    double
-    widening_of_tolerances() const;
-    void
-    check_standstill(const JointState &state) const;
-    void
-    note_zero_step(const JointState &state, PathResult &result);
-    void
-    set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const;
+    restore_scheme(const SchemeMemory &memory) override
+    {
+      scheme.restore(memory);
+    }
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,
@@ -82,11 +60,12 @@ namespace fuga
     /** States and strengths of the working scheme become those of @p state. */
     void
     take_scheme(JointState &state);
-    std::size_t
+    void
     adopt_scheme(JointState &state,
                  const std::vector<BoundaryElement> &set,
                  const std::size_t n_branches,
-                 PathObserver &observer) const;
+                 PathObserver &observer,
+                 PathResult &result) const;
     void
     go_beyond_limit(JointState &state, PathObserver &observer, PathResult &result);
     struct ControlledStep
@@ -104,32 +83,16 @@ namespace fuga
     find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
-    double
-    find_end(PathSegment &segment,
-             const Course &course,
-             const std::vector<double> &levels,
-             PathObserver &observer);
-    void
-    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
     void
     lose_equilibrium(JointState &state,
                      const Continuation &continuation,
                      PathObserver &observer,
                      PathResult &result);
 
-    const std::vector<ContactElement> &elements;
-    const LayeredSystem &system;
-    const LoadHistory &history;
     const PathOptions options;
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
-    Standstill standstill;
-    std::size_t next_level = 0;
-    /** First guess of the next decision, see PathSegment::resticking(). */
-    std::vector<std::size_t> resticking;
-    IterationCount iteration_count;
-    PathCut cut;
   };
 } // namespace fuga
 

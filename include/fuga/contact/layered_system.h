@@ -98,6 +98,10 @@ namespace fuga
     Vector
     forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
 
+    /** p -= W d, for forces and dislocations or the rates of both. */
+    void
+    subtract_response(const Vector &dislocations, Vector &forces) const;
+
     /** Adds (I - W D) ω: a force between the lips, so an elastic part D ω of the jump that no bar
      * force p causes. */
     void

@@ -32,13 +32,13 @@ namespace fuga
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
 
   /**
-   * The state in which a mechanism with these jumps moves an element that is on a boundary and was
-   * @p now. A bond that still carries shear keeps its state: it would have to break first.
+   * The state in which a mechanism with these jumps moves an element that is on a boundary in
+   * @p state. A bond that still carries shear keeps its state: it would have to break first.
    */
   ContactState
   state_in_mechanism(const BoundaryElement &candidate,
-                     const ContactState now,
                      const ContactElement &element,
+                     const JointState &state,
                      const Vector &jumps);
 } // namespace fuga
 

@@ -4,15 +4,13 @@
 #ifndef fuga_contact_rigid_basis_h
 #define fuga_contact_rigid_basis_h
 
+#include <fuga/base/accurate.h>
 #include <fuga/contact/contact_system.h>
 
 #include <vector>
 
 namespace fuga
 {
-  /** Numbers with more digits than the matrices have. */
-  using Accurate = std::vector<long double>;
-
   /**
    * The rigid motions of the bodies that no support holds, orthonormal in the interface coordinates
    * and in extended precision. A body on a soft joint moves by far more than it deforms; S x is

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_tangent_vector_h
+#define fuga_contact_tangent_vector_h
+
+#include <fuga/base/dense_matrix.h>
+#include <fuga/contact/contact_element.h>
+
+#include <array>
+#include <cmath>
+
+namespace fuga
+{
+  /** A vector in the tangent plane of an element, in the directions of its tangential bars. */
+  using TangentVector = std::array<double, 2>;
+
+  inline double
+  dot(const TangentVector &a, const TangentVector &b)
+  {
+    return a[0] * b[0] + a[1] * b[1];
+  }
+
+  /** a turned by a right angle. */
+  inline TangentVector
+  normal_to(const TangentVector &a)
+  {
+    return {{-a[1], a[0]}};
+  }
+
+  inline double
+  length(const TangentVector &a)
+  {
+    return std::hypot(a[0], a[1]);
+  }
+
+  /** The part of a bar vector that lies in the tangent plane of an element; where only one
+   * tangential bar is free, the second component is zero. */
+  inline TangentVector
+  tangential(const ContactElement &element, const Vector &of_bars)
+  {
+    return {{of_bars[element.tangential_bar],
+             element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.}};
+  }
+} // namespace fuga
+
+#endif
