@@ -77,14 +77,15 @@ namespace fuga
     if (space->is_axisymmetric())
       lines.push_back("axisymmetric: areas and forces of the full circle; the axis is held in x");
     lines.insert(lines.end(), bars->report().begin(), bars->report().end());
-    coordinates = std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed);
+    bodies = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
+    coordinates =
+      std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed, bodies->node_moduli());
   }
 
   template <int dim>
   Vector
   CondensedSystem<dim>::factorise()
   {
-    bodies                   = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
     SymmetricTriplets matrix = bodies->assemble(*coordinates);
     report_sizes(matrix);
     timer.finish("assembly");

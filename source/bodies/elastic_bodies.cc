@@ -145,6 +145,23 @@ namespace fuga
 
 
   template <int dim>
+  Vector
+  ElasticBodies<dim>::node_moduli() const
+  {
+    Vector result(discretization.n_nodes(), 0.);
+    const std::size_t n_nodes = discretization.reference_element().n_nodes();
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        const LameConstants &material = materials[discretization.cell_body(cell)];
+        const unsigned int *nodes     = discretization.cell_nodes(cell);
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          result[nodes[i]] = std::max(result[nodes[i]], material.lambda + 2. * material.mu);
+      }
+    return result;
+  }
+
+
+  template <int dim>
   SymmetricTriplets
   ElasticBodies<dim>::assemble(const InterfaceCoordinates<dim> &coordinates) const
   {

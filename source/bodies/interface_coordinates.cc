@@ -4,6 +4,7 @@
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/interface_coordinates.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -43,9 +44,14 @@ namespace fuga
   public:
     Builder(const ContactBars<dim> &contact_bars,
             const std::vector<bool> &fixed_dofs,
+            const Vector &node_stiffness,
             std::vector<int> &dof_rows,
             std::vector<std::pair<std::size_t, std::size_t>> &dof_hangs_on)
-      : bars(contact_bars), fixed(fixed_dofs), rows(dof_rows), hangs_on(dof_hangs_on)
+      : bars(contact_bars)
+      , fixed(fixed_dofs)
+      , stiffness(node_stiffness)
+      , rows(dof_rows)
+      , hangs_on(dof_hangs_on)
     {
       for (const auto &cluster : find_clusters(bars))
         if (cluster.size() == 1)
@@ -83,8 +89,7 @@ namespace fuga
       special.push_back(std::move(terms));
     }
 
-    /** Two nodes: u⁺ = u⁻ + Q δ, or the other way round in directions that only the plus lip holds.
-     */
+    /** Two nodes: the softer one moves, or the one that is not held. */
     void
     add_pair(const unsigned int e)
     {
@@ -113,13 +118,14 @@ namespace fuga
         else
           add({Kind::slide, n_slides++, 0.}, bars.tangents_of_element(e)[k]);
 
-      const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
+      const bool obstacle   = pair.minus_node == Discretization<dim>::no_node;
+      const bool plus_moves = obstacle || stiffness[pair.plus_node] <= stiffness[pair.minus_node];
       for (unsigned int c = 0; c < dim; ++c)
         {
           const std::size_t plus = pair.plus_node * dim + c, minus = pair.minus_node * dim + c;
           if (obstacle && !fixed[plus])
             set_row(plus, jump[c]);
-          else if (!obstacle && !fixed[plus])
+          else if (!obstacle && !fixed[plus] && (plus_moves || fixed[minus]))
             attach(plus, minus, std::move(jump[c]), 1.);
           else if (!obstacle && !fixed[minus])
             attach(minus, plus, std::move(jump[c]), -1.);
@@ -142,7 +148,8 @@ namespace fuga
       set_row(dof, std::move(terms));
     }
 
-    /** Any number of nodes: offsets from one of them, direction by direction. */
+    /** Any number of nodes: offsets from one of them, a held or else the stiffest one, direction by
+     * direction. */
     void
     add_junction(const std::vector<unsigned int> &cluster)
     {
@@ -157,10 +164,13 @@ namespace fuga
           else if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
             nodes.push_back(node);
 
+      const auto less_stiff = [this](const std::size_t a, const std::size_t b) {
+        return stiffness[a] < stiffness[b];
+      };
       std::map<std::size_t, unsigned int> offset; // dof -> interface coordinate
       for (unsigned int c = 0; c < dim; ++c)
         {
-          std::size_t base = nodes.front() * dim + c;
+          std::size_t base = *std::max_element(nodes.begin(), nodes.end(), less_stiff) * dim + c;
           for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
             if (fixed[*node * dim + c])
               base = *node * dim + c;
@@ -203,6 +213,7 @@ namespace fuga
 
     const ContactBars<dim> &bars;
     const std::vector<bool> &fixed;
+    const Vector &stiffness;
     std::vector<int> &rows;
     std::vector<std::pair<std::size_t, std::size_t>> &hangs_on;
     std::vector<JumpEntry> jumps;
@@ -213,7 +224,8 @@ namespace fuga
   template <int dim>
   InterfaceCoordinates<dim>::InterfaceCoordinates(const Discretization<dim> &discretization,
                                                   const ContactBars<dim> &bars,
-                                                  const std::vector<bool> &fixed)
+                                                  const std::vector<bool> &fixed,
+                                                  const Vector &stiffness)
     : rows(discretization.n_dofs(), unset), hanging(discretization.hanging_nodes())
   {
     for (const auto &entry : hanging.masters())
@@ -222,7 +234,7 @@ namespace fuga
     for (std::size_t dof = 0; dof < rows.size(); ++dof)
       if (fixed[dof])
         rows[dof] = -1;
-    const Builder builder(bars, fixed, rows, hangs_on);
+    const Builder builder(bars, fixed, stiffness, rows, hangs_on);
     interface_count = builder.n_interface;
     number(builder);
     add_hanging_nodes(fixed);

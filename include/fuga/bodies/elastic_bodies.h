@@ -40,6 +40,10 @@ namespace fuga
                   const JointedMesh &mesh,
                   const ModelDefinition &model);
 
+    /** By node, the largest modulus λ + 2μ of the bodies there [MPa]. */
+    Vector
+    node_moduli() const;
+
     /** Cᵀ K C, one triangle, with C of @p coordinates; of the own cells. */
     SymmetricTriplets
     assemble(const InterfaceCoordinates<dim> &coordinates) const;

@@ -11,9 +11,11 @@
 namespace fuga
 {
   /**
-   * The change of variables that puts the jumps in the place of one lip: u⁺ = u⁻ + Q δ. In the new
-   * coordinates δ = 0 is the bonded structure, so that everything but the jumps can be eliminated
-   * even if the joints alone hold a body.
+   * The change of variables that puts the jumps in the place of one lip: u⁺ = u⁻ + Q δ, or
+   * u⁻ = u⁺ - Q δ, so that the softer lip moves: what elimination leaves of the stiffness of a
+   * stiff lip on a soft body would be rounding. In the new coordinates δ = 0 is the bonded
+   * structure, so that everything but the jumps can be eliminated even if the joints alone hold a
+   * body.
    *
    * Every degree of freedom (entry node * dim + component) is a sum of coordinates with factors,
    * plus a prescribed part: that of the support it hangs on. Coordinates are numbered from 0; the
@@ -32,9 +34,11 @@ namespace fuga
       double factor           = 0.;
     };
 
+    /** @p stiffness: by node, of any unit; the nodes with less of it move. */
     InterfaceCoordinates(const Discretization<dim> &discretization,
                          const ContactBars<dim> &bars,
-                         const std::vector<bool> &fixed);
+                         const std::vector<bool> &fixed,
+                         const Vector &stiffness);
 
     unsigned int
     size() const
