@@ -121,6 +121,12 @@ namespace fuga
             double &plus = terms[bar.plus_node * dim + c], &minus = terms[bar.minus_node * dim + c];
             plus = minus = std::max(plus, minus);
           }
+    // Rounding knows no axes: what it does along one it does across, by the balance of moments.
+    for (std::size_t node = 0; node < space->n_nodes(); ++node)
+      {
+        double *const of_node = terms.data() + node * dim;
+        std::fill(of_node, of_node + dim, *std::max_element(of_node, of_node + dim));
+      }
     Vector loads = combination(a, &LoadPattern::forces);
     loads.resize(space->n_dofs(), 0.);
     Vector contact(space->n_dofs(), 0.);

@@ -16,7 +16,10 @@ namespace fuga
     constexpr double value_tolerance = 1e-12;
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
-    constexpr double never          = std::numeric_limits<double>::infinity();
+    /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
+     * beside what they deform, refinement keeps their forces better than their terms tell. */
+    constexpr double largest_force_noise = 1e-9;
+    constexpr double never               = std::numeric_limits<double>::infinity();
   } // namespace
 
   double
@@ -165,14 +168,17 @@ namespace fuga
     double size = max_abs(rates.dislocations);
     for (std::size_t i = 0; i < drive.reactions.size(); ++i)
       size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
-    jump_noise = rate_tolerance * size;
+    jump_noise    = rate_tolerance * size;
+    largest_noise = largest_force_noise * max_abs(drive.reactions);
   }
 
   double
   ContactBoundary::RateNoise::force(const std::size_t bar) const
   {
     const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
-    return rate_tolerance *
-           (std::abs(drive.reactions[bar]) + system.scale(bar) * scaled_dislocation + strength);
+    const double terms =
+      std::abs(drive.reactions[bar]) + system.scale(bar) * scaled_dislocation + strength;
+    return largest_noise > 0. ? std::min(rate_tolerance * terms, largest_noise)
+                              : rate_tolerance * terms;
   }
 } // namespace fuga

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -16,6 +17,8 @@ namespace fuga
     /** Share of the largest force below which residuals are left, and of a course below which its
      * rest is none. */
     constexpr double rounding = 1e-14;
+    /** Share of the largest force below which a residual is not worth a second correction. */
+    constexpr double accepted = 1e-12;
 
     Vector
     along(const Vector &origin, const double tau, const Vector &rates)
@@ -85,8 +88,9 @@ namespace fuga
     return end;
   }
 
-  // The forces come from the dislocations and the load anew, and one correction removes what
-  // rounding has added to the active rows: nothing accumulates from event to event.
+  // The forces come from the dislocations and the load anew, and a correction removes what rounding
+  // has added to the active rows: nothing accumulates from event to event. Where the scheme is so
+  // ill-conditioned that its solution is not accurate, it takes more than one.
   PathPoint
   StraightSegment::at(const double tau)
   {
@@ -97,13 +101,20 @@ namespace fuga
     release(course.drive, tau, result.state);
     complete_state(context, course, tau, result.state);
 
-    const Vector residual = context.scheme.residual(result.state);
-    if (max_abs(residual) > rounding * max_abs(result.state.forces))
-      if (const std::optional<JointRates> change = context.scheme.correction(residual))
-        {
-          result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);
-          complete_state(context, course, tau, result.state);
-        }
+    double before = std::numeric_limits<double>::infinity();
+    for (const double left : {rounding, accepted, accepted, accepted})
+      {
+        const Vector residual = context.scheme.residual(result.state);
+        const double worst    = max_abs(residual);
+        if (worst <= left * max_abs(result.state.forces) || worst > 0.5 * before)
+          break;
+        before                                 = worst;
+        const std::optional<JointRates> change = context.scheme.correction(residual);
+        if (!change)
+          break;
+        result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);
+        complete_state(context, course, tau, result.state);
+      }
     return result;
   }
 

@@ -35,6 +35,7 @@ namespace
     std::uint64_t first_seed = 1, n_seeds = 120;
     unsigned int n_jobs = 2;
     double time_limit   = 120.;
+    double allowed      = 0.;
   };
 
   struct Job
@@ -97,8 +98,9 @@ namespace
       std::filesystem::remove_all(root);
     }
 
-    /** Number of failures that nobody has explained yet. */
-    std::size_t
+    /** Whether there are no failures that nobody has explained yet; but for an allowed share of
+     * runs that say themselves that their certificate is above its bound. */
+    bool
     run()
     {
       while (!waiting.empty() || !running.empty())
@@ -126,7 +128,8 @@ namespace
                  n_failures,
                  n_understood,
                  options.table);
-      return n_failures;
+      return n_failures == n_uncertified &&
+             static_cast<double>(n_uncertified) <= options.allowed * static_cast<double>(n_scenes);
     }
 
   private:
@@ -172,6 +175,7 @@ namespace
         {
           const bool known = understood.count({job.kind, row["seed"]}) > 0;
           ++(known ? n_understood : n_failures);
+          n_uncertified += !known && row["failure"].rfind("certificate", 0) == 0 ? 1 : 0;
           fmt::print("{} {} {}: {} [{}]\n",
                      known ? "KNOWN" : "FAILED",
                      job.kind,
@@ -197,7 +201,7 @@ namespace
     std::deque<std::pair<std::string, std::uint64_t>> waiting;
     std::list<Job> running;
     const std::set<std::pair<std::string, std::string>> understood;
-    std::size_t n_scenes = 0, n_failures = 0, n_understood = 0;
+    std::size_t n_scenes = 0, n_failures = 0, n_understood = 0, n_uncertified = 0;
   };
 } // namespace
 
@@ -213,6 +217,10 @@ main(int argc, char **argv)
   app.add_option("--time-limit", options.time_limit, "Seconds after which a scene has failed");
   app.add_option("--table", options.table, "Where the table of all scenes is written");
   app.add_option("--causes", options.causes, "Table of failures that are understood");
+  app.add_option("--allow",
+                 options.allowed,
+                 "Share of runs whose certificate may be above its bound, as they say themselves: "
+                 "where rounding decides, which ones these are differs from machine to machine");
   app.add_option("--keep", options.keep, "Directory for the files of scenes that failed");
   bool list_kinds = false;
   app.add_flag("--list", list_kinds, "Print the kinds of scenes with what they are good for");
@@ -223,5 +231,5 @@ main(int argc, char **argv)
         fmt::print("{}\t{}\n", kind.name, kind.purpose);
       return 0;
     }
-  return Campaign(options).run() == 0 ? 0 : 1;
+  return Campaign(options).run() ? 0 : 1;
 }

@@ -107,6 +107,7 @@ namespace fuga
       const Drive &drive;
       double scaled_dislocation;
       double jump_noise;
+      double largest_noise;
     };
 
   private:
