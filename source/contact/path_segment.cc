@@ -19,6 +19,8 @@ namespace fuga
     constexpr double rounding = 1e-14;
     /** Share of the largest force below which a residual is not worth a second correction. */
     constexpr double accepted = 1e-12;
+    /** Chords along which the end of a segment is looked for at most. */
+    constexpr int max_chords = 3;
 
     Vector
     along(const Vector &origin, const double tau, const Vector &rates)
@@ -79,23 +81,55 @@ namespace fuga
   {
   }
 
+  // An event at the end of the course, but for rounding, is met there.
+  double
+  StraightSegment::distance(const JointRates &rates) const
+  {
+    const double length = context.boundary.distance(start.state, rates, course.drive);
+    return length < course.length * (1. - rounding) ? length : course.length;
+  }
+
+  // Where hardly anything holds the bodies, a small correction of forces moves them far enough to
+  // meet, or miss, each other: the event is then looked for on the chord to the corrected end.
   double
   StraightSegment::find_end()
   {
-    // An event at the end of the course, but for rounding, is met there.
-    const double distance = context.boundary.distance(start.state, start.rates, course.drive);
-    end                   = distance < course.length * (1. - rounding) ? distance : course.length;
+    end = distance(start.rates);
+    for (int chord = 0; end > 0.; ++chord)
+      {
+        double moved = 0.;
+        end_point    = point(end, moved);
+        if (moved <= context.boundary.gap_tolerance() || chord == max_chords)
+          break;
+        JointRates rates = start.rates;
+        for (std::size_t i = 0; i < rates.forces.size(); ++i)
+          {
+            rates.dislocations[i] =
+              (end_point->state.dislocations[i] - start.state.dislocations[i]) / end;
+            rates.forces[i] = (end_point->state.forces[i] - start.state.forces[i]) / end;
+          }
+        end = distance(rates);
+      }
     return end;
+  }
+
+  PathPoint
+  StraightSegment::at(const double tau)
+  {
+    if (tau == 0.)
+      return start;
+    if (tau == end && end_point)
+      return *end_point;
+    double moved = 0.;
+    return point(tau, moved);
   }
 
   // The forces come from the dislocations and the load anew, and a correction removes what rounding
   // has added to the active rows: nothing accumulates from event to event. Where the scheme is so
   // ill-conditioned that its solution is not accurate, it takes more than one.
   PathPoint
-  StraightSegment::at(const double tau)
+  StraightSegment::point(const double tau, double &moved) const
   {
-    if (tau == 0.)
-      return start;
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
     release(course.drive, tau, result.state);
@@ -112,6 +146,7 @@ namespace fuga
         const std::optional<JointRates> change = context.scheme.correction(residual);
         if (!change)
           break;
+        moved += max_abs(change->dislocations);
         result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);
         complete_state(context, course, tau, result.state);
       }

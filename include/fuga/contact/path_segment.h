@@ -7,6 +7,8 @@
 #include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/working_scheme.h>
 
+#include <optional>
+
 namespace fuga
 {
   /**
@@ -105,10 +107,18 @@ namespace fuga
     stations() const override;
 
   private:
+    double
+    distance(const JointRates &rates) const;
+    /** The corrected state; @p moved grows by the largest dislocations of the corrections. */
+    PathPoint
+    point(const double tau, double &moved) const;
+
     PathContext context;
     const Course course;
     const PathPoint start;
     double end;
+    /** The point at the end, once it has been found. */
+    std::optional<PathPoint> end_point;
   };
 
   /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
