@@ -48,7 +48,8 @@ namespace fuga
   {
     if (model.bodies.has_stiffness())
       return make_contact_path(joint.elements, layered, loading, model.path_options());
-    return std::make_unique<MatrixFreePath>(joint.elements, model.bodies, model.bodies, loading);
+    return std::make_unique<MatrixFreePath>(
+      joint.elements, layered, model.bodies, model.bodies, loading);
   }
 
   template <int dim>

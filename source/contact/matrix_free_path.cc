@@ -4,8 +4,6 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/layered_system.h>
 #include <fuga/contact/matrix_free_path.h>
-#include <fuga/contact/report_counter.h>
-#include <fuga/contact/virgin_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,76 +43,39 @@ namespace fuga
   }
 
   MatrixFreePath::MatrixFreePath(const std::vector<ContactElement> &contact_elements,
+                                 const LayeredSystem &layered_system,
                                  const ContactSystem &contact_system,
                                  const TangentSolver &tangent_solver,
                                  const LoadHistory &load_history)
-    : elements(contact_elements)
+    : ContactPath(contact_elements, layered_system, load_history)
     , bodies(contact_system)
     , solver(tangent_solver)
-    , history(load_history)
+    , n_bars(layered_system.n_bars())
   {
     for (const ContactElement &element : elements)
-      {
-        n_bars += element.n_bars();
-        if (const std::string what = unavailable_without_stiffness(element); !what.empty())
-          throw InputError("Not available without the stiffness of the interface: " + what + ".");
-      }
+      if (const std::string what = unavailable_without_stiffness(element); !what.empty())
+        throw InputError("Not available without the stiffness of the interface: " + what + ".");
   }
 
   PathResult
-  MatrixFreePath::run(const std::vector<double> &levels, PathObserver &observer)
+  MatrixFreePath::follow(const std::vector<double> &levels, ReportCounter &observer)
   {
-    PathCut start;
-    start.state = virgin_state(elements, n_bars, false);
-    return resume(start, levels, observer);
-  }
-
-  PathResult
-  MatrixFreePath::go_on(const PathCut &end,
-                        const std::vector<double> &levels,
-                        PathObserver &observer)
-  {
-    PathCut start   = end;
-    start.n_reports = 0;
-    return resume(start, levels, observer);
-  }
-
-  PathResult
-  MatrixFreePath::resume(const PathCut &from,
-                         const std::vector<double> &levels,
-                         PathObserver &observer)
-  {
-    cut             = from;
-    iteration_count = cut.iterations;
-    ReportCounter reports(observer, cut.n_reports);
-    JointState state       = cut.state;
-    PathResult result      = cut.result;
-    std::size_t next_level = cut.next_level;
+    JointState state  = cut.state;
+    PathResult result = cut.result;
     while (state.t < history.end())
       {
-        reports.start();
-        if (observer.wants_cuts())
-          {
-            cut.state      = state;
-            cut.result     = result;
-            cut.iterations = iteration_count;
-            cut.next_level = next_level;
-          }
+        make_cut(state, result, observer);
         double t = history.next_corner(state.t);
         if (next_level < levels.size() && levels[next_level] > state.t)
           t = std::min(t, levels[next_level]);
         state = step_to(state, t);
-        reports.jumped(state);
+        observer.jumped(state);
         result.t = state.t;
         ++result.n_jumps;
         for (; next_level < levels.size() && levels[next_level] <= state.t; ++next_level)
-          reports.reached(next_level, state);
+          observer.reached(next_level, state);
       }
-    reports.start();
-    cut.state      = state;
-    cut.result     = result;
-    cut.iterations = iteration_count;
-    cut.next_level = next_level;
+    make_cut(state, result, observer);
     return result;
   }
 

@@ -9,6 +9,25 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** The largest first. In the plane deal.II's function refuses a shear whose square underflows.
+     */
+    std::array<double, 2>
+    principal_values(const dealii::SymmetricTensor<2, 2> &stress)
+    {
+      const double mean   = 0.5 * trace(stress);
+      const double radius = std::hypot(0.5 * (stress[0][0] - stress[1][1]), stress[0][1]);
+      return {{mean + radius, mean - radius}};
+    }
+
+    std::array<double, 3>
+    principal_values(const dealii::SymmetricTensor<2, 3> &stress)
+    {
+      return eigenvalues(stress);
+    }
+  } // namespace
+
   template <int dim>
   StressPostprocessor<dim>::StressPostprocessor(const ModelDefinition &model_definition,
                                                 const std::vector<std::string> &body_names,
@@ -92,7 +111,7 @@ namespace fuga
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             computed[q](i * dim + j) = stress.in_plane[i][j];
-        const auto principal = eigenvalues(stress.in_plane);
+        const auto principal = principal_values(stress.in_plane);
         for (unsigned int i = 0; i < dim; ++i)
           computed[q](dim * dim + i) = principal[i];
         const double a = principal[0], b = principal[dim - 1],

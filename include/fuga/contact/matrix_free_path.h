@@ -26,31 +26,12 @@ namespace fuga
   class MatrixFreePath : public ContactPath
   {
   public:
+    /** Of @p system the bars are known only. */
     MatrixFreePath(const std::vector<ContactElement> &elements,
+                   const LayeredSystem &system,
                    const ContactSystem &bodies,
                    const TangentSolver &solver,
                    const LoadHistory &history);
-
-    PathResult
-    run(const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer) override;
-
-    PathResult
-    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer) override;
-
-    const PathCut &
-    last_cut() const override
-    {
-      return cut;
-    }
-
-    IterationCount
-    iterations() const override
-    {
-      return iteration_count;
-    }
 
     const SchemeWork &
     work() const override
@@ -59,6 +40,9 @@ namespace fuga
     }
 
   private:
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
+
     /** Bars of an element at given jumps: forces and their derivative. */
     struct Response
     {
@@ -91,14 +75,10 @@ namespace fuga
     Vector
     imposed_jumps(const double t) const;
 
-    const std::vector<ContactElement> &elements;
     const ContactSystem &bodies;
     const TangentSolver &solver;
-    const LoadHistory &history;
-    std::size_t n_bars = 0;
-    IterationCount iteration_count;
+    const std::size_t n_bars;
     SchemeWork scheme_work;
-    PathCut cut;
   };
 } // namespace fuga
 
