@@ -108,7 +108,10 @@ namespace fuga
               (end_point->state.dislocations[i] - start.state.dislocations[i]) / end;
             rates.forces[i] = (end_point->state.forces[i] - start.state.forces[i]) / end;
           }
-        end = distance(rates);
+        const double next = distance(rates);
+        if (next < 0.5 * end)
+          break; // rounding at a boundary where the path begins
+        end = next;
       }
     return end;
   }
