@@ -108,7 +108,7 @@ namespace fuga
     catch (const Separated &)
       {
       }
-    const std::array<int, 2> mine = {code, complaint.empty() ? 0 : 1};
+    const std::array<int, 2> mine = {{code, complaint.empty() ? 0 : 1}};
     std::vector<std::array<int, 2>> all(number());
     MPI_Allgather(mine.data(), 2, MPI_INT, all.data(), 2, MPI_INT, MPI_COMM_WORLD);
     const auto speaker =
@@ -156,7 +156,7 @@ namespace fuga
       throw Separated();
     using Entry      = std::array<double, 3>; // integers up to 2^53 are exact
     const Entry mine = {
-      static_cast<double>(place), static_cast<double>(amount), peak_memory_in_megabytes()};
+      {static_cast<double>(place), static_cast<double>(amount), peak_memory_in_megabytes()}};
     std::vector<Entry> entries(number());
     MPI_Allgather(mine.data(), 3, MPI_DOUBLE, entries.data(), 3, MPI_DOUBLE, MPI_COMM_WORLD);
     all.memory.clear();

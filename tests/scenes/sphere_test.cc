@@ -121,9 +121,13 @@ namespace
       {
         const double r = contact.radius(k) / contact.a;
         if (states[k] == "stick")
-          EXPECT_LE(r, c + 0.5 * h) << t;
+          {
+            EXPECT_LE(r, c + 0.5 * h) << t;
+          }
         if (states[k] == "slip")
-          EXPECT_GE(r, c - 0.5 * h) << t;
+          {
+            EXPECT_GE(r, c - 0.5 * h) << t;
+          }
         EXPECT_LE(std::abs(q2[k]), 0.02 * q0) << t;
         const double exact = q0 * (hemisphere(r, 1.) - c * hemisphere(r, c));
         difference += contact.area[k] * std::pow(q[k] - exact, 2);
