@@ -10,13 +10,9 @@
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
-#include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/iterative_solver.h>
-#include <fuga/bodies/level_history.h>
-#include <fuga/bodies/point_text.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
-#include <fuga/bodies/uplift_assembly.h>
 
 #include <algorithm>
 #include <cmath>
@@ -224,144 +220,6 @@ namespace fuga
       for (unsigned int c = 0; c < dim; ++c)
         result[k][c] = bars->tangents_of_element(element)[k][c];
     return result;
-  }
-
-  template <int dim>
-  LoadPattern
-  CondensedSystem<dim>::assemble_load(const std::size_t number, const double t) const
-  {
-    timer.restart();
-    const LoadDefinition &load = model.loads.at(number);
-    LoadPattern pattern        = load.kind == LoadKind::uplift
-                                   ? UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
-                                .assemble(load, LevelHistory(load, model.constants)(t))
-                                   : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
-    if (load.kind == LoadKind::imposed_gap)
-      pattern.jumps = imposed_gap<dim>(load, model.constants, t, mesh, *bars);
-    timer.finish("loads");
-    return pattern;
-  }
-
-  template <int dim>
-  std::vector<double>
-  CondensedSystem<dim>::levels_of_kinks(const std::size_t number) const
-  {
-    return UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
-      .levels_of_kinks(model.loads.at(number));
-  }
-
-  template <int dim>
-  void
-  CondensedSystem<dim>::check_settlement(const Vector &prescribed) const
-  {
-    double largest = 0.;
-    for (const double value : prescribed)
-      largest = std::max(largest, std::abs(value));
-    for (const auto &pair : bars->held_pairs())
-      {
-        const bool obstacle = pair.minus_node == Discretization<dim>::no_node;
-        const double jump   = prescribed[pair.plus_node * dim + pair.component] -
-                            (obstacle ? 0. : prescribed[pair.minus_node * dim + pair.component]);
-        if (std::abs(jump) > 1e-9 * largest)
-          throw InputError(
-            fmt::format("A settlement tears the two sides of a joint apart at {}, where supports "
-                        "hold both of them in {}. Hold one side only, or move both alike.",
-                        text_of(space->position(pair.plus_node)),
-                        "xyz"[pair.component]));
-      }
-  }
-
-  template <int dim>
-  void
-  CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
-  {
-    timer.restart();
-    if (!solver)
-      condense();
-    patterns     = std::move(new_patterns);
-    motion_loads = DenseMatrix(pieces->n_free_motions(), patterns.size());
-    for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)
-      {
-        const Vector motion = pieces->free_motion(k);
-        for (std::size_t j = 0; j < patterns.size(); ++j)
-          motion_loads(k, j) = dot(motion, patterns[j].forces);
-      }
-    DenseMatrix loads(coordinates->size(), patterns.size());
-    for (std::size_t j = 0; j < patterns.size(); ++j)
-      {
-        Vector &prescribed = patterns[j].prescribed;
-        if (!prescribed.empty())
-          {
-            check_settlement(prescribed);
-            coordinates->extend_prescribed(prescribed);
-          }
-        if (coordinates->n_interface() == 0)
-          continue; // recover() does all that is to be done
-        // Condensing what the bonded structure leaves out of balance instead of the load itself
-        // keeps rounding errors out of F that would grow with the model.
-        Vector u = coordinates->distribute(Vector(coordinates->size(), 0.).data(), prescribed);
-        add_bonded_response(patterns[j].forces, u);
-        const Vector residual = out_of_balance(patterns[j].forces, u);
-        std::copy(residual.begin(), residual.end(), loads.column(j));
-      }
-    F = solver->condense(loads);
-    projection->project_loads(F, motion_loads);
-    water_of_open   = columns_of(patterns, &LoadPattern::opening_water);
-    water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
-    E               = imposed_jumps_of(patterns, bars->bars().size());
-    timer.finish("condensation of loads");
-  }
-
-  template <int dim>
-  Vector
-  CondensedSystem<dim>::combination(const Vector &a, const Vector LoadPattern::*part) const
-  {
-    Vector sum;
-    for (std::size_t j = 0; j < patterns.size(); ++j)
-      if (const Vector &column = patterns[j].*part; a[j] != 0. && !column.empty())
-        {
-          sum.resize(column.size(), 0.);
-          for (std::size_t i = 0; i < column.size(); ++i)
-            sum[i] += a[j] * column[i];
-        }
-    return sum;
-  }
-
-  template <int dim>
-  Vector
-  CondensedSystem<dim>::out_of_balance(const Vector &loads, const Vector &u) const
-  {
-    Vector residual = bodies->forces(u);
-    for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = loads[i] - residual[i];
-    return coordinates->gather(residual);
-  }
-
-  template <int dim>
-  void
-  CondensedSystem<dim>::add_bonded_response(const Vector &loads, Vector &u) const
-  {
-    Vector y = out_of_balance(loads, u);
-    solver->solve(y, Vector(coordinates->n_interface(), 0.));
-    u = coordinates->distribute(y.data(), u);
-  }
-
-  template <int dim>
-  dealii::Vector<double>
-  CondensedSystem<dim>::recover(const Vector &a, const Vector &x) const
-  {
-    timer.restart();
-    const Vector prescribed = combination(a, &LoadPattern::prescribed);
-    Vector loads            = combination(a, &LoadPattern::forces);
-    loads.resize(space->n_dofs(), 0.);
-    Vector y(coordinates->size(), 0.);
-    std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
-    Vector u = coordinates->distribute(y.data(), prescribed);
-    add_bonded_response(loads, u);
-    add_bonded_response(loads, u); // refines
-    ++n_recovered_fields;
-    timer.finish("recovery of displacements");
-    return by_degrees_of_freedom(u);
   }
 
   template <int dim>

@@ -295,21 +295,25 @@ namespace fuga
 
 
   void
-  IterativeSolver::solve(Vector &load, const Vector &x)
+  IterativeSolver::solve(DenseMatrix &loads)
   {
-    const std::size_t n_eliminated = blocks.rows.size();
-    DenseMatrix X(blocks.n_rows, 1);
-    for (std::size_t i = 0; i < n_eliminated; ++i)
-      X(static_cast<std::size_t>(blocks.rows[i]), 0) = load[i];
-    const Compressed &coupling = system->coupling;
-    for (std::size_t i = 0; i < n_kept; ++i)
-      for (std::size_t k = coupling.start[i]; k < coupling.start[i + 1]; ++k)
-        X(static_cast<std::size_t>(coupling.indices[k]), 0) -= coupling.values[k] * x[i];
-    if (blocks.n_rows > 0)
-      solve_columns(X, tolerance_of_solutions);
-    ++its_work.n_solutions;
-    for (std::size_t i = 0; i < n_eliminated; ++i)
-      load[i] = X(static_cast<std::size_t>(blocks.rows[i]), 0);
-    std::copy(x.begin(), x.end(), load.begin() + static_cast<std::ptrdiff_t>(n_eliminated));
+    for (std::size_t first = 0; first < loads.n_columns(); first += columns_at_once)
+      {
+        const std::size_t n = std::min(columns_at_once, loads.n_columns() - first);
+        DenseMatrix X(blocks.n_rows, n);
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t i = 0; i < blocks.rows.size(); ++i)
+            X(static_cast<std::size_t>(blocks.rows[i]), j) = loads(i, first + j);
+        if (blocks.n_rows > 0)
+          solve_columns(X, tolerance_of_solutions);
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            double *const solution = loads.column(first + j);
+            for (std::size_t i = 0; i < blocks.rows.size(); ++i)
+              solution[i] = X(static_cast<std::size_t>(blocks.rows[i]), j);
+            std::fill_n(solution + blocks.rows.size(), n_kept, 0.);
+          }
+      }
+    its_work.n_solutions += loads.n_columns();
   }
 } // namespace fuga

@@ -175,55 +175,46 @@ namespace fuga
 
 
   void
-  SchurSolver::run_condensation(double *loads, const std::size_t n_columns, DenseMatrix &reduced)
+  SchurSolver::run_solution(const int part, DenseMatrix &loads, const char *what)
   {
-    auto &data   = mumps->data;
-    reduced      = DenseMatrix(n_kept, n_columns);
-    data.nrhs    = static_cast<int>(n_columns);
-    data.lrhs    = data.n;
-    data.rhs     = loads;
-    data.lredrhs = static_cast<int>(n_kept);
-    data.redrhs  = reduced.data();
-    // Without kept unknowns this is the whole solution.
-    mumps->control(26) = n_kept > 0 ? 1 : 0;
-    call(3, "condensation of the loads");
-    processes::broadcast(reduced.data(), n_kept * n_columns);
+    auto &data         = mumps->data;
+    data.nrhs          = static_cast<int>(loads.n_columns());
+    data.lrhs          = data.n;
+    data.rhs           = loads.data();
+    mumps->control(26) = part;
+    call(3, what);
   }
 
 
   DenseMatrix
   SchurSolver::condense(DenseMatrix &loads)
   {
-    DenseMatrix reduced;
+    const std::size_t n_columns = loads.n_columns();
     if (nothing_to_eliminate)
-      reduced = loads;
-    else if (n_kept > 0 && loads.n_columns() > 0)
-      {
-        run_condensation(loads.data(), loads.n_columns(), reduced);
-        its_work.n_condensed_loads += loads.n_columns();
-      }
+      return loads;
+    if (n_kept == 0 || n_columns == 0)
+      return {};
+    DenseMatrix reduced(n_kept, n_columns);
+    mumps->data.lredrhs = static_cast<int>(n_kept);
+    mumps->data.redrhs  = reduced.data();
+    run_solution(1, loads, "condensation of the loads");
+    processes::broadcast(reduced.data(), n_kept * n_columns);
+    its_work.n_condensed_loads += n_columns;
     return reduced;
   }
 
 
   void
-  SchurSolver::solve(Vector &load, const Vector &x)
+  SchurSolver::solve(DenseMatrix &loads)
   {
     if (nothing_to_eliminate)
       {
-        load = x;
+        loads = DenseMatrix(loads.n_rows(), loads.n_columns());
         return;
       }
-    DenseMatrix reduced;
-    run_condensation(load.data(), 1, reduced);
-    ++its_work.n_solutions;
-    if (n_kept > 0)
-      {
-        std::copy(x.begin(), x.end(), reduced.data());
-        mumps->control(26) = 2;
-        call(3, "expansion of the solution");
-      }
-    processes::broadcast(load.data(), load.size());
+    run_solution(0, loads, "solution");
+    processes::broadcast(loads.data(), loads.n_rows() * loads.n_columns());
+    its_work.n_solutions += loads.n_columns();
   }
 
 

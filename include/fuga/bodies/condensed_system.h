@@ -7,8 +7,10 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/base/phase_timer.h>
+#include <fuga/bodies/bodies_work.h>
 #include <fuga/bodies/construction.h>
 #include <fuga/bodies/equilibrium_error.h>
+#include <fuga/bodies/linear_response.h>
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/bodies/rigid_projection.h>
 #include <fuga/contact/contact_element.h>
@@ -50,35 +52,6 @@ namespace fuga
     std::vector<std::array<double, 3>> positions;
     /** On the plus lip [m²]. */
     double area = 0.;
-  };
-
-  /** A linear quantity of the full model in terms of the small one; see
-   * CondensedSystem::response(). */
-  struct LinearResponse
-  {
-    /** Per interface coordinate, and per load pattern at factor one. */
-    Vector coordinates, patterns;
-
-    /** For interface coordinates @p x and load factors @p a. */
-    double
-    value(const Vector &x, const Vector &a) const;
-  };
-
-  /** What was done with the full model so far. */
-  struct BodiesWork
-  {
-    std::size_t n_factorisations  = 0;
-    std::size_t n_condensed_loads = 0;
-    /** Solutions with the factors, one right-hand side each: one per load pattern, two per
-     * recovered field (the second refines), two per LinearResponse. */
-    std::size_t n_solutions        = 0;
-    std::size_t n_recovered_fields = 0;
-    unsigned int n_processes       = 0;
-    /** Of conjugate gradients, one vector each; 0 for the direct solver. */
-    std::size_t n_iterations = 0;
-    BodySolver solver        = BodySolver::direct;
-    /** Unless a solver was asked for that needs none. */
-    std::optional<SolverEstimate> estimate = {};
   };
 
   /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
@@ -378,6 +351,9 @@ namespace fuga
     void
     check_settlement(const Vector &prescribed) const;
 
+    DenseMatrix
+    loads_out_of_balance() const;
+
     /** Cᵀ (P - K u). */
     Vector
     out_of_balance(const Vector &loads, const Vector &u) const;
@@ -385,7 +361,6 @@ namespace fuga
     /** Adds to u the response to what is out of balance, with the jumps as they are. */
     void
     add_bonded_response(const Vector &loads, Vector &u) const;
-
 
     Vector
     combination(const Vector &a, const Vector LoadPattern::*part) const;

@@ -48,12 +48,9 @@ namespace fuga
     virtual DenseMatrix
     condense(DenseMatrix &loads) = 0;
 
-    /**
-     * Overwrites @p load by the solution K_ii⁻¹ (load_i - K_ic x) of the eliminated unknowns,
-     * followed by the kept ones, @p x.
-     */
+    /** Overwrites every column of @p loads by K_ii⁻¹ load_i, followed by zeros for the kept unknowns. */
     virtual void
-    solve(Vector &load, const Vector &x) = 0;
+    solve(DenseMatrix &loads) = 0;
 
     virtual const SolverWork &
     work() const = 0;

@@ -39,7 +39,7 @@ namespace fuga
     condense(DenseMatrix &loads) override;
 
     void
-    solve(Vector &load, const Vector &x) override;
+    solve(DenseMatrix &loads) override;
 
     /** Instead of eliminate(): S is not computed. */
     void

@@ -43,7 +43,7 @@ namespace fuga
     condense(DenseMatrix &loads) override;
 
     void
-    solve(Vector &load, const Vector &x) override;
+    solve(DenseMatrix &loads) override;
 
     const SolverWork &
     work() const override
@@ -61,8 +61,9 @@ namespace fuga
     void
     call(const int job, const char *what);
 
+    /** MUMPS' solution for all columns of @p loads; @p part: its ICNTL(26). */
     void
-    run_condensation(double *loads, const std::size_t n_columns, DenseMatrix &reduced);
+    run_solution(const int part, DenseMatrix &loads, const char *what);
 
     std::unique_ptr<Instance> mumps;
     unsigned int n_kept = 0;
