@@ -175,33 +175,37 @@ namespace fuga
     return largest + candidate.friction * noise(candidate.row);
   }
 
-  // The state that the present rates ask for, and by how much they contradict the present one.
-  ContactState
-  ConeRateProblem::next_state(const Candidate &candidate,
-                              TangentVector &direction,
-                              double &violation) const
+  // At the apex the force of Alart and Curnier's projection, the present one and the stiffness of
+  // each bar times its rate, tells the state; slip and strength such that Newton starts from it.
+  ConeRateProblem::Demand
+  ConeRateProblem::demand(const Candidate &candidate) const
   {
     const std::size_t n      = candidate.row;
     const double f           = candidate.friction;
     const bool open          = candidate.state == ContactState::open;
     const double no_force    = noise(n);
     const double no_velocity = no_force / diagonal[n];
-    direction                = candidate.direction;
-    violation                = 0.;
+    Demand demand{candidate.state, candidate.direction, candidate.slip, candidate.strength, 0.};
     if (candidate.at_apex)
       {
         if (!open && q[n] > no_force)
           {
-            violation = q[n];
-            return ContactState::open;
+            demand.violation = q[n];
+            demand.state     = ContactState::open;
+            return demand;
           }
         if (open && v[n] >= -no_velocity)
-          return ContactState::open;
+          return demand;
         if (open)
-          violation = -v[n] * diagonal[n];
+          demand.violation = -v[n] * diagonal[n];
       }
+    const auto change_to = [&](const ContactState state) {
+      demand.state = state;
+      demand.slip = demand.strength = 0.;
+      return demand;
+    };
     if (candidate.n_tangents == 0)
-      return ContactState::stick;
+      return change_to(ContactState::stick);
 
     const TangentVector q_t = tangential_rows(candidate, q), v_t = tangential_rows(candidate, v);
     const double stiffness = shear_stiffness(candidate);
@@ -209,63 +213,60 @@ namespace fuga
     if (is_slipping(candidate.state))
       {
         if (candidate.slip >= -no_shear / stiffness)
-          return candidate.state;
-        violation = -candidate.slip * stiffness;
-        return ContactState::stick;
+          return demand;
+        demand.violation = -candidate.slip * stiffness;
+        return change_to(ContactState::stick);
       }
     if (!candidate.at_apex)
       {
-        violation = std::max(0., dot(candidate.direction, q_t) + f * q[n]);
-        return violation > no_shear ? ContactState::slip_forward : ContactState::stick;
+        demand.violation = std::max(0., dot(candidate.direction, q_t) + f * q[n]);
+        return change_to(demand.violation > no_shear ? ContactState::slip_forward
+                                                     : ContactState::stick);
       }
-    // Closing or stuck at the apex: the force of Alart and Curnier's projection.
-    const double pressure = open ? -v[n] * diagonal[n] : -q[n];
+    const double strength = f * std::max(open ? -v[n] * diagonal[n] : -q[n], 0.);
     const TangentVector shear =
       open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
-    const double excess = length(shear) - f * std::max(pressure, 0.);
+    const double excess = length(shear) - strength;
     if (excess <= no_shear)
-      return ContactState::stick;
-    violation = std::max(violation, excess);
-    direction = {{shear[0] / length(shear), shear[1] / length(shear)}};
-    return ContactState::slip_forward;
+      return change_to(ContactState::stick);
+    return {ContactState::slip_forward,
+            {{shear[0] / length(shear), shear[1] / length(shear)}},
+            excess / stiffness,
+            strength,
+            std::max(demand.violation, excess)};
+  }
+
+  void
+  ConeRateProblem::follow(const Demand &demand, Candidate &candidate)
+  {
+    candidate.state     = demand.state;
+    candidate.direction = demand.direction;
+    candidate.slip      = demand.slip;
+    candidate.strength  = demand.strength;
   }
 
   bool
   ConeRateProblem::update_scheme(const bool one_by_one)
   {
     double worst            = -1.;
-    std::size_t worst_index = 0;
+    Candidate *worst_of_all = nullptr;
     bool changed            = false;
-    for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (Candidate &candidate : candidates)
       {
-        TangentVector direction;
-        double violation;
-        const ContactState next = next_state(candidates[c], direction, violation);
-        if (next == candidates[c].state)
+        const Demand wanted = demand(candidate);
+        if (wanted.state == candidate.state)
           continue;
         changed = true;
-        if (one_by_one)
+        if (!one_by_one)
+          follow(wanted, candidate);
+        else if (wanted.violation > worst)
           {
-            if (violation > worst)
-              {
-                worst       = violation;
-                worst_index = c;
-              }
-            continue;
+            worst        = wanted.violation;
+            worst_of_all = &candidate;
           }
-        candidates[c].state     = next;
-        candidates[c].direction = direction;
-        candidates[c].slip      = 0.;
       }
-    if (one_by_one && changed)
-      {
-        Candidate &candidate = candidates[worst_index];
-        double violation;
-        TangentVector direction;
-        candidate.state     = next_state(candidate, direction, violation);
-        candidate.direction = direction;
-        candidate.slip      = 0.;
-      }
+    if (worst_of_all != nullptr)
+      follow(demand(*worst_of_all), *worst_of_all);
     return changed;
   }
 
@@ -313,11 +314,7 @@ namespace fuga
       return;
     bool settled = solve_scheme() && is_settled();
     for (const Candidate &candidate : candidates)
-      {
-        TangentVector direction;
-        double violation;
-        settled = settled && next_state(candidate, direction, violation) == candidate.state;
-      }
+      settled = settled && demand(candidate).state == candidate.state;
     if (settled)
       return;
     candidates = before;

@@ -205,8 +205,10 @@ namespace fuga
           continue;
         candidate.state = ContactState::slip_forward;
         candidate.slip  = length(v_t);
-        if (candidate.at_apex)
-          candidate.direction = {{v_t[0] / candidate.slip, v_t[1] / candidate.slip}};
+        if (!candidate.at_apex)
+          continue;
+        candidate.direction = {{v_t[0] / candidate.slip, v_t[1] / candidate.slip}};
+        candidate.strength  = candidate.friction * std::max(-q[n], 0.);
       }
   }
 } // namespace fuga

@@ -54,11 +54,11 @@ namespace fuga
                                 0.});
             if (!candidate.at_apex || candidate.n_tangents < 2)
               continue;
-            const double pressure = f * std::max(-q[row], 0.);
-            const double s        = std::max(candidate.slip, 0.) + pressure / stiffness;
-            turn_scales[c]        = s;
-            const double ratio    = s > 0. ? std::max(candidate.slip, 0.) / s : 1.;
-            const double own      = s > 0. ? pressure / (s * stiffness) : 0.;
+            const double slip  = std::max(candidate.slip, 0.);
+            const double s     = slip + candidate.strength / stiffness;
+            turn_scales[c]     = s;
+            const double ratio = s > 0. ? slip / s : 1.;
+            const double own   = s > 0. ? candidate.strength / (s * stiffness) : 0.;
             unknowns.push_back({c,
                                 row,
                                 {{0., scale * ratio * side[0], scale * ratio * side[1]}},
@@ -142,6 +142,9 @@ namespace fuga
           v[candidate.row + 1 + i] = candidate.slip * candidate.direction[i];
       }
     refresh_forces();
+    for (Candidate &candidate : candidates)
+      if (candidate.at_apex && is_slipping(candidate.state))
+        candidate.strength = candidate.friction * std::max(-q[candidate.row], 0.);
     return true;
   }
 } // namespace fuga

@@ -68,8 +68,18 @@ namespace fuga
       bool resting            = false;
       ContactState state      = ContactState::stick;
       TangentVector direction = {{1., 0.}};
-      /** Rate of slip. */
-      double slip = 0.;
+      /** Rate of slip, and f times the rate at which the element presses, at the apex. */
+      double slip = 0., strength = 0.;
+    };
+
+    /** What the present rates ask of a candidate. */
+    struct Demand
+    {
+      ContactState state      = ContactState::stick;
+      TangentVector direction = {{1., 0.}};
+      double slip = 0., strength = 0.;
+      /** By how much they contradict its present state. */
+      double violation = 0.;
     };
 
     enum class Outcome
@@ -85,8 +95,10 @@ namespace fuga
     solve_scheme();
     bool
     update_scheme(const bool one_by_one);
-    ContactState
-    next_state(const Candidate &candidate, TangentVector &direction, double &violation) const;
+    Demand
+    demand(const Candidate &candidate) const;
+    static void
+    follow(const Demand &demand, Candidate &candidate);
     bool
     is_settled() const;
     void
