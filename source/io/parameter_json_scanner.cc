@@ -135,6 +135,7 @@ namespace fuga
         if (depth++ > 0)
           {
             path.push_back(name);
+            require_shallow(path, name_origin);
             scan.sections.push_back({path, name_origin});
           }
         return true;

@@ -155,6 +155,7 @@ namespace fuga
           throw InputError(
             fmt::format("{}: 'subsection' without a name. Write 'subsection NAME'.", origin()));
         path.push_back(name);
+        require_shallow(path, origin());
         open_at.push_back(origin());
         scan.sections.push_back({path, origin()});
       }
@@ -191,6 +192,20 @@ namespace fuga
     for (const std::string &name : path)
       result += (result.empty() ? "" : "/") + name;
     return result;
+  }
+
+
+  void
+  require_shallow(const SectionPath &path, const std::string &origin)
+  {
+    constexpr std::size_t deepest = 5; // some more than any section that exists
+    if (path.size() > deepest)
+      throw InputError(
+        fmt::format("{}: section '{}' lies {} sections deep, more than any that exists. "
+                    "Look for one above that is not closed.",
+                    origin,
+                    path_name(path),
+                    path.size()));
   }
 
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace fuga::campaign
@@ -124,5 +125,15 @@ namespace fuga::campaign
       return;
     killed = true;
     ::kill(id, SIGKILL);
+  }
+
+  double
+  ChildProcess::seconds() const
+  {
+    clockid_t clock;
+    timespec time;
+    if (end.ended || clock_getcpuclockid(id, &clock) != 0 || clock_gettime(clock, &time) != 0)
+      return 0.;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 } // namespace fuga::campaign

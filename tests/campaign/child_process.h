@@ -52,6 +52,10 @@ namespace fuga::campaign
     void
     kill();
 
+    /** Of a processor so far: what a busy machine does not add to. */
+    double
+    seconds() const;
+
     /** Everything the child has sent so far. */
     const std::string &
     text() const

@@ -41,6 +41,9 @@ namespace
   using fuga::campaign::ChildProcess;
   using Clock = std::chrono::steady_clock;
 
+  /** Also a process that only waits is ended, behind so many times its limit. */
+  constexpr double waiting_limit = 20.;
+
   struct Options
   {
     std::string seeds = FUGA_SOURCE_DIR "/tests/fuzz/seeds", keep = "failures";
@@ -113,6 +116,7 @@ namespace
       /** The case that is running. */
       std::uint64_t current = 0;
       Clock::time_point since;
+      double seconds_before = 0.;
     };
 
     void
@@ -160,8 +164,9 @@ namespace
         take_line(batch, text.substr(batch.n_read, line_end - batch.n_read));
       if (!end.ended)
         {
-          if (std::chrono::duration<double>(Clock::now() - batch.since).count() >
-              options.time_limit)
+          const double passed = std::chrono::duration<double>(Clock::now() - batch.since).count();
+          if (batch.child->seconds() - batch.seconds_before > options.time_limit ||
+              passed > waiting_limit * options.time_limit)
             batch.child->kill();
           return false;
         }
@@ -179,7 +184,8 @@ namespace
     void
     take_line(Batch &batch, const std::string &line)
     {
-      batch.since = Clock::now();
+      batch.since          = Clock::now();
+      batch.seconds_before = batch.child->seconds();
       std::istringstream words(line);
       std::string kind, message;
       std::uint64_t number = 0;
@@ -239,7 +245,7 @@ main(int argc, char **argv)
   app.add_option("--first", options.first, "Number of the first case");
   app.add_option("--cases", options.n_cases, "Number of cases");
   app.add_option("--jobs", options.n_jobs, "Processes at once")->check(CLI::Range(1, 256));
-  app.add_option("--time-limit", options.time_limit, "Seconds for one case");
+  app.add_option("--time-limit", options.time_limit, "Seconds of a processor for one case");
   app.add_option("--last-start", options.last_start, "Seconds after which no batch is begun");
   app.add_option("--keep", options.keep, "Directory for the files of cases that failed");
   app.add_flag("--verbose", options.verbose, "Print the end of every case");

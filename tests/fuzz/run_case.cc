@@ -63,6 +63,8 @@ namespace fuga::fuzz
       // Every message names a file, a line, an entry or a place, and says what to do.
       if (result.message.size() < 30)
         result.complaint = "the message says too little: " + result.message;
+      if (result.message.size() > 4000)
+        result.complaint = "the message is too long: " + result.message;
     }
   } // namespace
 

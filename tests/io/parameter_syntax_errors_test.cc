@@ -29,6 +29,12 @@ namespace fuga
        {{"set Fields = end\nend\n", "set Fields = end\n"}},
        {},
        {".prm:83", "'Output' is never closed", "missing 'end'"}},
+      {"ManyMissingEnds",
+       {{"subsection Mesh",
+         "subsection a\nsubsection b\nsubsection c\nsubsection d\nsubsection e\nsubsection "
+         "f\nsubsection Mesh"}},
+       {},
+       {".prm:10", "'a/b/c/d/e/f' lies 6 sections deep", "not closed"}},
       {"SurplusEnd",
        {{"subsection Mesh", "end\nsubsection Mesh"}},
        {},
@@ -110,6 +116,15 @@ namespace fuga
       message_of(write_file("bodies.prm", "subsection Mesh\nset File = example.msh\nend\n")),
       {"bodies.prm", "no bodies", "section Bodies"});
     expect_parts(message_of(write_file("comment.prm", "# nothing\n")), {"Mesh/File is missing"});
+  }
+
+  // Start and end of a message tell where and what to do; what is quoted between may be anything.
+  TEST(WrongFiles, LongNamesAreShortened)
+  {
+    const std::string message =
+      message_of(write_file("long.prm", "subsection " + std::string(200'000, 'a') + '\n'));
+    EXPECT_LT(message.size(), 4000);
+    expect_parts(message, {"long.prm:1", "aaa [...] aaa", "never closed. Add the missing 'end'."});
   }
 
   TEST(WrongFiles, WithoutStages)

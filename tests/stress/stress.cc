@@ -28,6 +28,9 @@ namespace
   using fuga::campaign::ChildProcess;
   using Clock = std::chrono::steady_clock;
 
+  /** Also a process that only waits is ended, behind so many times its limit. */
+  constexpr double waiting_limit = 20.;
+
   struct Options
   {
     std::string kind, table = "scenes.csv", keep;
@@ -109,8 +112,10 @@ namespace
             start_next();
           for (auto job = running.begin(); job != running.end();)
             {
-              if (std::chrono::duration<double>(Clock::now() - job->start).count() >
-                  options.time_limit)
+              const double passed =
+                std::chrono::duration<double>(Clock::now() - job->start).count();
+              if (job->child->seconds() > options.time_limit ||
+                  passed > waiting_limit * options.time_limit)
                 job->child->kill();
               const ChildEnd end = job->child->poll();
               if (end.ended)
@@ -214,7 +219,8 @@ main(int argc, char **argv)
   app.add_option("--seed", options.first_seed, "First seed");
   app.add_option("--seeds", options.n_seeds, "Number of seeds per kind");
   app.add_option("--jobs", options.n_jobs, "Processes at once")->check(CLI::Range(1, 256));
-  app.add_option("--time-limit", options.time_limit, "Seconds after which a scene has failed");
+  app.add_option(
+    "--time-limit", options.time_limit, "Seconds of a processor after which a scene has failed");
   app.add_option("--table", options.table, "Where the table of all scenes is written");
   app.add_option("--causes", options.causes, "Table of failures that are understood");
   app.add_option("--allow",

@@ -12,12 +12,19 @@ namespace fuga
   /**
    * The user's mistake: something in the parameter file, the mesh or the command line. The message
    * names the file, the line, the entry, its value, what is allowed and what to do; it is printed
-   * as it is and the program ends with exit code 1 before anything was computed or written.
+   * as it is and the program ends with exit code 1 before anything was computed or written. What is
+   * quoted may be of any length: from the middle of a very long message a part is left out.
    */
   class InputError : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string &message) : std::runtime_error(shortened(message))
+    {
+    }
+
+  private:
+    static std::string
+    shortened(const std::string &message);
   };
 
   /**

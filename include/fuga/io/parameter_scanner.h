@@ -16,6 +16,10 @@ namespace fuga
   std::string
   path_name(const SectionPath &path);
 
+  /** Refuses sections that lie deeper than any that exists, before their names fill the memory. */
+  void
+  require_shallow(const SectionPath &path, const std::string &origin);
+
   /** One `set NAME = VALUE` of a file or of the command line; blanks are normalised. */
   struct ScannedEntry
   {
