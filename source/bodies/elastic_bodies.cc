@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/boundary_conditions.h>
-#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/cell_stiffness.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/node_graph.h>
 #include <fuga/bodies/processes.h>
@@ -13,125 +13,6 @@
 
 namespace fuga
 {
-  LameConstants
-  lame_constants(const Material &material, const PlaneAssumption assumption)
-  {
-    const double E = material.young_modulus, nu = material.poisson_ratio;
-    LameConstants result;
-    result.mu     = E / (2. * (1. + nu));
-    result.lambda = assumption == PlaneAssumption::plane_stress
-                      ? E * nu / (1. - nu * nu)
-                      : E * nu / ((1. + nu) * (1. - 2. * nu));
-    return result;
-  }
-
-
-  // What is held across the plane presses too: 3λ + 2μ of space. In plane stress the plane alone.
-  double
-  thermal_modulus(const Material &material, const PlaneAssumption assumption)
-  {
-    const double nu = material.poisson_ratio;
-    return material.young_modulus /
-           (assumption == PlaneAssumption::plane_stress ? 1. - nu : 1. - 2. * nu);
-  }
-
-
-  /** Stiffness matrices of one cell after the other; entry (node * dim + component). */
-  template <int dim>
-  class ElasticBodies<dim>::CellStiffness
-  {
-  public:
-    explicit CellStiffness(const ElasticBodies<dim> &elastic_bodies)
-      : bodies(elastic_bodies)
-      , geometry(elastic_bodies.discretization)
-      , n_nodes(elastic_bodies.discretization.reference_element().n_nodes())
-      , matrix(n_nodes * dim * n_nodes * dim)
-    {
-    }
-
-    /** All entries, row by row. */
-    const double *
-    of(const std::size_t cell)
-    {
-      const unsigned int next = bodies.discretization.cell_body(cell);
-      const bool is_moved     = geometry.move_to(cell);
-      if (is_moved || next != body)
-        {
-          body = next;
-          compute();
-        }
-      return matrix.data();
-    }
-
-  private:
-    void
-    compute()
-    {
-      const auto &quadrature = bodies.discretization.reference_element().quadrature();
-      for (std::size_t a = 0; a < n_nodes; ++a)
-        for (std::size_t b = 0; b <= a; ++b)
-          {
-            dealii::Tensor<2, dim> product;
-            for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
-              product += outer_product(geometry.volume(q) * geometry.gradients(q)[a],
-                                       geometry.gradients(q)[b]);
-            dealii::Tensor<2, dim> block = plane_block(product);
-            if (bodies.discretization.is_axisymmetric())
-              add_hoop(a, b, block);
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  matrix[(a * dim + c) * n_nodes * dim + b * dim + d] = block[c][d];
-                  matrix[(b * dim + d) * n_nodes * dim + a * dim + c] = block[c][d];
-                }
-          }
-    }
-
-    /** From ∫ ∇N_a ⊗ ∇N_b. */
-    dealii::Tensor<2, dim>
-    plane_block(const dealii::Tensor<2, dim> &product) const
-    {
-      const LameConstants &material = bodies.materials[body];
-      const double diagonal         = material.mu * trace(product);
-      dealii::Tensor<2, dim> block;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          block[c][d] = material.lambda * product[c][d] + material.mu * product[d][c] +
-                        (c == d ? diagonal : 0.);
-      return block;
-    }
-
-    /** What the hoop strain u_r / r adds. */
-    void
-    add_hoop(const std::size_t a, const std::size_t b, dealii::Tensor<2, dim> &block) const
-    {
-      const LameConstants &material = bodies.materials[body];
-      const auto &quadrature        = bodies.discretization.reference_element().quadrature();
-      for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
-        {
-          const double radius = geometry.point(q)[0];
-          const double hoop_a = quadrature.values[q][a] / radius,
-                       hoop_b = quadrature.values[q][b] / radius;
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              block[c][0] +=
-                material.lambda * geometry.volume(q) * geometry.gradients(q)[a][c] * hoop_b;
-              block[0][c] +=
-                material.lambda * geometry.volume(q) * hoop_a * geometry.gradients(q)[b][c];
-            }
-          block[0][0] +=
-            (material.lambda + 2. * material.mu) * geometry.volume(q) * hoop_a * hoop_b;
-        }
-    }
-
-    const ElasticBodies<dim> &bodies;
-    CellGeometry<dim> geometry;
-    std::size_t n_nodes;
-    std::vector<double> matrix;
-    unsigned int body = static_cast<unsigned int>(-1);
-  };
-
-
   template <int dim>
   ElasticBodies<dim>::ElasticBodies(const Discretization<dim> &space,
                                     const JointedMesh &mesh,
@@ -221,7 +102,7 @@ namespace fuga
     matrix.values.reserve(graph.n_entries() + graph.n_entries() / 8);
     matrix.values.resize(graph.n_entries(), 0.);
     const std::size_t n_local = discretization.reference_element().n_nodes();
-    CellStiffness stiffness(*this);
+    CellStiffness<dim> stiffness(discretization, materials);
     for (const std::size_t cell : cells)
       {
         const unsigned int *nodes = discretization.cell_nodes(cell);
@@ -250,7 +131,7 @@ namespace fuga
   {
     using Term                = typename InterfaceCoordinates<dim>::Term;
     const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
-    CellStiffness stiffness(*this);
+    CellStiffness<dim> stiffness(discretization, materials);
     std::vector<Term> terms;
     for (const std::size_t cell : cells)
       {
@@ -299,7 +180,7 @@ namespace fuga
                                           const std::vector<bool> *only) const
   {
     const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
-    CellStiffness stiffness(*this);
+    CellStiffness<dim> stiffness(discretization, materials);
     Vector local(n_local), force(n_local);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {

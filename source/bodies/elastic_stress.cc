@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/elastic_stress.h>
+#include <fuga/bodies/lame_constants.h>
 
 namespace fuga
 {

@@ -6,8 +6,8 @@
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/cell_geometry.h>
 #include <fuga/bodies/depth_pressure.h>
-#include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/face_map.h>
+#include <fuga/bodies/lame_constants.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/bodies/point_text.h>

@@ -49,9 +49,7 @@ namespace fuga
     , ever_active(system.n_bars(), false)
   {
     check_path(history, options);
-    for (const ContactElement &element : elements)
-      if (const std::string what = unavailable_in_cone_path(element); !what.empty())
-        throw InputError("Not available for friction with two directions of slip: " + what + ".");
+    require_available(unavailable_in_cone_path, "for friction with two directions of slip");
   }
 
   PathResult

@@ -52,9 +52,7 @@ namespace fuga
     , solver(tangent_solver)
     , n_bars(layered_system.n_bars())
   {
-    for (const ContactElement &element : elements)
-      if (const std::string what = unavailable_without_stiffness(element); !what.empty())
-        throw InputError("Not available without the stiffness of the interface: " + what + ".");
+    require_available(unavailable_without_stiffness, "without the stiffness of the interface");
   }
 
   PathResult

@@ -6,25 +6,12 @@
 
 #include <fuga/bodies/interface_coordinates.h>
 #include <fuga/bodies/interior_solver.h>
+#include <fuga/bodies/lame_constants.h>
 
 namespace fuga
 {
   template <int dim>
   class NodeGraph;
-
-  /** The two numbers of isotropic elasticity, σ = λ tr(ε) 1 + 2μ ε in the plane. */
-  struct LameConstants
-  {
-    double lambda = 0.;
-    double mu     = 0.;
-  };
-
-  LameConstants
-  lame_constants(const Material &material, const PlaneAssumption assumption);
-
-  /** Stress that holds back a thermal strain αΔT in the plane, per strain: σ = C ε - this · αΔT. */
-  double
-  thermal_modulus(const Material &material, const PlaneAssumption assumption);
 
   /**
    * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
@@ -67,8 +54,6 @@ namespace fuga
     cell_energies(const Vector &u) const;
 
   private:
-    class CellStiffness;
-
     /** Calls @p action(cell, u of the cell relative to its first node, forces, stiffness) for every
      * own cell, or those of some bodies only. */
     template <typename Action>
