@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/fe/fe.h>
+#include <deal.II/grid/cell_id.h>
+
 #include <fuga/accuracy_estimate.h>
 #include <fuga/base/errors.h>
 #include <fuga/dual_fields.h>
@@ -22,12 +25,6 @@ namespace fuga
     error_over_difference(const Quantity quantity)
     {
       return quantity == Quantity::pressure ? 2. : 4. / 3.;
-    }
-
-    double
-    distance(const std::array<double, 3> &a, const std::array<double, 3> &b)
-    {
-      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
   } // namespace
 
@@ -54,25 +51,25 @@ namespace fuga
   }
 
 
-  // Every place is looked for in the fine faces that its own face was divided into. Between the
-  // nodes of these the pressure is taken as linear; the nodes of the coarse mesh are among them for
-  // degrees 1, 2.
+  // Every place is looked for in the fine faces that its own face was divided into, where the
+  // pressure is what the shape functions of the face make of that of its nodes. The nodes of the
+  // coarse mesh are among them for degrees 1, 2. A node that hangs on one other is at its place.
   template <int dim>
   void
   AccuracyEstimate<dim>::find_places()
   {
     const Model<dim> &model  = coarse.model();
     std::vector<bool> counts = counting_elements(model);
+    const FineFaces children = fine_faces();
     for (const JointFace &face : model.bodies.joint_faces())
-      {
-        const std::vector<Segment> segments = fine_segments(face);
-        for (std::size_t i = 0; i < face.elements.size(); ++i)
-          if (const unsigned int k = face.elements[i]; k != JointFace::no_element && counts[k])
-            {
-              places.push_back(place_of(k, face.positions[i], segments));
-              counts[k] = false; // the next face need not
-            }
-      }
+      for (std::size_t i = 0; i < face.shares.size(); ++i)
+        if (const auto &shares = face.shares[i]; shares.size() == 1 && counts[shares[0].first] &&
+                                                 std::abs(shares[0].second - 1.) < 1e-10)
+          {
+            places.push_back(
+              place_of(shares[0].first, face.positions[i], children.at({face.cell, face.number})));
+            counts[shares[0].first] = false; // the next face need not
+          }
     if (places.empty())
       throw InputError(fmt::format(
         "{}: the mesh has no contact element where the pressure counts. Let 'Where' be 1 "
@@ -81,26 +78,28 @@ namespace fuga
   }
 
 
+  // A child has the numbering of faces of its parent.
   template <int dim>
-  std::vector<typename AccuracyEstimate<dim>::Segment>
-  AccuracyEstimate<dim>::fine_segments(const JointFace &coarse_face) const
+  auto
+  AccuracyEstimate<dim>::fine_faces() const -> FineFaces
   {
-    constexpr double tolerance = 1e-6; // of the length of a face
-    std::vector<Segment> segments;
-    const auto &begin = coarse_face.positions.front(), &end = coarse_face.positions.back();
+    const Discretization<dim> &parents  = coarse.model().bodies.discretization(),
+                              &children = fine.model().bodies.discretization();
+    std::vector<typename dealii::Triangulation<dim>::active_cell_iterator> cells(
+      children.n_cells());
+    for (const auto &cell : children.triangulation().active_cell_iterators())
+      if (const unsigned int number = children.cell_number(cell->active_cell_index());
+          number != Discretization<dim>::no_cell)
+        cells[number] = cell;
+    FineFaces result;
     for (const JointFace &face : fine.model().bodies.joint_faces())
       {
-        if (face.joint != coarse_face.joint)
-          continue;
-        std::array<double, 3> middle;
-        for (unsigned int c = 0; c < 3; ++c)
-          middle[c] = 0.5 * (face.positions.front()[c] + face.positions.back()[c]);
-        if (distance(begin, middle) + distance(middle, end) <
-            (1. + tolerance) * distance(begin, end))
-          for (std::size_t i = 0; i + 1 < face.elements.size(); ++i)
-            segments.push_back({&face, i});
+        const auto &cell  = cells[face.cell];
+        const auto parent = parents.triangulation().create_cell_iterator(cell->parent()->id());
+        result[{parents.cell_number(parent->active_cell_index()), face.number}].push_back(
+          {&face, cell});
       }
-    return segments;
+    return result;
   }
 
 
@@ -108,21 +107,26 @@ namespace fuga
   typename AccuracyEstimate<dim>::Place
   AccuracyEstimate<dim>::place_of(const std::size_t element,
                                   const std::array<double, 3> &position,
-                                  const std::vector<Segment> &segments) const
+                                  const std::vector<FineFace> &faces) const
   {
-    double least = std::numeric_limits<double>::infinity();
+    const Discretization<dim> &space = fine.model().bodies.discretization();
+    dealii::Point<dim> point;
+    for (unsigned int c = 0; c < dim; ++c)
+      point[c] = position[c];
     Place place{element, {}};
-    for (const auto &[face, i] : segments)
+    for (const auto &[face, cell] : faces)
       {
-        const double to_first  = distance(position, face->positions[i]),
-                     to_second = distance(position, face->positions[i + 1]),
-                     detour =
-                       to_first + to_second - distance(face->positions[i], face->positions[i + 1]);
-        if (detour >= least)
+        const auto inside = coordinates_in<dim>(cell, space.mapping(), point);
+        if (!inside)
           continue;
-        least               = detour;
-        const double second = to_first / (to_first + to_second);
-        place.neighbours    = {{{face->elements[i], 1. - second}, {face->elements[i + 1], second}}};
+        const auto &nodes = space.reference_element().face(face->number).nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          if (const double value =
+                space.reference_element().scalar_element().shape_value(nodes[i], *inside);
+              std::abs(value) > 10. * inside_tolerance)
+            for (const auto &[k, weight] : face->shares[face->backwards ? nodes.size() - 1 - i : i])
+              place.neighbours.emplace_back(k, value * weight);
+        break;
       }
     return place;
   }
@@ -137,8 +141,7 @@ namespace fuga
       {
         double there = 0.;
         for (const auto &[element, weight] : place.neighbours)
-          if (weight > 0. && element != JointFace::no_element)
-            there += weight * fine_level.results[element].pressure;
+          there += weight * fine_level.results[element].pressure;
         const double area = coarse.model().bodies.elements()[place.element].area;
         result.difference +=
           area * std::pow(coarse_level.results[place.element].pressure - there, 2);
@@ -170,13 +173,16 @@ namespace fuga
     Vector result;
     for (const unsigned int item : target.items)
       {
-        std::array<double, 3> values;
+        Vector values;
         if (target.quantity == Quantity::monitor)
-          values = run.model().monitors[item].displacement(level.x, level.a);
+          {
+            const auto u = run.model().monitors[item].displacement(level.x, level.a);
+            values.assign(u.begin(), u.end());
+          }
         else
           {
             const JointResultant &r = level.resultants[item];
-            values                  = {{r.N, r.T, r.M}};
+            values                  = {r.N, r.T, r.M, r.T2, r.M1, r.Mn};
           }
         for (const unsigned int component : target.components)
           result.push_back(values[component]);
@@ -186,4 +192,5 @@ namespace fuga
 
 
   template class AccuracyEstimate<2>;
+  template class AccuracyEstimate<3>;
 } // namespace fuga

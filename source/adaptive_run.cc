@@ -212,4 +212,5 @@ namespace fuga
 
 
   template class AdaptiveRun<2>;
+  template class AdaptiveRun<3>;
 } // namespace fuga

@@ -19,11 +19,11 @@ namespace fuga
     /** Jump of the bars of a joint whose work is N, T or M (as 0, 1, 2), if the joint is straight.
      */
     Vector
-    unit_jump(const std::vector<ContactElement> &elements,
-              const std::vector<ElementFrame> &frames,
-              const unsigned int joint,
-              const unsigned int component,
-              const std::size_t n_bars)
+    unit_jump_in_plane(const std::vector<ContactElement> &elements,
+                       const std::vector<ElementFrame> &frames,
+                       const unsigned int joint,
+                       const unsigned int component,
+                       const std::size_t n_bars)
     {
       Vector jump(n_bars, 0.);
       const auto first =
@@ -43,6 +43,47 @@ namespace fuga
             jump[element.normal_bar] =
               (element.position[0] - first->position[0]) * frames[k].normal[1] -
               (element.position[1] - first->position[1]) * frames[k].normal[0];
+        }
+      return jump;
+    }
+
+    dealii::Tensor<1, 3>
+    tensor(const std::array<double, 3> &values)
+    {
+      return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
+    }
+
+    /** Jump of the bars of a joint in space whose work is N, T, M, T2, M1 or Mn (as 0 ... 5) in the
+     *  frame of @p resultant: lips that move as a whole along an axis or turn about it. Moments are
+     *  about the first element. */
+    Vector
+    unit_jump_in_space(const std::vector<ContactElement> &elements,
+                       const std::vector<ElementFrame> &frames,
+                       const unsigned int joint,
+                       const unsigned int component,
+                       const JointResultant &resultant,
+                       const std::size_t n_bars)
+    {
+      const auto n = tensor(resultant.normal), t1 = tensor(resultant.first_tangent);
+      const auto t2                     = dealii::cross_product_3d(n, t1);
+      const dealii::Tensor<1, 3> axes[] = {n, t1, t2, t2, -t1, -n};
+      const bool turns                  = component == 2 || component > 3;
+      const auto first                  = std::find_if(
+        elements.begin(), elements.end(), [joint](const auto &e) { return e.joint == joint; });
+      Vector jump(n_bars, 0.);
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        {
+          const ContactElement &element = elements[k];
+          if (element.joint != joint)
+            continue;
+          const auto arm = tensor(element.position) - tensor(first->position);
+          const auto direction =
+            turns ? dealii::cross_product_3d(axes[component], arm) : axes[component];
+          jump[element.normal_bar] = direction * tensor(frames[k].normal);
+          if (element.has_tangential_bar())
+            jump[element.tangential_bar] = direction * tensor(frames[k].tangents[0]);
+          if (element.has_second_tangential_bar())
+            jump[element.second_tangential_bar] = direction * tensor(frames[k].tangents[1]);
         }
       return jump;
     }
@@ -86,6 +127,8 @@ namespace fuga
             close(bodies.elements()[k].normal_bar);
             if (bodies.elements()[k].has_tangential_bar() && !is_slipping(state))
               close(bodies.elements()[k].tangential_bar);
+            if (bodies.elements()[k].has_second_tangential_bar() && !is_slipping(state))
+              close(bodies.elements()[k].second_tangential_bar);
           }
       return result;
     }
@@ -137,8 +180,14 @@ namespace fuga
           if (target.quantity == Quantity::monitor)
             result.push_back(
               {model.monitor_points[item].unit_force(component), Vector(n_bars, 0.)});
+          else if constexpr (dim == 2)
+            result.push_back(
+              {{}, unit_jump_in_plane(elements, model.frames, item, component, n_bars)});
           else
-            result.push_back({{}, unit_jump(elements, model.frames, item, component, n_bars)});
+            result.push_back(
+              {{},
+               unit_jump_in_space(
+                 elements, model.frames, item, component, level.resultants[item], n_bars)});
       return result;
     }
   } // namespace
@@ -187,6 +236,10 @@ namespace fuga
 
   template std::vector<bool>
   counting_elements(const Model<2> &);
+  template std::vector<bool>
+  counting_elements(const Model<3> &);
   template std::vector<dealii::Vector<double>>
   dual_fields(const TrialRun<2> &, const TrialRun<2>::Level &);
+  template std::vector<dealii::Vector<double>>
+  dual_fields(const TrialRun<3> &, const TrialRun<3>::Level &);
 } // namespace fuga

@@ -187,9 +187,8 @@ namespace
         return 0;
       }
     const auto run = [&] {
-      if constexpr (dim == 2)
-        if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
-          return AdaptiveRun<dim>(std::move(model)).run();
+      if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
+        return AdaptiveRun<dim>(std::move(model)).run();
       return parameters.variants.empty()
                ? run_all_phases<dim>(std::move(model), checkpoint ? &*checkpoint : nullptr)
                : Sweep<dim>(*model).run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/path_choice.h>
 #include <fuga/trial_run.h>
 
 #include <deal.II/lac/vector.h>
@@ -20,7 +21,7 @@ namespace fuga
     const LoadHistory loading = model.loads.history.until(model.loads.end_of_loading);
     PathOptions options       = model.path_options();
     options.beyond_limit      = false;
-    EventPath(joint.elements, layered, loading, options).run(model.loads.levels, *this);
+    make_contact_path(joint.elements, layered, loading, options)->run(model.loads.levels, *this);
     n_reached = all_levels.size();
     if (!last_state.states.empty() && (all_levels.empty() || all_levels.back().t < last_state.t))
       add_level(last_state);
@@ -101,6 +102,9 @@ namespace fuga
 
 
   template class TrialRun<2>;
+  template class TrialRun<3>;
   template std::vector<std::pair<const TrialRun<2>::Level *, const TrialRun<2>::Level *>>
   common_levels(const TrialRun<2> &, const TrialRun<2> &);
+  template std::vector<std::pair<const TrialRun<3>::Level *, const TrialRun<3>::Level *>>
+  common_levels(const TrialRun<3> &, const TrialRun<3> &);
 } // namespace fuga

@@ -4,7 +4,10 @@
 #ifndef fuga_accuracy_estimate_h
 #define fuga_accuracy_estimate_h
 
+#include <fuga/bodies/cell_coordinates.h>
 #include <fuga/trial_run.h>
+
+#include <map>
 
 namespace fuga
 {
@@ -28,11 +31,11 @@ namespace fuga
     }
 
   private:
-    /** Two elements of the fine system with their weights. */
+    /** An element, and those of the fine system whose pressures make up the one at its place. */
     struct Place
     {
       std::size_t element;
-      std::array<std::pair<std::size_t, double>, 2> neighbours;
+      std::vector<std::pair<unsigned int, double>> neighbours;
     };
 
     /** Difference and size of the quantity at one level, squared. */
@@ -42,17 +45,22 @@ namespace fuga
     };
 
     using Level = typename TrialRun<dim>::Level;
-    /** A joint face and the number of a node on it: from there to the next one. */
-    using Segment = std::pair<const JointFace *, std::size_t>;
+    struct FineFace
+    {
+      const JointFace *face;
+      typename dealii::Triangulation<dim>::active_cell_iterator cell;
+    };
+    /** What a face of a joint was divided into, by its cell and its number on it. */
+    using FineFaces = std::map<std::pair<unsigned int, unsigned int>, std::vector<FineFace>>;
 
     void
     find_places();
-    std::vector<Segment>
-    fine_segments(const JointFace &coarse_face) const;
+    FineFaces
+    fine_faces() const;
     Place
     place_of(const std::size_t element,
              const std::array<double, 3> &position,
-             const std::vector<Segment> &segments) const;
+             const std::vector<FineFace> &faces) const;
     Squares
     compare_pressures(const Level &coarse_level, const Level &fine_level) const;
     Squares

@@ -170,15 +170,17 @@ namespace fuga
   void
   CondensedSystem<dim>::list_joint_faces()
   {
-    static_assert(JointFace::no_element == ContactBars<dim>::no_element, "same mark");
     for (const auto &face : geometry->faces())
       {
         JointFace result;
-        result.joint = face.joint;
-        result.area  = face.area;
+        result.joint     = face.joint;
+        result.area      = face.area;
+        result.cell      = face.boundary.cell;
+        result.number    = face.boundary.number;
+        result.backwards = face.backwards;
         for (const unsigned int pair : face.pairs)
           {
-            result.elements.push_back(bars->elements_of_pairs()[pair]);
+            result.shares.push_back(bars->shares_of_pair(pair));
             result.positions.emplace_back();
             for (unsigned int c = 0; c < dim; ++c)
               result.positions.back()[c] = geometry->pairs()[pair].position[c];

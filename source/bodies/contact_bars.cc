@@ -44,8 +44,8 @@ namespace fuga
     for (unsigned int i = 0; i < geometry.pairs().size(); ++i)
       {
         const auto &pair = geometry.pairs()[i];
-        if (pair.plus_node == pair.minus_node)
-          continue; // the tip of a joint inside a body
+        if (pair.plus_node == pair.minus_node || !pair.masters.empty())
+          continue; // the tip of a joint inside a body; a pair that hangs
         if (pair.area == 0.)
           {
             lines.push_back(
@@ -148,6 +148,20 @@ namespace fuga
     its_tangents.push_back(jump.tangents);
     free_tangents.push_back(jump.n_free_tangents);
     all_elements.push_back(element);
+  }
+
+
+  template <int dim>
+  typename ContactBars<dim>::Shares
+  ContactBars<dim>::shares_of_pair(const unsigned int pair) const
+  {
+    if (pair_elements[pair] != no_element)
+      return {{pair_elements[pair], 1.}};
+    Shares shares;
+    for (const auto &[master, weight] : geometry.pairs()[pair].masters)
+      if (pair_elements[master] != no_element)
+        shares.emplace_back(pair_elements[master], weight);
+    return shares;
   }
 
 

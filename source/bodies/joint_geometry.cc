@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/base/exceptions.h>
+
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/face_map.h>
@@ -9,7 +11,8 @@
 #include <fuga/bodies/point_matcher.h>
 #include <fuga/bodies/point_text.h>
 
-#include <map>
+#include <algorithm>
+#include <limits>
 
 namespace fuga
 {
@@ -200,7 +203,7 @@ namespace fuga
   void
   JointGeometry<dim>::add_pairs(const unsigned int joint, const std::vector<MatchedFace> &faces)
   {
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> known;
+    KnownPairs known;
     for (const auto &face : faces)
       {
         const auto &table  = discretization.reference_element().face(face.plus->number);
@@ -220,23 +223,16 @@ namespace fuga
           joint_face.area += area;
         for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
           {
-            const auto [entry, is_new] =
-              known.try_emplace({face.plus_nodes[k], face.minus_nodes[k]}, all_pairs.size());
-            if (is_new)
-              {
-                NodePair<dim> pair;
-                pair.joint      = joint;
-                pair.plus_node  = face.plus_nodes[k];
-                pair.minus_node = face.minus_nodes[k];
-                pair.position   = discretization.position(pair.plus_node);
-                all_pairs.push_back(pair);
-              }
-            all_pairs[entry->second].area += areas[k];
-            all_pairs[entry->second].normal += (areas[k] > 0. ? areas[k] : 1.) * normal;
-            joint_face.pairs.push_back(entry->second);
+            const unsigned int pair =
+              find_or_add(joint, face.plus_nodes[k], face.minus_nodes[k], known);
+            all_pairs[pair].area += areas[k];
+            all_pairs[pair].normal += (areas[k] > 0. ? areas[k] : 1.) * normal;
+            joint_face.pairs.push_back(pair);
           }
         all_faces.push_back(std::move(joint_face));
       }
+    if (!discretization.hanging_nodes().masters().empty())
+      move_to_masters(known);
     for (const auto &entry : known)
       {
         auto &pair = all_pairs[entry.second];
@@ -250,6 +246,87 @@ namespace fuga
                         dim == 2 ? "line" : "surface"));
         pair.normal /= pair.normal.norm();
       }
+  }
+
+
+  template <int dim>
+  unsigned int
+  JointGeometry<dim>::find_or_add(const unsigned int joint,
+                                  const unsigned int plus_node,
+                                  const unsigned int minus_node,
+                                  KnownPairs &known)
+  {
+    const auto [entry, is_new] =
+      known.try_emplace({plus_node, minus_node}, static_cast<unsigned int>(all_pairs.size()));
+    if (is_new)
+      {
+        NodePair<dim> pair;
+        pair.joint      = joint;
+        pair.plus_node  = plus_node;
+        pair.minus_node = minus_node;
+        pair.position   = discretization.position(plus_node);
+        all_pairs.push_back(pair);
+      }
+    return entry->second;
+  }
+
+
+  // With δ_h = Σ w_k δ_k the work of a pressure on the jump of a hanging pair is one on its
+  // masters: areas, and normals weighted by them, become integrals of the shape functions of the
+  // space with its constraints.
+  template <int dim>
+  void
+  JointGeometry<dim>::move_to_masters(KnownPairs &known)
+  {
+    std::vector<unsigned int> hanging;
+    for (const auto &[nodes, pair] : known)
+      if (discretization.hanging_nodes().contain(nodes.first) ||
+          discretization.hanging_nodes().contain(nodes.second))
+        hanging.push_back(pair);
+    std::sort(hanging.begin(), hanging.end());
+    for (const unsigned int pair : hanging)
+      {
+        find_masters(pair, known);
+        for (const auto &[master, weight] : all_pairs[pair].masters)
+          {
+            all_pairs[master].area += weight * all_pairs[pair].area;
+            all_pairs[master].normal += weight * all_pairs[pair].normal;
+          }
+        all_pairs[pair].area = 0.;
+      }
+  }
+
+
+  // Lips are refined alike (mesh_refinement): a node hangs together with the one it faces, and
+  // their masters face each other. One that only a cell beside the joint has becomes a pair here.
+  template <int dim>
+  void
+  JointGeometry<dim>::find_masters(const unsigned int hanging_pair, KnownPairs &known)
+  {
+    const NodePair<dim> pair = all_pairs[hanging_pair]; // a copy: pairs may be added
+    const auto &hanging      = discretization.hanging_nodes();
+    const bool obstacle      = pair.minus_node == Discretization<dim>::no_node;
+    Assert(hanging.contain(pair.plus_node) && (obstacle || hanging.contain(pair.minus_node)),
+           dealii::ExcMessage("A node of a lip hangs, and its partner does not."));
+    std::vector<std::pair<unsigned int, double>> masters;
+    for (const auto &[plus, weight] : hanging.masters().at(pair.plus_node))
+      {
+        unsigned int minus = Discretization<dim>::no_node;
+        if (!obstacle)
+          {
+            double least = std::numeric_limits<double>::infinity();
+            for (const auto &candidate : hanging.masters().at(pair.minus_node))
+              if (const double distance = discretization.position(plus).distance(
+                    discretization.position(candidate.first));
+                  distance < least)
+                {
+                  least = distance;
+                  minus = candidate.first;
+                }
+          }
+        masters.emplace_back(find_or_add(pair.joint, plus, minus, known), weight);
+      }
+    all_pairs[hanging_pair].masters = std::move(masters);
   }
 
 

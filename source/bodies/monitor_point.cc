@@ -11,45 +11,20 @@
 #include <fmt/ranges.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
+#include <fuga/bodies/cell_coordinates.h>
 #include <fuga/bodies/monitor_point.h>
 #include <fuga/bodies/point_text.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace fuga
 {
   namespace
   {
-    /** Of a cell: a point that lies outside by less, by rounding, lies inside. */
-    constexpr double rounding = 1e-8;
-
     std::string
     title(const MonitorDefinition &definition)
     {
       return fmt::format("{}: monitor '{}'", definition.origin, definition.name);
-    }
-
-    /** Coordinates in the reference cell, if the point lies in the cell. */
-    template <int dim, typename Cell>
-    std::optional<dealii::Point<dim>>
-    coordinates_in(const Cell &cell,
-                   const dealii::Mapping<dim, dim> &mapping,
-                   const dealii::Point<dim> &point)
-    {
-      if (!cell->bounding_box().point_inside(point, rounding))
-        return {};
-      try
-        {
-          const dealii::Point<dim> inside = mapping.transform_real_to_unit_cell(cell, point);
-          if (cell->reference_cell().contains_point(inside, rounding))
-            return inside;
-        }
-      catch (const typename dealii::Mapping<dim, dim>::ExcTransformationFailed &)
-        {
-          // outside, near a cell that is not a parallelogram
-        }
-      return {};
     }
   } // namespace
 
@@ -144,7 +119,7 @@ namespace fuga
       {
         const double share = element.shape_value(i, in_reference_cell);
         // On a face or at a corner the other nodes have no share but rounding.
-        if (std::abs(share) > 10. * rounding)
+        if (std::abs(share) > 10. * inside_tolerance)
           result.push_back({discretization.cell_nodes(cell)[i], share});
       }
     replace_hanging_nodes(result);
@@ -171,7 +146,7 @@ namespace fuga
           sums[master] += weight * one.share;
     of_nodes.clear();
     for (const auto &[node, share] : sums)
-      if (std::abs(share) > 10. * rounding)
+      if (std::abs(share) > 10. * inside_tolerance)
         of_nodes.push_back({node, share});
   }
 

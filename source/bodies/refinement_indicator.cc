@@ -77,6 +77,13 @@ namespace fuga
                        const dealii::Vector<double> &,
                        const CondensedSystem<2> &,
                        const dealii::Vector<double> &);
+  template Vector
+  refinement_indicator(const CondensedSystem<3> &,
+                       const dealii::Vector<double> &,
+                       const CondensedSystem<3> &,
+                       const dealii::Vector<double> &);
   template std::vector<CellKey>
   mark_cells(const CondensedSystem<2> &, const Vector &, const double);
+  template std::vector<CellKey>
+  mark_cells(const CondensedSystem<3> &, const Vector &, const double);
 } // namespace fuga

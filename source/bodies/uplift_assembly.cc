@@ -166,6 +166,10 @@ namespace fuga
     const double u_downstream =
       uplift.has_tailwater ? pressure_below(uplift.tailwater, water.downstream[dim - 1], gamma)
                            : 0.;
+    std::vector<typename ContactBars<dim>::Shares> elements(map.n_nodes());
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      elements[k] = bars.shares_of_pair(face.pair_of_node(k));
+
     const unsigned int n_points = discretization.reference_element().scalar_element().degree + 2;
     const dealii::QGauss<1> rule(n_points);
     for (const auto &line : map.lines(kinks, n_points))
@@ -190,12 +194,11 @@ namespace fuga
               const double u_full   = pressure_below(level, map.interpolate(heights, at), gamma);
               const auto values     = map.values(at);
               for (std::size_t k = 0; k < values.size(); ++k)
-                if (const unsigned int element = bars.elements_of_pairs()[face.pair_of_node(k)];
-                    element != ContactBars<dim>::no_element)
+                for (const auto &[element, weight] : elements[k])
                   {
                     const unsigned int bar = bars.elements()[element].normal_bar;
-                    closed[bar] += area * values[k] * u_closed;
-                    full[bar] += area * values[k] * u_full;
+                    closed[bar] += area * weight * values[k] * u_closed;
+                    full[bar] += area * weight * values[k] * u_full;
                   }
             }
       }

@@ -17,6 +17,8 @@ namespace fuga
     constexpr double explosion = 0.03;
     /** State of a node without contact element. */
     constexpr double bonded = 3.;
+    /** Columns of what belongs to an element as a whole: state, area, dissipation, number. */
+    constexpr unsigned int first_of_element = 8, last_of_element = 11;
 
     std::vector<std::string>
     names(const unsigned int dim, const bool has_water)
@@ -109,9 +111,9 @@ namespace fuga
   JointPatches<dim>::add_face(const JointFace &face, const double offset)
   {
     std::array<double, 3> normal{};
-    for (const unsigned int k : face.elements)
-      if (k != JointFace::no_element)
-        normal = system.normal(k);
+    for (const auto &shares : face.shares)
+      if (!shares.empty())
+        normal = system.normal(shares.front().first);
     for (const auto &nodes : cells_of_face(dim, static_cast<unsigned int>(face.positions.size())))
       {
         Patch patch;
@@ -125,7 +127,7 @@ namespace fuga
           {
             for (unsigned int d = 0; d < dim; ++d)
               patch.vertices[v][d] = face.positions[nodes[v]][d] + offset * normal[d];
-            const std::vector<double> values = values_at(face.elements[nodes[v]]);
+            const std::vector<double> values = values_at(face.shares[nodes[v]]);
             if (v == 0)
               patch.data.reinit(values.size(), nodes.size());
             for (unsigned int n = 0; n < values.size(); ++n)
@@ -137,17 +139,32 @@ namespace fuga
 
   template <int dim>
   std::vector<double>
-  JointPatches<dim>::values_at(const unsigned int element) const
+  JointPatches<dim>::values_at(const std::vector<std::pair<unsigned int, double>> &shares) const
   {
-    const bool has_water      = !system.closed_water().empty();
-    const std::size_t n_names = names(dim, has_water).size();
-    if (element == JointFace::no_element)
+    if (shares.size() == 1 && shares.front().second == 1.)
+      return values_of(shares.front().first);
+    std::vector<double> sum(names(dim, !system.closed_water().empty()).size(), 0.);
+    sum[first_of_element] = bonded;
+    sum[last_of_element]  = -1.;
+    double largest        = 0.;
+    for (const auto &[element, weight] : shares)
       {
-        std::vector<double> values(n_names, 0.);
-        values[8]  = bonded;
-        values[11] = -1.;
-        return values;
+        const std::vector<double> values = values_of(element);
+        for (unsigned int n = 0; n < values.size(); ++n)
+          if (n < first_of_element || n > last_of_element)
+            sum[n] += weight * values[n];
+          else if (weight > largest)
+            sum[n] = values[n];
+        largest = std::max(largest, weight);
       }
+    return sum;
+  }
+
+  template <int dim>
+  std::vector<double>
+  JointPatches<dim>::values_of(const unsigned int element) const
+  {
+    const bool has_water       = !system.closed_water().empty();
     const ElementResult &r     = results[element];
     std::vector<double> values = {r.gap,
                                   r.closure,

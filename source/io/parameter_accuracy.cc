@@ -65,14 +65,19 @@ namespace fuga
 
     void
     read_pressure(const ParameterSection &section,
-                  const std::map<std::string, double> &constants,
+                  const ModelDefinition &model,
                   AccuracyTarget &target)
     {
       refuse(section, "Components", "resultant or monitor");
       if (!section.given("Where"))
         return;
       target.where = section.text("Where");
-      check_expression(section, "Where", target.where, ExpressionArguments::place, constants);
+      check_expression(section,
+                       "Where",
+                       target.where,
+                       model.dimension == 3 ? ExpressionArguments::place_in_space
+                                            : ExpressionArguments::place,
+                       model.constants);
     }
 
 
@@ -113,16 +118,15 @@ namespace fuga
         refuse(section, "Components", "resultant or monitor");
         return;
       }
-    if (parameters.model.dimension == 3)
-      section.fail("Quantity",
-                   "in space (Dimension = 3) the program does not find its mesh in this version. "
-                   "Remove this entry, and compare with 'Mesh/Refinements'.");
     check_combinations(section, parameters);
     parameters.output.checkpoint = CheckpointOutput::never; // the mesh is not in it
     if (target.quantity == Quantity::pressure)
-      read_pressure(section, parameters.model.constants, target);
+      read_pressure(section, parameters.model, target);
 
+    const bool in_space = parameters.model.dimension == 3;
     std::vector<std::string> names, components = {"x", "y"};
+    if (in_space)
+      components.emplace_back("z");
     if (target.quantity == Quantity::monitor)
       {
         for (const MonitorDefinition &monitor : parameters.model.monitors)
@@ -135,6 +139,8 @@ namespace fuga
           names.push_back(joint.definition.name);
         target.items = read_numbers(section, "Joints", "joint", names);
         components   = {"N", "T", "M"};
+        if (in_space)
+          components.insert(components.end(), {"T2", "M1", "Mn"});
       }
     if (target.items.empty())
       section.fail("Quantity",
@@ -145,6 +151,10 @@ namespace fuga
       return;
     target.components = read_numbers(section, "Components", "component", components);
     if (!section.given("Components"))
-      target.components = {0, 1};
+      {
+        target.components = {0, 1};
+        if (in_space)
+          target.components.push_back(target.quantity == Quantity::monitor ? 2 : 3);
+      }
   }
 } // namespace fuga

@@ -32,7 +32,8 @@ namespace fuga
          "For contact pressure and resultant: list of the joints that count; without it all."),
        optional("Where",
                 text(),
-                "For contact pressure: expression of x, y; only places count where it is not 0. "
+                "For contact pressure: expression of x, y (in space x, y, z); only places count "
+                "where it is not 0. "
                 "Without it all; but at the edge of a stiff body the pressure has no limit, and no "
                 "mesh gives it accurately. For example abs(x) <= 0.9."),
        optional(
@@ -40,8 +41,8 @@ namespace fuga
        optional(
          "Components",
          text(),
-         "For resultant: list out of N, T, M; without it N, T. For monitor: list out of x, y; "
-         "without it both."),
+         "For resultant: list out of N, T, M, in space T2, M1, Mn too; without it N, T, T2. For "
+         "monitor: list out of x, y, z; without it all."),
        defaulted(
          "Largest number of unknowns",
          "1000000",

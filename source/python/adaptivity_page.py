@@ -16,7 +16,7 @@ import tempfile
 import matplotlib
 import numpy
 
-from adaptivity_scenes import Block, Hertz, Punch, Run
+from adaptivity_scenes import Block, Hertz, Punch, Run, Sphere
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -32,7 +32,7 @@ Section `Target accuracy` of the parameter file has the program refine its mesh 
 refinements of the same coarse mesh. Degree 1. Errors are relative; those of the pressure are roots of the mean square over the area of the
 contact elements. *Effectivity* is estimate over true error.
 
-The true pressure of V7 and V8 is the closed form for half-planes (the blocks are large, not infinite: 7e-4 and 6e-5). For V9 it is that of the
+The true pressure of V7 and V8 is the closed form for half-planes and the half-space (the blocks are large, not infinite: 7e-4, for the sphere 2e-4, and 6e-5). For V9 it is that of the
 program on an adapted mesh with {{reference}} degrees of freedom, whose own estimated error is {{reference_error}}; for its displacement and its
 shear resultant, on meshes that were adapted to these ({{monitor_error}} and {{resultant_error}}). Problems: [verification](verification.md).
 
@@ -160,18 +160,19 @@ def main():
         place, shear = exact[monitor].monitor, exact[resultant].shear_force
         distance = lambda run: math.dist(run.monitor, place) / math.hypot(*place)
         cases = [Case("V7 line contact: pressure", hertz, lambda run: run.pressure_error(hertz.exact, 1e9)),
+                 Case("V7 sphere: pressure", Sphere(), lambda run: run.pressure_error(Sphere().exact, 1e9)),
                  Case("V8 flat punch: pressure", punch, lambda run: run.pressure_error(punch.exact, 0.9)),
                  Case("V9 Raous block: pressure", block, lambda run: run.pressure_error(pressure, 1e9)),
                  Case("V9 Raous block: displacement of the corner", monitor, distance),
                  Case("V9 Raous block: shear resultant", resultant, lambda run: abs(run.shear_force / shear - 1))]
-        for case, n_uniform, n_adapted in zip(cases, (8, 8, 6, 6, 0), (14, 12, 10, 8, 8)):
+        for case, n_uniform, n_adapted in zip(cases, (8, 4, 8, 6, 6, 0), (14, 9, 12, 10, 8, 8)):
             case.measure(fuga, folder, n_uniform, n_adapted)
     figure(cases, os.path.join(options.output, "adaptivity.png"))
     everything = [value for case in cases for value in case.effectivities()]
     text = HEAD.format(reference=reference.unknowns, reference_error=f"{100 * reference.estimate:.2g} %",
                        monitor_error=f"{100 * exact[monitor].estimate:.1g} %", resultant_error=f"{100 * exact[resultant].estimate:.1g} %")
     text += effectivity_words(cases)
-    for case, target in zip(cases, (0.01, 0.01, 0.01, 0.001, 0.001)):
+    for case, target in zip(cases, (0.01, 0.05, 0.01, 0.01, 0.001, 0.001)):
         text += case.text(target)
     with open(os.path.join(options.output, "adaptivity.md"), "w", encoding="utf-8") as file:
         file.write(text)

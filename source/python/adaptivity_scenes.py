@@ -47,6 +47,64 @@ def write_mesh(path, xs, bodies, groups):
         file.write(f"\n$EndNodes\n$Elements\n{len(elements)}\n" + "\n".join(elements) + "\n$EndElements\n")
 
 
+def write_cube(path, lines):
+    """A Gmsh file (2.2) of a cube with grid lines at the same coordinates in x, y, z: body `block`, sides `contact` (smallest
+    z), `top`, `left` (smallest x), `right`, `front` (smallest y), `back`."""
+    n = len(lines)
+    number = lambda i, j, k: 1 + i + n * (j + n * k)
+    ring = ((0, 0), (1, 0), (1, 1), (0, 1))
+    cells = [[number(i + a, j + b, k + c) for c in (0, 1) for a, b in ring]
+             for k in range(n - 1) for j in range(n - 1) for i in range(n - 1)]
+    groups = [("block", 3, 5, cells)]
+    for axis, names in ((2, ("contact", "top")), (0, ("left", "right")), (1, ("front", "back"))):
+        for name, fixed in zip(names, (0, n - 1)):
+            faces = []
+            for j in range(n - 1):
+                for i in range(n - 1):
+                    corners = []
+                    for a, b in ring:
+                        place = [fixed, fixed, fixed]
+                        place[(axis + 1) % 3], place[(axis + 2) % 3] = i + a, j + b
+                        corners.append(number(*place))
+                    faces.append(corners)
+            groups.append((name, 2, 3, faces))
+    elements = []
+    for tag, (_, _, kind, found) in enumerate(groups, 1):
+        for nodes in found:
+            elements.append(f"{len(elements) + 1} {kind} 2 {tag} {tag} " + " ".join(map(str, nodes)))
+    with open(path, "w", encoding="ascii") as file:
+        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
+        file.write(f"$PhysicalNames\n{len(groups)}\n" + "\n".join(
+            f'{dimension} {tag} "{name}"' for tag, (name, dimension, _, _) in enumerate(groups, 1)) + "\n$EndPhysicalNames\n")
+        file.write(f"$Nodes\n{n**3}\n" + "\n".join(
+            f"{number(i, j, k)} {lines[i]!r} {lines[j]!r} {lines[k]!r}" for k in range(n) for j in range(n) for i in range(n)))
+        file.write(f"\n$EndNodes\n$Elements\n{len(elements)}\n" + "\n".join(elements) + "\n$EndElements\n")
+
+
+class Sphere:
+    """V7 in space: a quarter of a block on a rigid plane, with the roundness of a sphere as initial gap."""
+    name = "V7 sphere"
+    what = "a block of 16 by 16 by 16 between planes of symmetry, 4 by 4 by 4 cubes, radius of the contact 1"
+    settings = {"Quantity": "contact pressure"}
+    modulus, radius, contact = 1000.0 / (1 - NU**2), 50.0, 1.0
+
+    def exact(self, r):
+        return 2 * self.modulus * self.contact / (math.pi * self.radius) * math.sqrt(max(0, 1 - (r / self.contact)**2))
+
+    def scene(self, folder):
+        lines = [0.0, 4.0, 8.0, 12.0, 16.0]
+        write_cube(f"{folder}/mesh.msh", lines)
+        quarter_load = self.modulus * self.contact**3 / (3 * self.radius)
+        return {
+            "Dimension": 3,
+            "Bodies": {"block": {"Young modulus": 1000, "Poisson ratio": NU}},
+            "Joints": {"sphere": {"Plus lip": "contact", "Minus lip": "rigid", "Normal law": "rigid",
+                                  "Initial gap": f"(x^2 + y^2)/(2*{self.radius})"}},
+            "Boundaries": {"left": {"Fixed": "x"}, "front": {"Fixed": "y"}, "right": {"Fixed": "free"}, "back": {"Fixed": "free"}},
+            "Loads": {"press": {"Type": "pressure", "Boundaries": "top", "Value": quarter_load / lines[-1]**2}},
+            "Stages": {"press": {"Loads": "press: t"}}}
+
+
 class Hertz:
     """V7: two blocks with the roundness of a cylinder as initial gap."""
     name = "V7 line contact"
@@ -128,8 +186,11 @@ def table(path):
 class Run:
     """One run of a problem: on the mesh of a round, or with uniform refinements (and one round of estimating)."""
 
-    def __init__(self, fuga, problem, folder, rounds, refinements=0, target=1e-6, unknowns=1.2e6, fields="never"):
+    def __init__(self, fuga, problem, folder, rounds, refinements=0, target=1e-6, unknowns=None, fields="never"):
         os.makedirs(folder, exist_ok=True)
+        # A direct solution in space costs more.
+        in_space = problem.scene(folder).get("Dimension") == 3
+        unknowns = unknowns or (2e5 if in_space else 1.2e6)
         scene = {"Mesh": {"File": "mesh.msh", "Refinements": refinements}, **problem.scene(folder),
                  "Target accuracy": {**problem.settings, "Relative error": target, "Largest number of rounds": rounds,
                                      "Largest number of unknowns": unknowns},
@@ -150,6 +211,8 @@ class Run:
         self.estimate = float(self.rounds[-1]["estimated_error"])
         rows = [row for row in table(f"{folder}/results/joint_history.csv") if float(row["t"]) == 1]
         self.x, self.area, self.pressure = ([float(row[name]) for row in rows] for name in ("x", "area", "pressure"))
+        if in_space: # the distance from the axis
+            self.x = [math.hypot(x, float(row["y"])) for x, row in zip(self.x, rows)]
         self.shear_force = float([row for row in table(f"{folder}/results/resultants.csv") if float(row["t"]) == 1][-1]["T"])
         self.monitor = None
         if os.path.exists(f"{folder}/results/monitors.csv"):

@@ -209,7 +209,7 @@ TEST(AxisymmetricAreas, are_the_integrals_of_the_shape_functions)
       ASSERT_EQ(system.elements().size(), areas.size());
       for (std::size_t i = 0; i < areas.size(); ++i)
         EXPECT_NEAR(system.elements()[i].area, areas[i], 1e-12);
-      EXPECT_EQ(system.joint_faces().front().elements.size(), degree + 1);
+      EXPECT_EQ(system.joint_faces().front().shares.size(), degree + 1);
     }
 }
 

@@ -5,8 +5,8 @@
 // held exactly across hanging nodes.
 
 #include "block_mesh.h"
+#include "random_refinement.h"
 
-#include <deal.II/grid/tria.h>
 #include <deal.II/lac/vector.h>
 
 #include <fuga/bodies/joint_geometry.h>
@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 using namespace fuga;
 using namespace fuga::test;
@@ -22,22 +21,6 @@ using namespace fuga::test;
 namespace
 {
   constexpr unsigned int n_rounds = 4;
-
-  /** Marks about one cell in six, by chance, in every round. */
-  void
-  refine_at_random(const JointedMesh &mesh, ModelDefinition &model, const unsigned int seed)
-  {
-    std::mt19937 random(seed);
-    for (unsigned int round = 0; round < n_rounds; ++round)
-      {
-        const Discretization<2> space(mesh, model);
-        std::vector<CellKey> marked;
-        for (const auto &cell : space.triangulation().active_cell_iterators())
-          if (random() % 6 == 0)
-            marked.push_back(cell->id().template to_binary<2>());
-        model.local_refinements.push_back(marked);
-      }
-  }
 
   // Width 2, a joint through (1, 1) inclined by alpha, heights 1 and 1.5 in the middle.
   BlockMesh
@@ -88,7 +71,7 @@ TEST_P(Hanging, pressure_across_an_oblique_joint)
   for (const unsigned int seed : {1, 2})
     {
       model.local_refinements.clear();
-      refine_at_random(mesh.mesh, model, seed);
+      tests::refine_at_random<2>(mesh.mesh, model, seed, n_rounds);
       CondensedSystem<2> system(mesh.mesh, model, {false});
       EXPECT_GT(system.discretization().hanging_nodes().masters().size(), 20);
       set_all_loads(system, model);
@@ -155,7 +138,7 @@ TEST(RandomRefinement, keeps_lips_alike)
   for (const unsigned int seed : {1, 2, 3, 4, 5, 6, 7, 8})
     {
       model.local_refinements.clear();
-      refine_at_random(mesh.mesh, model, seed);
+      tests::refine_at_random<2>(mesh.mesh, model, seed, n_rounds);
       const Discretization<2> space(mesh.mesh, model);
       const JointGeometry<2> geometry(space, mesh.mesh);
       EXPECT_GT(space.hanging_nodes().masters().size(), 10);
@@ -182,7 +165,7 @@ TEST(RandomRefinement, is_reproducible)
   ModelDefinition model;
   add_material(model, "lower", 1., 0.2);
   add_material(model, "upper", 1., 0.2);
-  refine_at_random(mesh.mesh, model, 5);
+  tests::refine_at_random<2>(mesh.mesh, model, 5, n_rounds);
   ModelDefinition other = model;
   for (auto &marked : other.local_refinements)
     std::reverse(marked.begin(), marked.end());

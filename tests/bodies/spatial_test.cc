@@ -5,6 +5,7 @@
 // 0.3 in x and by 0.2 in y.
 
 #include "block_mesh.h"
+#include "spatial_patch.h"
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -21,22 +22,12 @@
 
 using namespace fuga;
 using namespace fuga::test;
+using fuga::tests::all_patches;
+using fuga::tests::Patch;
 
 namespace
 {
   constexpr double E = 3000.;
-
-  struct Patch
-  {
-    const char *mesh;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Patch &patch)
-  {
-    return out << patch.mesh << " degree " << patch.degree;
-  }
 
   class Spatial : public testing::TestWithParam<Patch>
   {
@@ -50,6 +41,7 @@ namespace
       model.polynomial_degree = GetParam().degree;
       for (const char *body : {"lower", "upper"})
         add_material(model, body, E, 0., 0.);
+      refine(GetParam(), mesh, model);
     }
 
     JointedMesh mesh;
@@ -224,8 +216,4 @@ TEST_P(Spatial, StillWaterAllAroundLifts)
 }
 
 
-INSTANTIATE_TEST_SUITE_P(Meshes,
-                         Spatial,
-                         testing::Values(Patch{"patch_hex.msh", 1},
-                                         Patch{"patch_hex.msh", 2},
-                                         Patch{"patch_tet.msh", 1}));
+INSTANTIATE_TEST_SUITE_P(Meshes, Spatial, all_patches());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "scenes/scene_run.h"
+#include "scenes/refined_run.h"
 
 #include <fuga/adaptive_run.h>
 #include <fuga/phases.h>
@@ -75,6 +75,16 @@ namespace fuga::tests
           field += text[i];
         }
       return field;
+    }
+
+    template <int dim>
+    ExitCode
+    run_model(const Parameters &parameters)
+    {
+      auto model = std::make_unique<const Model<dim>>(parameters);
+      return parameters.accuracy.quantity == AccuracyTarget::Quantity::none
+               ? run_all_phases<dim>(std::move(model))
+               : AdaptiveRun<dim>(std::move(model)).run();
     }
   } // namespace
 
@@ -227,21 +237,17 @@ namespace fuga::tests
   {
     std::vector<std::string> all = {"Output/Fields=never", "Output/Log=quiet"};
     all.insert(all.end(), overrides.begin(), overrides.end());
-    Parameters parameters       = read_parameters(parameter_path(file), all);
+    return run_parameters(read_parameters(parameter_path(file), all));
+  }
+
+  SceneRun
+  run_parameters(Parameters parameters)
+  {
     const std::string directory = temporary_directory();
     parameters.output.directory = directory;
     SceneRun run;
-    if (parameters.model.dimension == 3)
-      run.exit_code =
-        static_cast<int>(run_all_phases<3>(std::make_unique<const Model<3>>(parameters)));
-    else
-      {
-        auto model = std::make_unique<const Model<2>>(parameters);
-        run.exit_code =
-          static_cast<int>(parameters.accuracy.quantity == AccuracyTarget::Quantity::none
-                             ? run_all_phases<2>(std::move(model))
-                             : AdaptiveRun<2>(std::move(model)).run());
-      }
+    run.exit_code  = static_cast<int>(parameters.model.dimension == 3 ? run_model<3>(parameters)
+                                                                      : run_model<2>(parameters));
     run.events     = parse_csv(file_text(directory + "/events.csv"));
     run.history    = parse_csv(file_text(directory + "/joint_history.csv"));
     run.resultants = parse_csv(file_text(directory + "/resultants.csv"));

@@ -5,7 +5,7 @@
 // wide and together 4 m high, whose joint is oblique to all axes.
 
 #include "known_answer.h"
-#include "scenes/scene_run.h"
+#include "scenes/refined_run.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -46,18 +46,6 @@ namespace
     return number == 1 ? t : dealii::cross_product_3d(normal, t);
   }
 
-  struct Patch
-  {
-    const char *mesh;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Patch &patch)
-  {
-    return out << patch.mesh << " degree " << patch.degree;
-  }
-
   const std::vector<std::pair<const char *, Point3>> sides = {{"left", Point3({-1., 0., 0.})},
                                                               {"right", Point3({1., 0., 0.})},
                                                               {"front", Point3({0., -1., 0.})},
@@ -67,7 +55,7 @@ namespace
   class PatchScene
   {
   public:
-    PatchScene(const Patch &patch)
+    PatchScene(const Patch &its_patch) : patch(its_patch)
     {
       scene["Dimension"]                 = 3;
       scene["Mesh"]["File"]              = std::string(FUGA_SOURCE_DIR) + "/meshes/" + patch.mesh;
@@ -123,12 +111,14 @@ namespace
     {
       const std::string name = temporary_directory() + "/patch.json";
       std::ofstream(name) << scene.dump(1);
-      return run_scene(name);
+      return run_patch(name, patch);
     }
 
     Json scene;
 
   private:
+    const Patch patch;
+
     void
     add(const std::string &loads, const char *type, const char *side, const std::string &value)
     {
@@ -288,8 +278,4 @@ TEST_P(SpatialFriction, BlockIsPushedAlong)
     EXPECT_NEAR(run.monitors.number(last, std::string("u") + "xyz"[i]), edge[i], 1e-10 * D);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes,
-                         SpatialFriction,
-                         testing::Values(Patch{"patch_hex.msh", 1},
-                                         Patch{"patch_hex.msh", 2},
-                                         Patch{"patch_tet.msh", 1}));
+INSTANTIATE_TEST_SUITE_P(Meshes, SpatialFriction, all_patches());

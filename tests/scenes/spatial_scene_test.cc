@@ -5,7 +5,7 @@
 
 #include "known_answer.h"
 #include "scenes/grid_mesh.h"
-#include "scenes/scene_run.h"
+#include "scenes/refined_run.h"
 
 #include <fuga/base/errors.h>
 
@@ -71,18 +71,6 @@ namespace
     return name;
   }
 
-  struct Patch
-  {
-    const char *mesh;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Patch &patch)
-  {
-    return out << patch.mesh << " degree " << patch.degree;
-  }
-
   class SpatialPatch : public testing::TestWithParam<Patch>
   {
   };
@@ -94,7 +82,7 @@ namespace
 TEST_P(SpatialPatch, UniformPressure)
 {
   const Patch &patch = GetParam();
-  const SceneRun run = run_scene(patch_file(patch.mesh, patch.degree));
+  const SceneRun run = run_patch(patch_file(patch.mesh, patch.degree), patch);
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_LE(run.certificate(), 1e-9);
   const Vector A = run.values("area", 1.), N = run.values("N", 1.), w = run.values("jump_n", 1.);
@@ -122,11 +110,7 @@ TEST_P(SpatialPatch, UniformPressure)
     EXPECT_NEAR(run.resultant(column, 1.), value, 1e-9) << column;
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes,
-                         SpatialPatch,
-                         testing::Values(Patch{"patch_hex.msh", 1},
-                                         Patch{"patch_hex.msh", 2},
-                                         Patch{"patch_tet.msh", 1}));
+INSTANTIATE_TEST_SUITE_P(Meshes, SpatialPatch, all_patches());
 
 namespace
 {

@@ -41,15 +41,17 @@ namespace fuga
   class InteriorSolver;
   class IterativeSolver;
 
-  /** One face of a joint, for output: its contact elements, or no_element, in the order of
-   * JointGeometry::Face. */
+  /** One face of a joint, for output; nodes in the order of JointGeometry::Face. */
   struct JointFace
   {
-    static constexpr unsigned int no_element = static_cast<unsigned int>(-1);
-
     unsigned int joint = 0;
-    std::vector<unsigned int> elements;
+    /** By node its contact element with the weight 1; where it hangs those of its masters; none
+     * where the lips are bonded. */
+    std::vector<std::vector<std::pair<unsigned int, double>>> shares;
     std::vector<std::array<double, 3>> positions;
+    /** The face of a cell that is the plus lip, and which of the boundary's nodes each one is. */
+    unsigned int cell = 0, number = 0;
+    bool backwards = false;
     /** On the plus lip [m²]. */
     double area = 0.;
   };

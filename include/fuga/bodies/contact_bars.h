@@ -89,12 +89,13 @@ namespace fuga
       return all_held_pairs;
     }
 
-    /** Element of every pair of the geometry, or no_element. */
-    const std::vector<unsigned int> &
-    elements_of_pairs() const
-    {
-      return pair_elements;
-    }
+    /** Contact elements, with their weights. */
+    using Shares = std::vector<std::pair<unsigned int, double>>;
+
+    /** What the jump of a pair of the geometry is made of: its element; of a hanging pair those of
+     *  its masters; nothing where lips are bonded or held. */
+    Shares
+    shares_of_pair(const unsigned int pair) const;
 
     /** Jump of every bar; entry node * dim + component of @p u. */
     Vector

@@ -9,6 +9,9 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace fuga
 {
@@ -26,6 +29,9 @@ namespace fuga
     /** Tributary area, with the extent across the plane; 0 on the axis of revolution for degrees
      *  above 1. */
     double area = 0.;
+    /** Of a pair whose nodes hang: the pairs it moves with, and their weights. It has no area of
+     * its own, as forces on hanging nodes go to their masters. */
+    std::vector<std::pair<unsigned int, double>> masters;
   };
 
   /** The other vector of the local frame: (tangent, normal) is right-handed as (x, y). */
@@ -129,6 +135,23 @@ namespace fuga
     /** ∫ N over the area of a face, for all its nodes. */
     Vector
     node_areas(const MatchedFace &face) const;
+
+    /** Pairs by their nodes on the plus and the minus side. */
+    using KnownPairs = std::map<std::pair<unsigned int, unsigned int>, unsigned int>;
+
+    unsigned int
+    find_or_add(const unsigned int joint,
+                const unsigned int plus_node,
+                const unsigned int minus_node,
+                KnownPairs &known);
+
+    /** Gives the areas of hanging pairs to their masters. */
+    void
+    move_to_masters(KnownPairs &known);
+
+    /** The pairs a hanging pair moves with. */
+    void
+    find_masters(const unsigned int hanging_pair, KnownPairs &known);
 
     const Discretization<dim> &discretization;
     std::vector<NodePair<dim>> all_pairs;

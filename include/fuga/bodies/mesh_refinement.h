@@ -18,8 +18,9 @@ namespace fuga
   /**
    * Refines the marked active cells of a mesh whose boundary ids are the labels of @p jointed, and with
    * them what has to follow: neighbours, until levels differ by one at most, and the partners
-   * across joints, so that both lips keep the same division. The outcome does not depend on the
-   * order of the marks.
+   * across joints, so that both lips keep the same division; in space also cells beside a joint, so
+   * that a vertex of one lip hangs only together with the one that it faces. The outcome does not
+   * depend on the order of the marks.
    */
   template <int dim>
   void

@@ -56,9 +56,13 @@ namespace fuga
     void
     add_face(const JointFace &face, const double offset);
 
-    /** In the order of the names; @p element may be JointFace::no_element. */
+    /** In the order of the names, at a node of a face. Where it hangs fields are interpolated; its
+     *  state, area, dissipation and number are those of the master with the largest weight. */
     std::vector<double>
-    values_at(const unsigned int element) const;
+    values_at(const std::vector<std::pair<unsigned int, double>> &shares) const;
+
+    std::vector<double>
+    values_of(const unsigned int element) const;
 
     const CondensedSystem<dim> &system;
     const std::vector<ContactElement> &elements;

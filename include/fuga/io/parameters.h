@@ -196,9 +196,9 @@ namespace fuga
     Quantity quantity = Quantity::none;
     /** Joints or monitors that count. */
     std::vector<unsigned int> items;
-    /** Of a resultant N, T, M, of a monitor x, y, as 0, 1, 2. */
+    /** Of a resultant N, T, M, T2, M1, Mn, of a monitor x, y, z, as 0, 1, 2 ... */
     std::vector<unsigned int> components;
-    /** Expression of x, y: the pressure counts where it is not 0; empty: everywhere. */
+    /** Expression of the place: the pressure counts where it is not 0; empty: everywhere. */
     std::string where;
     double relative_error   = 0.;
     double max_unknowns     = 0.;
