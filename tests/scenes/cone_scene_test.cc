@@ -5,6 +5,7 @@
 
 #include "known_answer.h"
 #include "scenes/grid_mesh.h"
+#include "scenes/rough_blocks.h"
 #include "scenes/scene_run.h"
 
 #include <fuga/base/errors.h>
@@ -18,45 +19,7 @@
 
 using namespace fuga;
 using namespace fuga::tests;
-
-namespace
-{
-  using Json = nlohmann::ordered_json;
-
-  /** A block on a body, rough in two directions. */
-  Json
-  rough_scene()
-  {
-    Json scene;
-    scene["Bodies"]["upper"]               = {{"Young modulus", 1000.}, {"Poisson ratio", 0.2}};
-    scene["Bodies"]["lower"]               = {{"Young modulus", 500.}, {"Poisson ratio", 0.3}};
-    scene["Joints"]["joint"]               = {{"Line", "joint"},
-                                              {"Plus body", "upper"},
-                                              {"Minus body", "lower"},
-                                              {"Normal compliance", 1e-4},
-                                              {"Shear compliance", 2e-4},
-                                              {"Friction coefficient", 0.5}};
-    scene["Boundaries"]["bottom"]["Fixed"] = "all";
-    for (const char *side : {"left", "right"})
-      scene["Boundaries"][side]["Fixed"] = "free";
-    return scene;
-  }
-
-  void
-  add_top_load(Json &scene, const char *name, const char *type, const std::string &value)
-  {
-    scene["Loads"][name] = {{"Type", type}, {"Boundaries", "top"}, {"Value", value}};
-  }
-
-  Json
-  in_space(Json scene, const char *front, const char *back)
-  {
-    scene["Dimension"]                    = 3;
-    scene["Boundaries"]["front"]["Fixed"] = front;
-    scene["Boundaries"]["back"]["Fixed"]  = back;
-    return scene;
-  }
-} // namespace
+using Json = nlohmann::ordered_json;
 
 // Two elements deep between planes that hold both ends across: plane strain. The bars in the middle
 // have two tangents, and carry half of the force, those at the ends one and a quarter. 1e-9 of the
@@ -64,16 +27,16 @@ namespace
 TEST(ConeScenes, ExtrudedSceneEqualsThePlaneOne)
 {
   const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 8), uniform(0., 1., 4));
-  Json scene           = rough_scene();
-  add_top_load(scene, "press", "pressure", "1 + 0.3*x");
-  add_top_load(scene, "push", "traction", "1; 0.4*(1 - x)");
+  Json scene           = rough_blocks();
+  add_load(scene, "press", "pressure", "top", "1 + 0.3*x");
+  add_load(scene, "push", "traction", "top", "1; 0.4*(1 - x)");
   scene["Stages"]["press"]["Loads"] = "press: t";
   scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 3}};
   const SceneRun flat               = run_scene(write_scene(plane, scene));
 
   scene["Loads"]["push"]["Value"] = "1; 0.4*(1 - x); 0";
   const SceneRun deep =
-    run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z", "z")));
+    run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z")));
   EXPECT_EQ(flat.exit_code, deep.exit_code);
   EXPECT_LE(deep.certificate(), 1e-8);
   ASSERT_GT(flat.events.rows.size(), 3u); // the scene is worth comparing
@@ -85,21 +48,9 @@ TEST(ConeScenes, ExtrudedSceneEqualsThePlaneOne)
   for (const char *column : {"N", "T1", "pressure", "shear1", "slip1", "jump_n", "jump_t1", "T2"})
     for (const double t : {1., 4. / 3., flat.last_t()})
       {
-        const bool is_force      = column[0] == 'N' || column[0] == 'T';
-        const Vector flat_values = flat.values(column, t);
-        const Vector values      = deep.values(column, t == flat.last_t() ? deep.last_t() : t);
-        ASSERT_EQ(values.size(), 3 * flat_values.size());
-        double largest = column == std::string("T2") ? 0.1 : 1e-9; // of the forces
-        for (const double value : flat_values)
-          largest = std::max(largest, std::abs(value));
-        for (std::size_t k = 0; k < values.size(); ++k)
-          EXPECT_NEAR(values[k],
-                      (!is_force    ? 1.
-                       : k % 3 == 1 ? 0.5
-                                    : 0.25) *
-                        flat_values[k / 3],
-                      1e-9 * largest)
-            << column << " " << k << " t = " << t;
+        const double least = column == std::string("T2") ? 0.1 : 1e-9; // of the forces
+        EXPECT_LE(difference_from_plane(deep, 3, flat, column, t, least), 1e-9)
+          << column << " t = " << t;
       }
 }
 
@@ -110,9 +61,9 @@ TEST(ConeScenes, ExtrudedSceneEqualsThePlaneOne)
 TEST(ConeScenes, BlockSlidesInTheDirectionOfThePush)
 {
   const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 4), uniform(0., 0.5, 2));
-  Json scene           = in_space(rough_scene(), "free", "free");
-  add_top_load(scene, "press", "pressure", "1");
-  add_top_load(scene, "push", "traction", "0.8; 0; 0.4");
+  Json scene           = in_space(rough_blocks(), "free");
+  add_load(scene, "press", "pressure", "top", "1");
+  add_load(scene, "push", "traction", "top", "0.8; 0; 0.4");
   scene["Stages"]["press"]["Loads"] = "press: t";
   scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 10}};
   const SceneRun run = run_scene(write_scene(extruded(plane, uniform(0., 1.5, 3)), scene));
@@ -132,8 +83,8 @@ TEST(ConeScenes, BlockSlidesInTheDirectionOfThePush)
 TEST(ConeScenes, WhatIsNotAvailableIsRefused)
 {
   const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 2), uniform(0., 1., 1));
-  Json scene           = in_space(rough_scene(), "free", "free");
-  add_top_load(scene, "press", "pressure", "1");
+  Json scene           = in_space(rough_blocks(), "free");
+  add_load(scene, "press", "pressure", "top", "1");
   scene["Stages"]["press"]["Loads"] = "press: t";
   const std::string file            = write_scene(extruded(plane, {0., 1.}), scene);
   using Overrides                   = std::vector<std::string>;
@@ -172,9 +123,9 @@ namespace
   pushed_block()
   {
     const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 4), uniform(0., 0.5, 2));
-    Json scene           = in_space(rough_scene(), "free", "free");
-    add_top_load(scene, "press", "pressure", "1");
-    add_top_load(scene, "push", "traction", "0.2; 0; -0.15");
+    Json scene           = in_space(rough_blocks(), "free");
+    add_load(scene, "press", "pressure", "top", "1");
+    add_load(scene, "push", "traction", "top", "0.2; 0; -0.15");
     scene["Stages"]["press"]["Loads"] = "press: t";
     scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 2}};
     return write_scene(extruded(plane, uniform(0., 1.5, 3)), scene);
@@ -228,9 +179,9 @@ TEST(ConeScenes, SweepOverFriction)
 TEST(ConeScenes, ExtrudedCycleEqualsThePlaneOne)
 {
   const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 8), uniform(0., 1., 4));
-  Json scene           = rough_scene();
-  add_top_load(scene, "press", "pressure", "1");
-  add_top_load(scene, "push", "traction", "0.4; 0");
+  Json scene           = rough_blocks();
+  add_load(scene, "press", "pressure", "top", "1");
+  add_load(scene, "push", "traction", "top", "0.4; 0");
   scene["Stages"]["press"]["Loads"] = "press: t";
   scene["Stages"]["push"]           = {{"Loads", "push: t"}, {"Levels", 2}};
   scene["Stages"]["back"]           = {{"Loads", "push: 1 - 2*t"}, {"Levels", 4}};
@@ -239,7 +190,7 @@ TEST(ConeScenes, ExtrudedCycleEqualsThePlaneOne)
 
   scene["Loads"]["push"]["Value"] = "0.4; 0; 0";
   const SceneRun deep =
-    run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z", "z")));
+    run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z")));
   EXPECT_EQ(flat.exit_code, 0);
   EXPECT_EQ(deep.exit_code, 0);
   EXPECT_LE(deep.certificate(), 1e-8);
@@ -259,19 +210,7 @@ TEST(ConeScenes, ExtrudedCycleEqualsThePlaneOne)
   double worst = 0.;
   for (const char *column : {"N", "T1", "pressure", "slip1", "gap", "jump_n", "jump_t1"})
     for (const double t : {1.5, 2., 2.25, 2.5, 2.75, 3., 3.25, 3.5, 3.75, 4.})
-      {
-        const bool is_force      = column[0] == 'N' || column[0] == 'T';
-        const Vector flat_values = flat.values(column, t), values = deep.values(column, t);
-        ASSERT_EQ(values.size(), 3 * flat_values.size());
-        double largest = 1e-9;
-        for (const double value : flat_values)
-          largest = std::max(largest, std::abs(value));
-        for (std::size_t k = 0; k < values.size(); ++k)
-          {
-            const double share = !is_force ? 1. : k % 3 == 1 ? 0.5 : 0.25;
-            worst = std::max(worst, std::abs(values[k] - share * flat_values[k / 3]) / largest);
-          }
-      }
+      worst = std::max(worst, difference_from_plane(deep, 3, flat, column, t, 1e-9));
   expect_answer({"Extruded scene against the plane one",
                  fmt::format("cycle of {} events, largest difference", flat_times.size()),
                  0.,

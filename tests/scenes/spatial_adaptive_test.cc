@@ -4,6 +4,7 @@
 // Section Target accuracy in space.
 
 #include "scenes/grid_mesh.h"
+#include "scenes/rough_blocks.h"
 #include "scenes/scene_run.h"
 
 #include <fmt/format.h>
@@ -112,22 +113,9 @@ namespace
   Json
   pushed_blocks()
   {
-    Json scene;
-    scene["Dimension"]                     = 3;
-    scene["Bodies"]["upper"]               = {{"Young modulus", 1000.}, {"Poisson ratio", 0.2}};
-    scene["Bodies"]["lower"]               = {{"Young modulus", 500.}, {"Poisson ratio", 0.3}};
-    scene["Joints"]["joint"]               = {{"Line", "joint"},
-                                              {"Plus body", "upper"},
-                                              {"Minus body", "lower"},
-                                              {"Normal compliance", 1e-4},
-                                              {"Shear compliance", 2e-4},
-                                              {"Friction coefficient", 0.5}};
-    scene["Boundaries"]["bottom"]["Fixed"] = "all";
-    for (const char *side : {"left", "right", "front", "back"})
-      scene["Boundaries"][side]["Fixed"] = "free";
-    scene["Loads"]["press"] = {{"Type", "pressure"}, {"Boundaries", "top"}, {"Value", 1}};
-    scene["Loads"]["push"]  = {
-       {"Type", "traction"}, {"Boundaries", "top"}, {"Value", "0.3; 0; 0.15"}};
+    Json scene = in_space(rough_blocks(), "free");
+    add_load(scene, "press", "pressure", "top", "1");
+    add_load(scene, "push", "traction", "top", "0.3; 0; 0.15");
     scene["Stages"]["press"]["Loads"] = "press: t";
     scene["Stages"]["push"]["Loads"]  = "push: t";
     return scene;

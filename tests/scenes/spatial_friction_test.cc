@@ -6,6 +6,7 @@
 
 #include "known_answer.h"
 #include "scenes/refined_run.h"
+#include "scenes/rough_blocks.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -123,8 +124,8 @@ namespace
     add(const std::string &loads, const char *type, const char *side, const std::string &value)
     {
       const std::string name = loads + "_" + side;
-      scene["Loads"][name]   = {{"Type", type}, {"Boundaries", side}, {"Value", value}};
-      std::string &history   = histories[loads];
+      add_load(scene, name, type, side, value);
+      std::string &history = histories[loads];
       history += (history.empty() ? "" : "; ") + name + ": t";
     }
 

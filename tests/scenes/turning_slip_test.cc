@@ -6,6 +6,7 @@
 #include "known_answer.h"
 #include "scenes/disc_mesh.h"
 #include "scenes/grid_mesh.h"
+#include "scenes/rough_blocks.h"
 #include "scenes/scene_run.h"
 
 #include <fmt/format.h>
@@ -17,19 +18,7 @@
 using namespace fuga;
 using namespace fuga::tests;
 
-namespace
-{
-  using Json = nlohmann::ordered_json;
-
-  void
-  add_displacement(Json &scene,
-                   const std::string &name,
-                   const char *boundaries,
-                   const std::string &value)
-  {
-    scene["Loads"][name] = {{"Type", "displacement"}, {"Boundaries", boundaries}, {"Value", value}};
-  }
-} // namespace
+using Json = nlohmann::ordered_json;
 
 // A bar that was stressed along z until it slipped and is then driven along x: the slip follows
 // the tractrix, tan(φ/2) = tan(φ0/2) e^{-x/r}, r = f p/k_t. The upper block, 1 high, ν = 0, is held
@@ -66,12 +55,13 @@ TEST(TurningSlip, BlockFollowsTheTractrix)
       for (const char *end : {"bottom", "top"})
         scene["Boundaries"][end]["Fixed"] = "all";
       const double delta = p * (rho_n + 1. / E_lower);
-      add_displacement(scene,
-                       "press",
-                       "upper_left, upper_right, upper_front, upper_back, top",
-                       fmt::format("; {:.17g} - {:.17g}*y; ", -delta, p / E));
-      add_displacement(scene, "along_z", "top", fmt::format("; ; {:.17g}", -2. * r));
-      add_displacement(scene, "along_x", "top", fmt::format("{:.17g}; ; ", 6. * r));
+      add_load(scene,
+               "press",
+               "displacement",
+               "upper_left, upper_right, upper_front, upper_back, top",
+               fmt::format("; {:.17g} - {:.17g}*y; ", -delta, p / E));
+      add_load(scene, "along_z", "displacement", "top", fmt::format("; ; {:.17g}", -2. * r));
+      add_load(scene, "along_x", "displacement", "top", fmt::format("{:.17g}; ; ", 6. * r));
       scene["Stages"]["press"]["Loads"] = "press: t";
       scene["Stages"]["stress"]         = {{"Loads", "along_z: t"}, {"Levels", 4}};
       scene["Stages"]["turn"]           = {{"Loads", "along_x: t"}, {"Levels", 12}};
@@ -136,7 +126,8 @@ namespace
     scene["Boundaries"]["back"]["Fixed"] = "x, y";
     scene["Boundaries"]["side"]["Fixed"] = "free";
     scene["Loads"]["press"] = {{"Type", "pressure"}, {"Boundaries", "back"}, {"Value", p_stamp}};
-    add_displacement(scene, "turn", "back", fmt::format("{:.17g}*y; {:.17g}*x; ", -theta, theta));
+    add_load(
+      scene, "turn", "displacement", "back", fmt::format("{:.17g}*y; {:.17g}*x; ", -theta, theta));
     scene["Stages"]["press"]["Loads"] = "press: t";
     scene["Stages"]["turn"]           = {{"Loads", "turn: t"}, {"Levels", levels}};
     return run_scene(write_scene(extruded(disc_mesh(a, n), uniform(0., H, n_high)), scene));
