@@ -28,22 +28,23 @@ namespace fuga
         timer.finish("start of MPI and MUMPS");
         const DirectEstimate effort = direct->analyse(matrix, coordinates->n_interface());
         timer.finish("analysis");
-        solver   = std::move(direct);
-        estimate = estimate_solvers({dim,
-                                     matrix.values.size(),
-                                     coordinates->size(),
-                                     coordinates->n_interface(),
-                                     effort.megabytes,
-                                     effort.operations,
-                                     model.may_be_matrix_free && jump_operator().empty()});
-        if (processes::number() > 1)
-          estimate->choice = BodySolver::direct; // the iterative one knows no other processes
-        constexpr double worth_a_line = 1.;      // seconds
-        if (choice == BodySolver::automatic &&
-            (estimate->choice != BodySolver::direct || estimate->direct_seconds > worth_a_line))
-          lines.push_back(estimate->text());
+        solver = std::move(direct);
         if (choice == BodySolver::automatic)
-          choice = estimate->choice;
+          {
+            estimate = estimate_solvers({dim,
+                                         matrix.values.size(),
+                                         coordinates->size(),
+                                         coordinates->n_interface(),
+                                         effort.megabytes,
+                                         effort.operations,
+                                         model.may_be_matrix_free && jump_operator().empty()});
+            if (processes::number() > 1)
+              estimate->choice = BodySolver::direct; // the iterative one knows no other processes
+            constexpr double worth_a_line = 1.;      // seconds
+            choice                        = estimate->choice;
+            if (choice != BodySolver::direct || estimate->direct_seconds > worth_a_line)
+              lines.push_back(estimate->text());
+          }
       }
     used_solver = choice;
     if (choice == BodySolver::direct)

@@ -32,38 +32,6 @@ namespace fuga
       return {View, map, const_cast<double *>(x.begin())};
     }
 
-    /** y_c += K_ci x_i. */
-    void
-    add_to_kept(const Compressed &coupling, const double factor, const double *x, double *y)
-    {
-      for (std::size_t i = 0; i + 1 < coupling.start.size(); ++i)
-        for (std::size_t k = coupling.start[i]; k < coupling.start[i + 1]; ++k)
-          y[i] += factor * coupling.values[k] * x[coupling.indices[k]];
-    }
-
-    /** y_i += K_ic x_c. */
-    void
-    add_to_interior(const Compressed &coupling, const double factor, const double *x, double *y)
-    {
-      for (std::size_t i = 0; i + 1 < coupling.start.size(); ++i)
-        for (std::size_t k = coupling.start[i]; k < coupling.start[i + 1]; ++k)
-          y[coupling.indices[k]] += factor * coupling.values[k] * x[i];
-    }
-
-    /** y_c += K_cc x_c, of which one triangle is known. */
-    void
-    add_kept_block(const Compressed &kept, const double *x, double *y)
-    {
-      for (std::size_t i = 0; i + 1 < kept.start.size(); ++i)
-        for (std::size_t k = kept.start[i]; k < kept.start[i + 1]; ++k)
-          {
-            const auto j = static_cast<std::size_t>(kept.indices[k]);
-            y[i] += kept.values[k] * x[j];
-            if (i != j)
-              y[j] += kept.values[k] * x[i];
-          }
-    }
-
     /** [K_ii K_ic; K_ci K_cc + C]. */
     struct BodiesWithBars
     {
@@ -153,18 +121,10 @@ namespace fuga
           for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
             place[static_cast<std::size_t>(bars[k].bars[i])] = {k, i};
         }
-      for (std::size_t row = 0; row < place.size(); ++row)
-        for (std::size_t k = kept.start[row]; k < kept.start[row + 1]; ++k)
-          {
-            const auto column = static_cast<std::size_t>(kept.indices[k]);
-            if (place[row].first != place[column].first)
-              continue;
-            auto &block        = blocks[place[row].first];
-            const double value = share_of_lip * kept.values[k];
-            block[place[row].second][place[column].second] += value;
-            if (row != column)
-              block[place[column].second][place[row].second] += value;
-          }
+      for_each_kept_entry(kept, [&](const std::size_t i, const std::size_t j, const double value) {
+        if (place[i].first == place[j].first)
+          blocks[place[i].first][place[i].second][place[j].second] += share_of_lip * value;
+      });
       for (std::size_t k = 0; k < bars.size(); ++k)
         blocks[k] = inverse(blocks[k], bars[k].bars.size());
       return blocks;

@@ -23,7 +23,7 @@ namespace fuga
     /** Of conjugate gradients, one vector each; 0 for the direct solver. */
     std::size_t n_iterations = 0;
     BodySolver solver        = BodySolver::direct;
-    /** Unless a solver was asked for that needs none. */
+    /** If the program had to choose. */
     std::optional<SolverEstimate> estimate = {};
   };
 } // namespace fuga

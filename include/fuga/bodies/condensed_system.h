@@ -387,7 +387,7 @@ namespace fuga
     IterativeSolver *matrix_free_solver = nullptr;
     std::unique_ptr<RigidProjection> projection;
     BodySolver used_solver = BodySolver::direct;
-    /** Unless a solver was asked for that needs no analysis. */
+    /** If the program had to choose. */
     std::optional<SolverEstimate> estimate;
 
     DenseMatrix S, F, E, motions, motion_loads, water_of_open, water_of_closed;

@@ -55,6 +55,37 @@ namespace fuga
     std::vector<std::size_t> next;
   };
 
+  /** @p factor times column @p i of K_ic, of @p coupling, is added to y_i. */
+  void
+  add_column(const Compressed &coupling, const double factor, const std::size_t i, double *y);
+
+  /** y_i += factor K_ic x_c. */
+  void
+  add_to_interior(const Compressed &coupling, const double factor, const double *x, double *y);
+
+  /** y_c += factor K_ci x_i. */
+  void
+  add_to_kept(const Compressed &coupling, const double factor, const double *x, double *y);
+
+  /** Calls @p action(i, j, value) for the entries of both triangles of K_cc. */
+  template <typename Action>
+  void
+  for_each_kept_entry(const Compressed &kept, const Action &action)
+  {
+    for (std::size_t i = 0; i + 1 < kept.start.size(); ++i)
+      for (std::size_t k = kept.start[i]; k < kept.start[i + 1]; ++k)
+        {
+          const auto j = static_cast<std::size_t>(kept.indices[k]);
+          action(i, j, kept.values[k]);
+          if (i != j)
+            action(j, i, kept.values[k]);
+        }
+  }
+
+  /** y_c += K_cc x_c. */
+  void
+  add_kept_block(const Compressed &kept, const double *x, double *y);
+
   /** The matrices of an IterativeSolver, which keeps Trilinos out of its own header. */
   struct IterativeSolver::System
   {
