@@ -3,7 +3,6 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/process_info.h>
-#include <fuga/bodies/processes.h>
 #include <fuga/contact/path_choice.h>
 #include <fuga/io/stiffness_need.h>
 #include <fuga/joint_model.h>
@@ -231,12 +230,6 @@ namespace fuga
   Model<dim>::check_body_solver() const
   {
     const BodySolver solver = parameters.model.body_solver;
-    if (processes::number() > 1 &&
-        (solver == BodySolver::iterative || solver == BodySolver::matrix_free))
-      throw InputError(fmt::format("{}: Solver/Bodies = {}: not available on several processes in "
-                                   "this version. Choose direct, or start one process.",
-                                   parameters.parameter_file,
-                                   name_of(solver)));
     if (solver != BodySolver::matrix_free)
       return;
     std::string what = what_needs_stiffness(parameters);

@@ -31,17 +31,20 @@ namespace fuga
         solver = std::move(direct);
         if (choice == BodySolver::automatic)
           {
+            double n_entries = static_cast<double>(matrix.values.size());
+            processes::sum(&n_entries, 1);
             estimate = estimate_solvers({dim,
-                                         matrix.values.size(),
+                                         static_cast<std::size_t>(n_entries),
                                          coordinates->size(),
                                          coordinates->n_interface(),
                                          effort.megabytes,
                                          effort.operations,
                                          model.may_be_matrix_free && jump_operator().empty()});
-            if (processes::number() > 1)
-              estimate->choice = BodySolver::direct; // the iterative one knows no other processes
-            constexpr double worth_a_line = 1.;      // seconds
-            choice                        = estimate->choice;
+            // The memory that is left is not the same a moment later on another process.
+            double of_first = static_cast<double>(estimate->choice);
+            processes::broadcast(&of_first, 1);
+            choice = estimate->choice     = static_cast<BodySolver>(of_first);
+            constexpr double worth_a_line = 1.; // seconds
             if (choice != BodySolver::direct || estimate->direct_seconds > worth_a_line)
               lines.push_back(estimate->text());
           }

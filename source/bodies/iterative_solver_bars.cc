@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/vector.h>
 
 #include <Epetra_Vector.h>
 #include <fmt/format.h>
@@ -24,12 +24,35 @@ namespace fuga
     /** Of a product with S, which equilibrium is judged by and nothing refines. */
     constexpr double tolerance_of_products = 1e-12;
 
-    using Work = dealii::Vector<double>;
+    /** The own rows of K_ii; behind them, on the first process, the kept unknowns. */
+    using Work = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    Work
+    work_vector(const NodalBlocks &blocks, const unsigned int n_kept, const MPI_Comm comm)
+    {
+      const auto place = [&](const unsigned int process) {
+        return static_cast<unsigned int>(blocks.first_rows[process]) + (process > 0 ? n_kept : 0);
+      };
+      dealii::IndexSet own(static_cast<unsigned int>(blocks.n_rows()) + n_kept);
+      own.add_range(place(processes::rank()), place(processes::rank() + 1));
+      return Work(own, comm);
+    }
 
     Epetra_Vector
     interior_part(const Epetra_Map &map, const Work &x)
     {
       return {View, map, const_cast<double *>(x.begin())};
+    }
+
+    /** The kept unknowns of x, on all processes. */
+    Vector
+    kept_part(const Work &x, const std::size_t n_interior, const std::size_t n_kept)
+    {
+      Vector result(n_kept);
+      if (processes::is_first())
+        std::copy(x.begin() + n_interior, x.end(), result.begin());
+      processes::broadcast(result.data(), n_kept);
+      return result;
     }
 
     /** [K_ii K_ic; K_ci K_cc + C]. */
@@ -46,15 +69,19 @@ namespace fuga
         const Epetra_Vector u = interior_part(K.RowMap(), x);
         Epetra_Vector f       = interior_part(K.RowMap(), y);
         K.Apply(u, f);
-        add_to_interior(coupling, 1., x.begin() + n, y.begin());
-        std::fill(y.begin() + n, y.end(), 0.);
-        add_to_kept(coupling, 1., x.begin(), y.begin() + n);
-        add_kept_block(kept, x.begin() + n, y.begin() + n);
+        const Vector jumps = kept_part(x, n, kept.start.size() - 1);
+        add_to_interior(coupling, 1., jumps.data(), y.begin());
+        Vector forces(jumps.size(), 0.);
+        add_to_kept(coupling, 1., x.begin(), forces.data());
+        add_kept_block(kept, jumps.data(), forces.data());
+        processes::sum(forces);
         for (const BlockOfBars &block : bars)
           for (std::size_t i = 0; i < block.bars.size(); ++i)
             for (std::size_t j = 0; j < block.bars.size(); ++j)
-              y.begin()[n + static_cast<std::size_t>(block.bars[i])] +=
-                block.stiffness[i][j] * x.begin()[n + static_cast<std::size_t>(block.bars[j])];
+              forces[static_cast<std::size_t>(block.bars[i])] +=
+                block.stiffness[i][j] * jumps[static_cast<std::size_t>(block.bars[j])];
+        if (processes::is_first())
+          std::copy(forces.begin(), forces.end(), y.begin() + n);
       }
     };
 
@@ -74,9 +101,12 @@ namespace fuga
         const Epetra_Vector f = interior_part(map, x);
         Epetra_Vector u       = interior_part(map, y);
         multigrid.ApplyInverse(f, u);
-        Vector rest(x.begin() + n, x.end());
+        Vector rest(coupling.start.size() - 1, 0.);
+        if (processes::is_first())
+          std::copy(x.begin() + n, x.end(), rest.begin());
         add_to_kept(coupling, -1., y.begin(), rest.data());
-        for (std::size_t k = 0; k < bars.size(); ++k)
+        processes::sum(rest);
+        for (std::size_t k = 0; k < bars.size() && processes::is_first(); ++k)
           for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
             {
               double sum = 0.;
@@ -113,11 +143,12 @@ namespace fuga
     std::vector<ElementStiffness>
     inverses_of_elements(const std::vector<BlockOfBars> &bars, const Compressed &kept)
     {
+      constexpr std::size_t n_entries = sizeof(ElementStiffness) / sizeof(double);
       std::vector<std::pair<std::size_t, std::size_t>> place(kept.start.size() - 1);
       std::vector<ElementStiffness> blocks;
       for (std::size_t k = 0; k < bars.size(); ++k)
         {
-          blocks.push_back(bars[k].stiffness);
+          blocks.push_back(processes::is_first() ? bars[k].stiffness : ElementStiffness{});
           for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
             place[static_cast<std::size_t>(bars[k].bars[i])] = {k, i};
         }
@@ -125,6 +156,8 @@ namespace fuga
         if (place[i].first == place[j].first)
           blocks[place[i].first][place[i].second][place[j].second] += share_of_lip * value;
       });
+      if (!blocks.empty())
+        processes::sum(blocks[0][0].data(), blocks.size() * n_entries);
       for (std::size_t k = 0; k < bars.size(); ++k)
         blocks[k] = inverse(blocks[k], bars[k].bars.size());
       return blocks;
@@ -137,13 +170,15 @@ namespace fuga
   {
     Vector result(n_kept, 0.);
     add_kept_block(system->kept, x.data(), result.data());
-    if (blocks.n_rows == 0 || max_abs(x) == 0.)
-      return result;
-    DenseMatrix y(blocks.n_rows, 1);
-    add_to_interior(system->coupling, -1., x.data(), y.data());
-    solve_columns(y, tolerance_of_products);
-    ++its_work.n_solutions;
-    add_to_kept(system->coupling, 1., y.data(), result.data());
+    if (!nothing_to_eliminate() && max_abs(x) > 0.)
+      {
+        DenseMatrix y(n_own_rows(), 1);
+        add_to_interior(system->coupling, -1., x.data(), y.data());
+        solve_columns(y, tolerance_of_products);
+        ++its_work.n_solutions;
+        add_to_kept(system->coupling, 1., y.data(), result.data());
+      }
+    processes::sum(result);
     return result;
   }
 
@@ -153,9 +188,10 @@ namespace fuga
                                    const Vector &r,
                                    const double tolerance)
   {
-    const std::size_t n = blocks.n_rows;
-    Work load(static_cast<unsigned int>(n + n_kept)), y(load);
-    std::copy(r.begin(), r.end(), load.begin() + n);
+    const std::size_t n = n_own_rows();
+    Work load           = work_vector(blocks, n_kept, system->comm.Comm()), y(load);
+    if (processes::is_first())
+      std::copy(r.begin(), r.end(), load.begin() + n);
 
     dealii::SolverControl control(max_iterations, tolerance * load.l2_norm());
     dealii::SolverGMRES<Work> gmres(
@@ -181,10 +217,11 @@ namespace fuga
     ++its_work.n_solutions;
 
     TangentSolver::Solution solution;
-    solution.jumps.assign(y.begin() + n, y.end());
+    solution.jumps = kept_part(y, n, n_kept);
     solution.resistance.assign(n_kept, 0.);
     add_kept_block(system->kept, solution.jumps.data(), solution.resistance.data());
     add_to_kept(system->coupling, 1., y.begin(), solution.resistance.data());
+    processes::sum(solution.resistance);
     return solution;
   }
 } // namespace fuga

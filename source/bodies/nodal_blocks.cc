@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/cell_owners.h>
 #include <fuga/bodies/elimination_order.h>
 #include <fuga/bodies/nodal_blocks.h>
+#include <fuga/bodies/processes.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace fuga
 {
@@ -28,7 +31,40 @@ namespace fuga
         }
       return u;
     }
+
+
+    template <int dim>
+    std::vector<unsigned int>
+    process_of_nodes(const Discretization<dim> &space)
+    {
+      std::vector<unsigned int> result(space.n_nodes(), 0);
+      if (processes::number() == 1)
+        return result;
+      std::fill(result.begin(), result.end(), processes::number() - 1);
+      const std::vector<unsigned int> owners = cell_owners(space, processes::number());
+      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+        for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
+          {
+            unsigned int &process = result[space.cell_nodes(cell)[i]];
+            process               = std::min(process, owners[cell]);
+          }
+      return result;
+    }
   } // namespace
+
+
+  int
+  NodalBlocks::n_own_rows() const
+  {
+    return first_rows[processes::rank() + 1] - first_rows[processes::rank()];
+  }
+
+
+  int
+  NodalBlocks::own_place(const int row) const
+  {
+    return row - first_rows[processes::rank()];
+  }
 
 
   template <int dim>
@@ -42,11 +78,20 @@ namespace fuga
     std::vector<int> first_row(space.n_nodes(), none), n_owned(space.n_nodes(), 0);
     for (const unsigned int node : owners)
       ++n_owned[node];
-    int n_rows = 0;
+    const auto n_rows_of = [&](const std::size_t node) {
+      return (n_owned[node] + n_components - 1) / n_components * n_components;
+    };
+    NodalBlocks blocks;
+    const std::vector<unsigned int> process = process_of_nodes(space);
+    blocks.first_rows.assign(processes::number() + 1, 0);
+    for (std::size_t node = 0; node < space.n_nodes(); ++node)
+      blocks.first_rows[process[node] + 1] += n_rows_of(node);
+    std::partial_sum(blocks.first_rows.begin(), blocks.first_rows.end(), blocks.first_rows.begin());
+    std::vector<int> next = blocks.first_rows;
     for (std::size_t node = 0; node < space.n_nodes(); ++node)
       {
-        first_row[node] = n_rows;
-        n_rows += (n_owned[node] + n_components - 1) / n_components * n_components;
+        first_row[node] = next[process[node]];
+        next[process[node]] += n_rows_of(node);
       }
 
     dealii::Point<dim> center;
@@ -56,14 +101,12 @@ namespace fuga
     for (std::size_t node = 0; node < space.n_nodes(); ++node)
       size = std::max(size, space.position(node).distance(center));
 
-    NodalBlocks blocks;
     blocks.block_size = dim;
-    blocks.n_rows     = static_cast<unsigned int>(n_rows);
     blocks.rows.assign(owners.size(), none);
-    blocks.rigid_motions = DenseMatrix(blocks.n_rows, n_motions);
+    blocks.rigid_motions = DenseMatrix(static_cast<std::size_t>(blocks.n_own_rows()), n_motions);
     // Components keep their place; sliding along a joint, which is nobody's component and rests in
     // a rigid motion, takes what is left.
-    std::vector<bool> is_taken(blocks.n_rows, false);
+    std::vector<bool> is_taken(static_cast<std::size_t>(blocks.n_rows()), false);
     for (unsigned int node = 0; node < space.n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         if (const auto coordinate = coordinates.coordinate_of(node * dim + c);
@@ -72,9 +115,10 @@ namespace fuga
             const int row                           = first_row[node] + static_cast<int>(c);
             blocks.rows[*coordinate]                = row;
             is_taken[static_cast<std::size_t>(row)] = true;
-            for (unsigned int k = 0; k < n_motions; ++k)
-              blocks.rigid_motions(static_cast<std::size_t>(row), k) =
-                rigid_motion<dim>(k, (space.position(node) - center) / size)[c];
+            if (process[node] == processes::rank())
+              for (unsigned int k = 0; k < n_motions; ++k)
+                blocks.rigid_motions(static_cast<std::size_t>(blocks.own_place(row)), k) =
+                  rigid_motion<dim>(k, (space.position(node) - center) / size)[c];
           }
     for (std::size_t i = 0; i < owners.size(); ++i)
       if (blocks.rows[i] == none)

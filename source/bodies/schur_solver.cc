@@ -120,7 +120,7 @@ namespace fuga
 
     call(1, "analysis");
     is_analysed = true;
-    return {static_cast<double>(mumps->info(16)), data.rinfog[0]};
+    return {static_cast<double>(mumps->info(17)), data.rinfog[0]};
   }
 
 

@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the Fuga authors
 """Runs scenes on one process and on several: the results have to be those of one process.
 
-usage: parallel.py FUGA [small | large]
+usage: parallel.py FUGA [small | large | iterative]
 
 Expected: the same exit code and the same events (kind, joint, element, order); every number of the tables, of
 summary.json and of a sweep within 1e-9 of the largest of its column (what two orders of summation leave, with the
@@ -30,10 +30,15 @@ SINGLE = 2.4e-7  # two units in the last place of single precision
 SECONDS = 300  # until a run counts as hanging
 complaints = []
 
+ITERATIVE = ["Solver/Bodies=iterative"]
+MATRIX_FREE = ["Solver/Bodies=iterative matrix-free", "Solver/Follow=stage ends"]
+FEW_LEVELS = ["Stages/reservoir/Levels=1", "Solver/Load knots=1"]
+
 # Name, parameter file, entries that are set, numbers of processes.
 SMALL = [
     ("Q1", "paper_2_linear.prm", [], (2,)),
     ("P1", "paper_2_linear.prm", ["Mesh/File=../meshes/s0_tri.msh"], (3,)),
+    ("iterative", "paper_2_linear.prm", ITERATIVE, (2,)),
 ]
 LARGE = [
     ("Q1", "paper_2_linear.prm", [], (3,)),
@@ -46,6 +51,14 @@ LARGE = [
     ("uplift", "dam.prm", [], (2, 3)),
     ("target accuracy", "punch_adaptive.prm", [], (2,)),
     ("in space", "dam_block_3d.prm", [], (2, 3)),
+]
+ITERATIVE_LARGE = [
+    ("iterative", "scene_g_f06.prm", ITERATIVE, (3,)),
+    ("matrix-free", "scene_g_f06.prm", MATRIX_FREE + ["Stages/water/Levels=1"], (2, 3)),
+    ("iterative, crossing joints", "arch.prm", ITERATIVE, (2,)),
+    ("iterative on hanging nodes", "punch_adaptive.prm", ITERATIVE + ["Target accuracy/Largest number of rounds=2"], (2,)),
+    ("iterative in space", "dam_block_3d.prm", ITERATIVE + FEW_LEVELS, (2, 3)),
+    ("matrix-free in space", "dam_block_3d.prm", MATRIX_FREE + FEW_LEVELS, (2, 3)),
 ]
 
 
@@ -279,11 +292,11 @@ def main():
     program, label = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "small"
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
-        for scene in SMALL if label == "small" else LARGE:
+        for scene in {"small": SMALL, "large": LARGE, "iterative": ITERATIVE_LARGE}[label]:
             check_scene(program, directory, *scene)
         if label == "small":
             check_refusals(program, directory)
-        else:
+        elif label == "large":
             check_restart(program, directory)
             check_sweep(program, directory)
             check_more_refusals(program, directory)

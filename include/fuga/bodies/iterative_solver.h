@@ -22,8 +22,9 @@ namespace fuga
   /**
    * An InteriorSolver by conjugate gradients with algebraic multigrid (Trilinos ML), which knows
    * the rigid motions: for models whose factor does not fit. Its memory grows as the matrix does.
-   * S costs one solution per kept unknown, several at a time (doc/theory.md, section 1). One
-   * process only.
+   * S costs one solution per kept unknown, several at a time (doc/theory.md, section 1). The
+   * processes of the run share rows and have to call alike, each with its part of the matrix and
+   * all of the loads; results are the same on all, bit by bit.
    */
   class IterativeSolver : public InteriorSolver
   {
@@ -72,13 +73,30 @@ namespace fuga
   private:
     struct System;
 
+    bool
+    nothing_to_eliminate() const
+    {
+      return blocks.n_rows() == 0;
+    }
+    std::size_t
+    n_own_rows() const
+    {
+      return static_cast<std::size_t>(blocks.n_own_rows());
+    }
     void
     split(SymmetricTriplets &matrix);
     void
     make_multigrid();
+    /** What the own cells give. */
     DenseMatrix
     kept_block() const;
-    /** Solves for the columns of @p loads (n_rows x any number), which it overwrites. */
+    /** Of a load of all eliminated coordinates the own rows. */
+    void
+    take_own(const double *load, double *own) const;
+    /** The opposite; zero for all others. */
+    void
+    give_own(const double *own, double *solution) const;
+    /** Solves for the columns of @p loads (own rows x any number), which it overwrites. */
     void
     solve_columns(DenseMatrix &loads, const double tolerance);
 

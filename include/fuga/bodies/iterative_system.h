@@ -8,6 +8,7 @@
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
 #include <fuga/bodies/iterative_solver.h>
+#include <fuga/bodies/processes.h>
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <mpi.h>
@@ -89,18 +90,18 @@ namespace fuga
   /** The matrices of an IterativeSolver, which keeps Trilinos out of its own header. */
   struct IterativeSolver::System
   {
-    System(const int n_rows, const int n_columns)
-      : comm(MPI_COMM_SELF)
-      , map(n_rows, 0, comm)
-      , coupling(static_cast<std::size_t>(n_columns))
-      , kept(static_cast<std::size_t>(n_columns))
+    System(const NodalBlocks &blocks, const std::size_t n_kept)
+      : comm(MPI_Comm_f2c(static_cast<MPI_Fint>(processes::fortran_communicator())))
+      , map(blocks.n_rows(), blocks.n_own_rows(), 0, comm)
+      , coupling(n_kept)
+      , kept(n_kept)
     {
     }
 
     Epetra_MpiComm comm;
     Epetra_Map map;
     std::unique_ptr<Epetra_CrsMatrix> K;
-    /** K_ic by columns, K_cc by rows of one triangle. */
+    /** Own rows of K_ic by columns; what the own cells give to K_cc, by rows of one triangle. */
     Compressed coupling, kept;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> multigrid;
   };

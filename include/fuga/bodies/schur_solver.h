@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** What a factorisation will take, as the analysis says. */
+  /** What a factorisation will take on all processes together, as the analysis says. */
   struct DirectEstimate
   {
     double megabytes  = 0.;
