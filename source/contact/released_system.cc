@@ -54,7 +54,7 @@ namespace fuga
     for (std::size_t i = 0; i < bars.size(); ++i)
       x[i] /= roots[i];
     if (n > 0)
-      LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', n, 1, factor.data(), n, x.data(), n);
+      LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'L', n, 1, factor.data(), n, x.data(), n);
     for (std::size_t i = 0; i < bars.size(); ++i)
       x[i] /= roots[i];
     return x;
@@ -76,7 +76,7 @@ namespace fuga
       for (std::size_t i = 0; i < bars.size(); ++i)
         Z(i, j) = W(bars[i], of_bars[j]) / roots[i];
     const int n = blas::to_int(bars.size()), m = blas::to_int(of_bars.size());
-    LAPACKE_dtrtrs(LAPACK_COL_MAJOR, 'L', 'N', 'N', n, m, factor.data(), n, Z.data(), n);
+    LAPACKE_dtrtrs_work(LAPACK_COL_MAJOR, 'L', 'N', 'N', n, m, factor.data(), n, Z.data(), n);
     const DenseMatrix change = multiply_transposed(Z, Z);
     for (std::size_t j = 0; j < of_bars.size(); ++j)
       for (std::size_t i = 0; i < of_bars.size(); ++i)
