@@ -6,10 +6,11 @@ process and on two, and estimates from this what large machines need; writes doc
 
 usage: scaling_page.py [--fuga BIN] [--output DIR] [--missing | --from-measurements]
 
-Measuring takes about an hour and 12 GB; measurements are kept in doc/scaling.json, from which the page can be
+Measuring takes about an hour and 10 GB; measurements are kept in doc/scaling.json, from which the page can be
 written again.
 """
 import argparse
+import csv
 import json
 import math
 import os
@@ -22,18 +23,20 @@ import tempfile
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 COMMAND = "/usr/bin/python3 source/python/scaling_page.py"
-LOADS = ["Solver/Load knots=1", "Output/Fields=end", "Output/Checkpoint=never"]
 
 SPACE = "Dam block in space"
 PLANE = "Scene G in the plane"
 DIRECT, ITERATIVE, FREE = "direct", "iterative", "iterative matrix-free"
+# Event by event with all levels, then with more and more water until nothing holds it.
+LIMIT = "direct, to the limit load"
 
 # Problem, solver, contact faces (elements) across the joint, processes.
 RUNS = sorted([(SPACE, DIRECT, n, 1) for n in (8, 12, 16, 24, 32, 40)] + [(SPACE, ITERATIVE, n, 1) for n in (8, 12, 16)] +
-              [(SPACE, FREE, n, 1) for n in (8, 12, 16, 24, 32, 40, 56)] +
+              [(SPACE, FREE, n, 1) for n in (8, 12, 16, 24, 32, 40, 56)] + [(SPACE, LIMIT, 40, 1)] +
               [(PLANE, DIRECT, n, 1) for n in (33, 129, 513)] + [(PLANE, ITERATIVE, n, 1) for n in (33, 65, 129)] +
               [(PLANE, FREE, n, 1) for n in (33, 129, 513)] +
-              [(SPACE, DIRECT, n, 2) for n in (16, 24)] + [(PLANE, DIRECT, n, 2) for n in (129, 513)],
+              [(SPACE, DIRECT, n, 2) for n in (16, 24)] + [(SPACE, FREE, n, 2) for n in (16, 24)] +
+              [(PLANE, DIRECT, n, 2) for n in (129, 513)],
               key=lambda run: (run[3], run[0] == SPACE and run[2] >= 32, run[2]))
 
 # Phases of summary.json under the name of the page.
@@ -58,13 +61,24 @@ def make_mesh(problem, n, folder):
     return path
 
 
+def safety_by_hand(output):
+    """f |N| / T of the joint when the reservoir is full, where all that grows is T."""
+    with open(os.path.join(output, "resultants.csv"), encoding="utf-8", newline="") as file:
+        full = [row for row in csv.DictReader(file) if float(row["t"]) == 2.]
+    return float(full[0]["sliding_safety"])
+
+
 def measure(fuga, problem, solver, n, processes, folder):
     """The summary of a run, reduced to what the page needs."""
     output = os.path.join(folder, "out")
     shutil.rmtree(output, ignore_errors=True)
     name = "dam_block_3d.prm" if problem == SPACE else "scene_g_f06.prm"
-    settings = LOADS + [f"Mesh/File={make_mesh(problem, n, folder)}", f"Solver/Bodies={solver}",
-                        ("Stages/reservoir" if problem == SPACE else "Stages/water") + "/Levels=1"]
+    settings = ["Output/Fields=end", "Output/Checkpoint=never", f"Mesh/File={make_mesh(problem, n, folder)}"]
+    if solver == LIMIT:
+        settings += ["Solver/Bodies=direct", "Safety/Load factor=water"]
+    else:
+        settings += ["Solver/Load knots=1", f"Solver/Bodies={solver}",
+                     ("Stages/reservoir" if problem == SPACE else "Stages/water") + "/Levels=1"]
     if solver == FREE:
         settings.append("Solver/Follow=stage ends")
     command = ["mpirun", "--allow-run-as-root", "-np", str(processes)] if processes > 1 else []
@@ -87,6 +101,9 @@ def measure(fuga, problem, solver, n, processes, folder):
            "load": os.getloadavg()[0], "solutions": summary["work"]["solutions_of_bodies"], "certificate": summary["certificate"]["worst"],
            "megabytes": summary["memory_MB"], "wall": sum(seconds.values()),
            "seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime}
+    if solver == LIMIT:
+        row["safety"] = summary["safety"]["load_factor"]
+        row["by hand"] = safety_by_hand(output)
     # What the run had of a processor while others worked too; several processes have their own.
     share = row["seconds"] / row["wall"] if processes == 1 else 1.
     for phase, names in PHASES.items():
@@ -104,6 +121,8 @@ def number(value, digits=3):
     """A figure of so many digits, with blanks between thousands."""
     if value == 0:
         return "0"
+    if value < 1e-3:
+        return "< 0.001"
     if value >= 1000:
         digits_kept = max(0, int(math.log10(value)) + 1 - digits)
         return f"{round(value, -digits_kept):,.0f}".replace(",", " ")
@@ -143,11 +162,23 @@ class Page:
                 self.text.append(table(
                     ["dofs", "contact elements", "events", "schemes", "CG and GMRES iterations", "CPU [s]", "wall [s]"] +
                     list(PHASES) + ["peak [MB]", "certificate"],
-                    [[number(row["unknowns"], 7), row["elements"], row["events"] or "-", row["schemes"] or "-",
+                    [[number(row["unknowns"], 7), row["elements"], row["events"] or "-",
+                      row["schemes"] if solver == FREE else "-",
                       number(row["iterations"], 7) if row["iterations"] else "-", number(row["seconds"]),
                       number(row["wall"])] +
                      [number(row[f"seconds of {phase}"]) for phase in PHASES] +
                      [number(row["megabytes"], 4), f"{row['certificate']:.0e}"] for row in rows]))
+
+    def write_limit(self):
+        for row in self.select(SPACE, LIMIT):
+            factor, by_hand = row["safety"]["factor"], row["by hand"]
+            self.text.append(
+                f"**To the limit load.** {number(row['unknowns'], 7)} dofs, {row['elements']} contact elements, weight, "
+                f"reservoir, uplift, event by event ({row['events']} of them), then the water grows until the block slides: "
+                f"{number(row['seconds'])} s of a processor ({number(row['seconds of elimination'])} elimination, "
+                f"{number(row['seconds of path'])} path), {number(row['megabytes'] / 1e3)} GB, certificate "
+                f"{row['certificate']:.0e}. Load factor {factor:.9g} ({row['safety']['verdict']}); by hand, friction over "
+                f"thrust when the reservoir is full: {by_hand:.9g}, a difference of {abs(factor / by_hand - 1.):.0e}.\n")
 
     def write_memory(self):
         self.text.append("## Memory by phase\n")
@@ -248,10 +279,11 @@ class Page:
                      "`iterative matrix-free` finds stage ends without the stiffness of the interface (section 18). "
                      "Problems: `parameters/dam_block_3d.prm` with meshes of `meshes/dam_block_3d.geo`, "
                      "`parameters/scene_g_f06.prm` with meshes of `meshes/scene_g.py`; loads interpolated between stage "
-                     "ends. One BLAS thread. The machine had other work at the same time (load average "
-                     f"{self.load} while measuring), so times are CPU seconds; those of the phases are wall seconds times "
+                     f"ends. One BLAS thread. Load average of the machine while measuring: {self.load}. Times are CPU "
+                     "seconds, so that other work does not count; those of the phases are wall seconds times "
                      "the share of a processor that the run got.\n"]
         self.write_runs()
+        self.write_limit()
         self.write_memory()
         self.write_processes()
         self.write_fits()
