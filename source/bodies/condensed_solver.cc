@@ -6,6 +6,7 @@
 #include <fuga/bodies/elimination_order.h>
 #include <fuga/bodies/iterative_solver.h>
 #include <fuga/bodies/processes.h>
+#include <fuga/bodies/rigid_projection.h>
 #include <fuga/bodies/schur_solver.h>
 
 #include <deal.II/lac/vector.h>
@@ -65,11 +66,17 @@ namespace fuga
     return coordinates->n_interface();
   }
 
+  // Not left to the iterations, whose errors the condition of the eliminated part magnifies:
+  // motions of the bodies meet no resistance.
   template <int dim>
   Vector
   CondensedSystem<dim>::resistance(const Vector &x) const
   {
-    return matrix_free_solver->resistance(x);
+    Vector jumps = x;
+    projection->take_out_motion(jumps);
+    Vector forces = matrix_free_solver->resistance(jumps);
+    projection->take_out_work(forces);
+    return forces;
   }
 
   template <int dim>
@@ -89,7 +96,9 @@ namespace fuga
           block.bars.push_back(static_cast<int>(element.second_tangential_bar));
         blocks.push_back(std::move(block));
       }
-    return matrix_free_solver->solve_with_bars(blocks, r, tolerance);
+    Solution solution = matrix_free_solver->solve_with_bars(blocks, r, tolerance);
+    projection->take_out_work(solution.resistance);
+    return solution;
   }
 
   template void

@@ -17,7 +17,7 @@ namespace fuga
 {
   namespace
   {
-    constexpr unsigned int max_iterations = 1000, basis_size = 60;
+    constexpr unsigned int max_iterations = 3000, basis_size = 200;
     /** What the rest of the bodies leaves of the stiffness of a lip that moves alone, at the
      * wavelengths of the mesh; only the number of iterations depends on it. */
     constexpr double share_of_lip = 0.5;

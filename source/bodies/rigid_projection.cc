@@ -45,6 +45,35 @@ namespace fuga
   }
 
 
+  namespace
+  {
+    /** x -= A Bᵀ x. */
+    void
+    take_out(const DenseMatrix &A, const DenseMatrix &B, Vector &x)
+    {
+      const Vector part = multiply(A, multiply_transposed(B, x));
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] -= part[i];
+    }
+  } // namespace
+
+
+  void
+  RigidProjection::take_out_motion(Vector &jumps) const
+  {
+    if (!Q.empty())
+      take_out(R, Q, jumps);
+  }
+
+
+  void
+  RigidProjection::take_out_work(Vector &forces) const
+  {
+    if (!Q.empty())
+      take_out(Q, R, forces);
+  }
+
+
   void
   RigidProjection::project_loads(DenseMatrix &F, const DenseMatrix &work) const
   {

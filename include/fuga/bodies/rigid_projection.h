@@ -26,6 +26,14 @@ namespace fuga
     void
     project_loads(DenseMatrix &F, const DenseMatrix &work) const;
 
+    /** (I - R Qᵀ) x: jumps without the motion nearest to them. */
+    void
+    take_out_motion(Vector &jumps) const;
+
+    /** (I - Q Rᵀ) p: forces without what works on the motions. */
+    void
+    take_out_work(Vector &forces) const;
+
     /** Amounts of the motions nearest to given jumps. */
     Vector
     motion_of(const Vector &jumps) const
