@@ -88,7 +88,9 @@ namespace fuga
     /** First K_ii by one cycle of multigrid, then the bars of every element for themselves. */
     struct BlockPreconditioner
     {
-      const ML_Epetra::MultiLevelPreconditioner &multigrid;
+      const Epetra_Map &map;
+      /** None if there is nothing to eliminate. */
+      const ML_Epetra::MultiLevelPreconditioner *multigrid;
       const Compressed &coupling;
       const std::vector<BlockOfBars> &bars;
       std::vector<ElementStiffness> inverses;
@@ -96,11 +98,11 @@ namespace fuga
       void
       vmult(Work &y, const Work &x) const
       {
-        const Epetra_Map &map = multigrid.RowMatrix().RowMatrixRowMap();
         const auto n          = static_cast<std::size_t>(map.NumMyElements());
         const Epetra_Vector f = interior_part(map, x);
         Epetra_Vector u       = interior_part(map, y);
-        multigrid.ApplyInverse(f, u);
+        if (multigrid != nullptr)
+          multigrid->ApplyInverse(f, u);
         Vector rest(coupling.start.size() - 1, 0.);
         if (processes::is_first())
           std::copy(x.begin() + n, x.end(), rest.begin());
@@ -199,12 +201,14 @@ namespace fuga
       dealii::SolverGMRES<Work>::AdditionalData(basis_size, /*right_preconditioning=*/true));
     try
       {
-        gmres.solve(
-          BodiesWithBars{*system->K, system->coupling, system->kept, bars},
-          y,
-          load,
-          BlockPreconditioner{
-            *system->multigrid, system->coupling, bars, inverses_of_elements(bars, system->kept)});
+        gmres.solve(BodiesWithBars{*system->K, system->coupling, system->kept, bars},
+                    y,
+                    load,
+                    BlockPreconditioner{system->K->RowMap(),
+                                        system->multigrid.get(),
+                                        system->coupling,
+                                        bars,
+                                        inverses_of_elements(bars, system->kept)});
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 using namespace fuga;
 using namespace fuga::tests;
 
@@ -111,6 +114,89 @@ TEST(Iterative, LargeMatrixFreeStageEndsInSpace)
   EXPECT_EQ(steps.states(2.), events.states(2.));
   EXPECT_LE(deviation(steps.values("N", 2.), events.values("N", 2.)), 1e-5);
   EXPECT_LE(deviation(steps.values("T1", 2.), events.values("T1", 2.)), 1e-4);
+}
+
+// One cell between a sole and a roof that settles by s: every unknown is a jump, and nothing is
+// left to eliminate. Two springs in series, pressure s / (h/E + rho) = 1e-3 / (1e-3 + 1e-4);
+// rounding only.
+TEST(Iterative, NothingToEliminate)
+{
+  const std::string directory = temporary_directory();
+  std::ofstream(directory + "/slab.msh") << R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+1 11 "sole"
+1 14 "roof"
+1 15 "sides"
+2 1 "slab"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+5
+1 1 2 11 11 1 2
+2 1 2 14 14 3 4
+3 1 2 15 15 2 3
+4 1 2 15 15 4 1
+5 3 2 1 1 1 2 3 4
+$EndElements
+)";
+  std::ofstream(directory + "/slab.prm") << R"(subsection Mesh
+  set File = slab.msh
+end
+subsection Bodies
+  subsection slab
+    set Young modulus = 1000
+    set Poisson ratio = 0
+  end
+end
+subsection Joints
+  subsection sole
+    set Plus lip  = sole
+    set Minus lip = rigid
+    set Normal compliance = 1e-4
+    set Shear compliance = 1e-4
+    set Friction coefficient = 0.5
+  end
+end
+subsection Boundaries
+  subsection roof
+    set Fixed = all
+  end
+  subsection sides
+    set Fixed = free
+  end
+end
+subsection Loads
+  subsection settle
+    set Type       = displacement
+    set Boundaries = roof
+    set Value      = 0; -0.001
+  end
+end
+subsection Stages
+  subsection settle
+    set Loads = settle: t
+  end
+end
+)";
+  const auto check = [&](const std::string &solver, const std::vector<std::string> &settings) {
+    const SceneRun run = run_with(solver, directory + "/slab.prm", settings);
+    EXPECT_EQ(run.exit_code, 0) << solver;
+    EXPECT_NEAR(run.resultants.number(run.resultants.rows.size() - 1, "N"), -1. / 1.1, 1e-14)
+      << solver;
+  };
+  check("direct", {});
+  check("iterative", {});
+  check("iterative matrix-free", {"Solver/Follow=stage ends"});
+  std::filesystem::remove_all(directory);
 }
 
 TEST(Iterative, MatrixFreeRefusesWhatNeedsTheStiffness)
