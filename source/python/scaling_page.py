@@ -148,8 +148,9 @@ class Page:
         self.text = []
 
     def select(self, problem, solver, processes=1):
-        return [row for row in self.rows
+        rows = [row for row in self.rows
                 if (row["problem"], row["solver"], row["processes"]) == (problem, solver, processes)]
+        return sorted(rows, key=lambda row: row["unknowns"])
 
     def write_runs(self):
         for problem in (PLANE, SPACE):
@@ -182,16 +183,17 @@ class Page:
 
     def write_memory(self):
         self.text.append("## Memory by phase\n")
-        self.text.append("Peak resident size [MB] of the process behind each phase, largest run of each kind.\n")
+        self.text.append("Peak resident size [MB] of the process up to the end of each phase, largest run of each kind.\n")
+        phases = {"mesh": "mesh", "loads": "bodies eliminated, loads condensed", "elimination": "small system",
+                  "path": "path", "fields": "fields"}
         rows = []
         for problem in (PLANE, SPACE):
             for solver in (DIRECT, ITERATIVE, FREE):
                 runs = self.select(problem, solver)
                 if runs:
-                    row = max(runs, key=lambda run: run["unknowns"])
-                    rows.append([problem, solver, number(row["unknowns"], 7)] +
-                                [number(row[f"peak behind {phase}"], 4) for phase in PHASES])
-        self.text.append(table(["problem", "bodies", "dofs"] + list(PHASES), rows))
+                    rows.append([problem, solver, number(runs[-1]["unknowns"], 7)] +
+                                [number(runs[-1][f"peak behind {phase}"], 4) for phase in phases])
+        self.text.append(table(["problem", "bodies", "dofs"] + list(phases.values()), rows))
 
     def write_processes(self):
         pairs = [(one, two) for two in self.rows if two["processes"] == 2 for one in self.rows

@@ -72,6 +72,18 @@ namespace
     return extruded(mesh.mesh, 2);
   }
 
+  /** The cell with this center. */
+  std::vector<CellKey>
+  cell_at(const dealii::Point<3> &center, const JointedMesh &mesh, const ModelDefinition &model)
+  {
+    std::vector<CellKey> found;
+    const Discretization<3> coarse(mesh, model);
+    for (const auto &cell : coarse.triangulation().active_cell_iterators())
+      if (cell->center().distance(center) < 1e-12)
+        found.push_back(cell->id().to_binary<3>());
+    return found;
+  }
+
   /** A block 1 wide on the middle of one 3 wide, whose cells go on beside the joint. */
   JointedMesh
   narrow_block()
@@ -153,17 +165,13 @@ TEST(SpatialRefinement, CellsBesideTheJointFollow)
 {
   const JointedMesh mesh = narrow_block();
   ModelDefinition model;
-  model.dimension = 3;
-  std::vector<CellKey> marked;
-  const Discretization<3> coarse(mesh, model);
-  for (const auto &cell : coarse.triangulation().active_cell_iterators())
-    if (cell->center().distance(dealii::Point<3>(0.25, 0.25, 0.75)) < 1e-12)
-      marked.push_back(cell->id().to_binary<3>());
+  model.dimension                   = 3;
+  const std::vector<CellKey> marked = cell_at(dealii::Point<3>(0.25, 0.25, 0.75), mesh, model);
   ASSERT_EQ(marked.size(), 1u);
   model.local_refinements.push_back(marked);
   const Discretization<3> space(mesh, model);
   // It, the cell below, and the one beside that.
-  EXPECT_EQ(space.n_cells(), coarse.n_cells() + 3 * 7);
+  EXPECT_EQ(space.n_cells(), mesh.cells.size() + 3 * 7);
   const JointGeometry<3> geometry(space, mesh);
   for (const auto &pair : geometry.pairs())
     EXPECT_EQ(space.hanging_nodes().contain(pair.plus_node),
@@ -182,15 +190,11 @@ TEST(SpatialRefinement, AreasByHand)
   plane.add_joint("J", "J+", "J-");
   const JointedMesh mesh = extruded(plane.mesh, 3);
   ModelDefinition model;
-  model.dimension = 3;
-  std::vector<CellKey> marked;
-  const Discretization<3> coarse(mesh, model);
-  for (const auto &cell : coarse.triangulation().active_cell_iterators())
-    if (cell->center().distance(dealii::Point<3>(0.25, 0.25, 0.75)) < 1e-12)
-      marked.push_back(cell->id().to_binary<3>());
+  model.dimension                   = 3;
+  const std::vector<CellKey> marked = cell_at(dealii::Point<3>(0.25, 0.25, 0.75), mesh, model);
   model.local_refinements.push_back(marked);
   const Discretization<3> space(mesh, model);
-  EXPECT_EQ(space.n_cells(), coarse.n_cells() + 2 * 7);
+  EXPECT_EQ(space.n_cells(), mesh.cells.size() + 2 * 7);
   const JointGeometry<3> geometry(space, mesh);
   constexpr double large = 0.25, small = large / 4.; // faces
   std::size_t n_found = 0;

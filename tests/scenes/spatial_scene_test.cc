@@ -5,6 +5,7 @@
 
 #include "known_answer.h"
 #include "scenes/grid_mesh.h"
+#include "scenes/known_scenes.h"
 #include "scenes/refined_run.h"
 #include "scenes/rough_blocks.h"
 
@@ -158,22 +159,8 @@ TEST(LargeSpatialScenes, HertzSphere)
   const double P       = 4. * reduced * a * a * a / (3. * R);
   const double p0      = 3. * P / (2. * M_PI * a * a);
   const Axis axis      = joined(uniform(0., 1.25 * a, 5), growing(1.25 * a, size, a / level, 1.8));
-  Json scene;
-  scene["Dimension"]                    = 3;
-  scene["Mesh"]["Polynomial degree"]    = 2;
-  scene["Bodies"]["block"]              = {{"Young modulus", modulus}, {"Poisson ratio", nu}};
-  scene["Joints"]["sphere"]             = {{"Plus lip", "contact"},
-                                           {"Minus lip", "rigid"},
-                                           {"Normal law", "rigid"},
-                                           {"Initial gap", "(x^2 + z^2)/100"}};
-  scene["Boundaries"]["left"]["Fixed"]  = "x";
-  scene["Boundaries"]["front"]["Fixed"] = "z";
-  for (const char *side : {"right", "back"})
-    scene["Boundaries"][side]["Fixed"] = "free";
-  scene["Loads"]["press"] = {
-    {"Type", "pressure"}, {"Boundaries", "top"}, {"Value", P / 4. / (size * size)}};
-  scene["Stages"]["press"]["Loads"] = "press: t";
-  const SceneRun run                = run_scene(
+  const Json scene     = pressed_sphere(modulus, nu, 2, P / 4. / (size * size));
+  const SceneRun run   = run_scene(
     write_scene(extruded(block_mesh(axis, growing(0., size, a / level, 1.8), size), axis), scene));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_LE(run.certificate(), 1e-9);
