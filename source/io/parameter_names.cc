@@ -101,8 +101,12 @@ namespace fuga
     std::vector<std::pair<std::size_t, std::string>> close;
     for (const std::string &name : known)
       {
+        const auto [shorter, longer] = std::minmax({wrong.size(), name.size()});
+        const std::size_t allowed    = std::max<std::size_t>(1, (shorter + 1) / 3);
+        if (longer - shorter > allowed)
+          continue; // so many letters are to be inserted at least: no need to count
         const std::size_t distance = edit_distance(wrong, name);
-        if (distance <= std::max<std::size_t>(1, (std::min(wrong.size(), name.size()) + 1) / 3))
+        if (distance <= allowed)
           close.emplace_back(distance, name);
       }
     std::sort(close.begin(), close.end());
