@@ -174,25 +174,39 @@ namespace fuga
 
 
   DenseMatrix
-  IterativeSolver::condense(DenseMatrix &loads)
+  IterativeSolver::own_solutions(const DenseMatrix &loads,
+                                 const std::size_t first,
+                                 const std::size_t n)
   {
-    const std::size_t n_eliminated = blocks.rows.size(), n = loads.n_columns();
-    if (n_kept == 0 || n == 0)
-      return {};
-    DenseMatrix result(n_kept, n), X(n_own_rows(), n);
+    DenseMatrix X(n_own_rows(), n);
     for (std::size_t j = 0; j < n; ++j)
-      {
-        take_own(loads.column(j), X.column(j));
-        if (processes::is_first())
-          for (std::size_t i = 0; i < n_kept; ++i)
-            result(i, j) = loads(n_eliminated + i, j);
-      }
+      take_own(loads.column(first + j), X.column(j));
     if (!nothing_to_eliminate())
       solve_columns(X, tolerance_of_solutions);
-    its_work.n_condensed_loads += n;
-    for (std::size_t j = 0; j < n; ++j)
-      add_to_kept(system->coupling, -1., X.column(j), result.column(j));
-    processes::sum(result.data(), n_kept * n);
+    return X;
+  }
+
+
+  DenseMatrix
+  IterativeSolver::condense(DenseMatrix &loads)
+  {
+    const std::size_t n_eliminated = blocks.rows.size(), n_columns = loads.n_columns();
+    if (n_kept == 0 || n_columns == 0)
+      return {};
+    DenseMatrix result(n_kept, n_columns);
+    for (std::size_t first = 0; first < n_columns; first += columns_at_once)
+      {
+        const std::size_t n = std::min(columns_at_once, n_columns - first);
+        const DenseMatrix X = own_solutions(loads, first, n);
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            if (processes::is_first())
+              std::copy_n(loads.column(first + j) + n_eliminated, n_kept, result.column(first + j));
+            add_to_kept(system->coupling, -1., X.column(j), result.column(first + j));
+          }
+      }
+    its_work.n_condensed_loads += n_columns;
+    processes::sum(result.data(), n_kept * n_columns);
     return result;
   }
 
@@ -203,11 +217,7 @@ namespace fuga
     for (std::size_t first = 0; first < loads.n_columns(); first += columns_at_once)
       {
         const std::size_t n = std::min(columns_at_once, loads.n_columns() - first);
-        DenseMatrix X(n_own_rows(), n);
-        for (std::size_t j = 0; j < n; ++j)
-          take_own(loads.column(first + j), X.column(j));
-        if (!nothing_to_eliminate())
-          solve_columns(X, tolerance_of_solutions);
+        const DenseMatrix X = own_solutions(loads, first, n);
         for (std::size_t j = 0; j < n; ++j)
           give_own(X.column(j), loads.column(first + j));
       }

@@ -248,7 +248,7 @@ namespace fuga
   bool
   ConeRateProblem::update_scheme(const bool one_by_one)
   {
-    double worst            = -1.;
+    Demand worst;
     Candidate *worst_of_all = nullptr;
     bool changed            = false;
     for (Candidate &candidate : candidates)
@@ -259,14 +259,14 @@ namespace fuga
         changed = true;
         if (!one_by_one)
           follow(wanted, candidate);
-        else if (wanted.violation > worst)
+        else if (worst_of_all == nullptr || wanted.violation > worst.violation)
           {
-            worst        = wanted.violation;
+            worst        = wanted;
             worst_of_all = &candidate;
           }
       }
     if (worst_of_all != nullptr)
-      follow(demand(*worst_of_all), *worst_of_all);
+      follow(worst, *worst_of_all);
     return changed;
   }
 

@@ -127,6 +127,22 @@ namespace fuga::campaign
     ::kill(id, SIGKILL);
   }
 
+  void
+  ChildProcess::restart_clock()
+  {
+    since          = std::chrono::steady_clock::now();
+    seconds_before = seconds();
+  }
+
+  bool
+  ChildProcess::has_used_up(const double limit) const
+  {
+    constexpr double waiting = 20.;
+    const double passed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    return seconds() - seconds_before > limit || passed > waiting * limit;
+  }
+
   double
   ChildProcess::seconds() const
   {

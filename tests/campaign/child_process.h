@@ -4,6 +4,7 @@
 #ifndef fuga_tests_campaign_child_process_h
 #define fuga_tests_campaign_child_process_h
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <sys/types.h>
@@ -52,9 +53,14 @@ namespace fuga::campaign
     void
     kill();
 
-    /** Of a processor so far: what a busy machine does not add to. */
-    double
-    seconds() const;
+    /** Begins to measure again: the child has begun with another task. */
+    void
+    restart_clock();
+
+    /** Whether it has had more than @p limit seconds of a processor, to which other work does not
+     * add, or only waits, for many times as long. */
+    bool
+    has_used_up(const double limit) const;
 
     /** Everything the child has sent so far. */
     const std::string &
@@ -73,6 +79,12 @@ namespace fuga::campaign
   private:
     void
     receive();
+    /** Of a processor so far. */
+    double
+    seconds() const;
+
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    double seconds_before                       = 0.;
 
     pid_t id     = -1;
     int pipe_end = -1;

@@ -41,9 +41,6 @@ namespace
   using fuga::campaign::ChildProcess;
   using Clock = std::chrono::steady_clock;
 
-  /** Also a process that only waits is ended, behind so many times its limit. */
-  constexpr double waiting_limit = 20.;
-
   struct Options
   {
     std::string seeds = FUGA_SOURCE_DIR "/tests/fuzz/seeds", keep = "failures";
@@ -115,14 +112,12 @@ namespace
       std::size_t n_read = 0;
       /** The case that is running. */
       std::uint64_t current = 0;
-      Clock::time_point since;
-      double seconds_before = 0.;
     };
 
     void
     start_batch(const std::uint64_t first, const std::uint64_t end)
     {
-      Batch batch{first, end, root / fmt::format("{}", first), nullptr, 0, first, Clock::now()};
+      Batch batch{first, end, root / fmt::format("{}", first), nullptr, 0, first};
       std::filesystem::create_directories(batch.directory);
       const std::string directory = batch.directory;
       batch.child                 = std::make_unique<ChildProcess>(
@@ -164,9 +159,7 @@ namespace
         take_line(batch, text.substr(batch.n_read, line_end - batch.n_read));
       if (!end.ended)
         {
-          const double passed = std::chrono::duration<double>(Clock::now() - batch.since).count();
-          if (batch.child->seconds() - batch.seconds_before > options.time_limit ||
-              passed > waiting_limit * options.time_limit)
+          if (batch.child->has_used_up(options.time_limit))
             batch.child->kill();
           return false;
         }
@@ -184,8 +177,7 @@ namespace
     void
     take_line(Batch &batch, const std::string &line)
     {
-      batch.since          = Clock::now();
-      batch.seconds_before = batch.child->seconds();
+      batch.child->restart_clock();
       std::istringstream words(line);
       std::string kind, message;
       std::uint64_t number = 0;

@@ -26,10 +26,6 @@ namespace
   using namespace fuga::stress;
   using fuga::campaign::ChildEnd;
   using fuga::campaign::ChildProcess;
-  using Clock = std::chrono::steady_clock;
-
-  /** Also a process that only waits is ended, behind so many times its limit. */
-  constexpr double waiting_limit = 20.;
 
   struct Options
   {
@@ -47,7 +43,6 @@ namespace
     std::uint64_t seed = 0;
     std::string directory;
     std::unique_ptr<ChildProcess> child;
-    Clock::time_point start;
   };
 
   std::string
@@ -112,10 +107,7 @@ namespace
             start_next();
           for (auto job = running.begin(); job != running.end();)
             {
-              const double passed =
-                std::chrono::duration<double>(Clock::now() - job->start).count();
-              if (job->child->seconds() > options.time_limit ||
-                  passed > waiting_limit * options.time_limit)
+              if (job->child->has_used_up(options.time_limit))
                 job->child->kill();
               const ChildEnd end = job->child->poll();
               if (end.ended)
@@ -146,7 +138,6 @@ namespace
       waiting.pop_front();
       job.directory = root / fmt::format("{}_{}", job.kind, job.seed);
       std::filesystem::create_directories(job.directory);
-      job.start = Clock::now();
       job.child = std::make_unique<ChildProcess>(
         [&](const auto &write) { run_scene(job.kind, job.seed, job.directory, write); },
         std::size_t(6) << 30);

@@ -96,6 +96,9 @@ namespace fuga
     /** The opposite; zero for all others. */
     void
     give_own(const double *own, double *solution) const;
+    /** Own rows of the solutions for @p n columns of @p loads from @p first on. */
+    DenseMatrix
+    own_solutions(const DenseMatrix &loads, const std::size_t first, const std::size_t n);
     /** Solves for the columns of @p loads (own rows x any number), which it overwrites. */
     void
     solve_columns(DenseMatrix &loads, const double tolerance);
