@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <deal.II/fe/fe.h>
-#include <deal.II/grid/cell_id.h>
 
 #include <fuga/accuracy_estimate.h>
 #include <fuga/base/errors.h>
@@ -78,27 +77,16 @@ namespace fuga
   }
 
 
-  // A child has the numbering of faces of its parent.
+  // Children follow each other in the tables, in the order of their parents; a child has the
+  // numbering of faces of its parent.
   template <int dim>
   auto
   AccuracyEstimate<dim>::fine_faces() const -> FineFaces
   {
-    const Discretization<dim> &parents  = coarse.model().bodies.discretization(),
-                              &children = fine.model().bodies.discretization();
-    std::vector<typename dealii::Triangulation<dim>::active_cell_iterator> cells(
-      children.n_cells());
-    for (const auto &cell : children.triangulation().active_cell_iterators())
-      if (const unsigned int number = children.cell_number(cell->active_cell_index());
-          number != Discretization<dim>::no_cell)
-        cells[number] = cell;
+    constexpr unsigned int n_children = 1u << dim;
     FineFaces result;
     for (const JointFace &face : fine.model().bodies.joint_faces())
-      {
-        const auto &cell  = cells[face.cell];
-        const auto parent = parents.triangulation().create_cell_iterator(cell->parent()->id());
-        result[{parents.cell_number(parent->active_cell_index()), face.number}].push_back(
-          {&face, cell});
-      }
+      result[{face.cell / n_children, face.number}].push_back(&face);
     return result;
   }
 
@@ -107,16 +95,18 @@ namespace fuga
   typename AccuracyEstimate<dim>::Place
   AccuracyEstimate<dim>::place_of(const std::size_t element,
                                   const std::array<double, 3> &position,
-                                  const std::vector<FineFace> &faces) const
+                                  const std::vector<const JointFace *> &faces) const
   {
     const Discretization<dim> &space = fine.model().bodies.discretization();
     dealii::Point<dim> point;
     for (unsigned int c = 0; c < dim; ++c)
       point[c] = position[c];
     Place place{element, {}};
-    for (const auto &[face, cell] : faces)
+    for (const JointFace *face : faces)
       {
-        const auto inside = coordinates_in<dim>(cell, space.mapping(), point);
+        if (!LoneCell<dim>::is_near(space, face->cell, point))
+          continue;
+        const auto inside = LoneCell<dim>(space, face->cell).coordinates(point);
         if (!inside)
           continue;
         const auto &nodes = space.reference_element().face(face->number).nodes;

@@ -45,13 +45,9 @@ namespace fuga
     };
 
     using Level = typename TrialRun<dim>::Level;
-    struct FineFace
-    {
-      const JointFace *face;
-      typename dealii::Triangulation<dim>::active_cell_iterator cell;
-    };
     /** What a face of a joint was divided into, by its cell and its number on it. */
-    using FineFaces = std::map<std::pair<unsigned int, unsigned int>, std::vector<FineFace>>;
+    using FineFaces =
+      std::map<std::pair<unsigned int, unsigned int>, std::vector<const JointFace *>>;
 
     void
     find_places();
@@ -60,7 +56,7 @@ namespace fuga
     Place
     place_of(const std::size_t element,
              const std::array<double, 3> &position,
-             const std::vector<FineFace> &faces) const;
+             const std::vector<const JointFace *> &faces) const;
     Squares
     compare_pressures(const Level &coarse_level, const Level &fine_level) const;
     Squares

@@ -21,7 +21,7 @@ namespace fuga
     std::shared_ptr<const JointedMesh> mesh;
     PhaseTimer timer;
 
-    /** Of all degrees of freedom, in deal.II's numbering [m]; and which of them were there. */
+    /** Of all degrees of freedom, [m], see Discretization::dof(); and which of them were there. */
     Vector displacement;
     std::vector<bool> was_there;
     std::vector<StressFreeShape> shapes;

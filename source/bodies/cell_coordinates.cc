@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/base/quadrature.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 
 #include <fuga/bodies/cell_coordinates.h>
+
+#include <numeric>
 
 namespace fuga
 {
@@ -28,6 +32,68 @@ namespace fuga
     return {};
   }
 
+
+  template <int dim>
+  LoneCell<dim>::LoneCell(const Discretization<dim> &space, const std::size_t cell)
+    : discretization(space)
+  {
+    const std::size_t n = space.reference_element().n_corners();
+    std::vector<dealii::Point<dim>> corners;
+    for (std::size_t v = 0; v < n; ++v)
+      corners.push_back(space.position(space.cell_nodes(cell)[v]));
+    std::vector<dealii::CellData<dim>> data(1, dealii::CellData<dim>(static_cast<unsigned int>(n)));
+    std::iota(data[0].vertices.begin(), data[0].vertices.end(), 0);
+    mesh.create_triangulation(corners, data, {});
+  }
+
+
+  template <int dim>
+  bool
+  LoneCell<dim>::is_near(const Discretization<dim> &space,
+                         const std::size_t cell,
+                         const dealii::Point<dim> &point)
+  {
+    dealii::Point<dim> least = space.position(space.cell_nodes(cell)[0]), most = least;
+    for (std::size_t v = 1; v < space.reference_element().n_corners(); ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double x = space.position(space.cell_nodes(cell)[v])[c];
+          least[c]       = std::min(least[c], x);
+          most[c]        = std::max(most[c], x);
+        }
+    for (unsigned int c = 0; c < dim; ++c)
+      if (const double margin = inside_tolerance * (most[c] - least[c]);
+          point[c] < least[c] - margin || point[c] > most[c] + margin)
+        return false;
+    return true;
+  }
+
+
+  template <int dim>
+  std::optional<dealii::Point<dim>>
+  LoneCell<dim>::coordinates(const dealii::Point<dim> &point) const
+  {
+    return coordinates_in<dim>(mesh.begin_active(), discretization.mapping(), point);
+  }
+
+
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  LoneCell<dim>::gradients(const dealii::Point<dim> &in_reference_cell) const
+  {
+    const auto &element = discretization.reference_element().scalar_element();
+    dealii::FEValues<dim> values(discretization.mapping(),
+                                 element,
+                                 dealii::Quadrature<dim>(in_reference_cell),
+                                 dealii::update_gradients);
+    values.reinit(mesh.begin_active());
+    std::vector<dealii::Tensor<1, dim>> result;
+    for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+      result.push_back(values.shape_grad(i, 0));
+    return result;
+  }
+
+
   template std::optional<dealii::Point<2>>
   coordinates_in(const dealii::Triangulation<2>::active_cell_iterator &,
                  const dealii::Mapping<2, 2> &,
@@ -36,4 +102,6 @@ namespace fuga
   coordinates_in(const dealii::Triangulation<3>::active_cell_iterator &,
                  const dealii::Mapping<3, 3> &,
                  const dealii::Point<3> &);
+  template class LoneCell<2>;
+  template class LoneCell<3>;
 } // namespace fuga

@@ -4,7 +4,6 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
 
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
@@ -28,7 +27,7 @@ namespace fuga
     for (const StressFreeShape &shape : shapes)
       if (shape.stage == stage)
         {
-          dealii::Vector<double> u(space->dof_handler().n_dofs());
+          dealii::Vector<double> u(space->n_dofs_of_all_bodies());
           for (std::size_t i = 0; i < shape.dofs.size(); ++i)
             u[static_cast<unsigned int>(shape.dofs[i])] = shape.displacements[i];
           return dot(force, by_nodes(u));

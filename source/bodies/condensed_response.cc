@@ -182,9 +182,9 @@ namespace fuga
 
   template <int dim>
   Vector
-  CondensedSystem<dim>::cell_energies(const dealii::Vector<double> &u) const
+  CondensedSystem<dim>::cell_energies(const Vector &u) const
   {
-    return bodies->cell_energies(by_nodes(u));
+    return bodies->cell_energies(u);
   }
 
   template LinearResponse
@@ -207,7 +207,7 @@ namespace fuga
   template double
   CondensedSystem<2>::bulk_energy(const dealii::Vector<double> &) const;
   template Vector
-  CondensedSystem<2>::cell_energies(const dealii::Vector<double> &) const;
+  CondensedSystem<2>::cell_energies(const Vector &) const;
   template LinearResponse
   CondensedSystem<3>::response(const Vector &) const;
   template CondensedSystem<3>::RigidPart
@@ -226,7 +226,7 @@ namespace fuga
   template double
   CondensedSystem<3>::bulk_energy(const dealii::Vector<double> &) const;
   template Vector
-  CondensedSystem<3>::cell_energies(const dealii::Vector<double> &) const;
+  CondensedSystem<3>::cell_energies(const Vector &) const;
   template dealii::Vector<double>
   CondensedSystem<3>::bonded_field(const Vector &, const Vector &) const;
 } // namespace fuga

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -110,8 +109,11 @@ namespace fuga
                   coordinates->n_interface(),
                   fmt::join(n_entries, " + ")));
     if (processes::number() > 1)
-      lines.push_back(
-        fmt::format("{} processes: {:.0f} cells", processes::number(), fmt::join(n_cells, " + ")));
+      lines.push_back(fmt::format(
+        "{} processes: {:.0f} cells, divided by {}",
+        processes::number(),
+        fmt::join(n_cells, " + "),
+        space->is_divided_by_p4est() ? "p4est" : "METIS; every process keeps the whole mesh"));
   }
 
   // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
@@ -228,7 +230,7 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::by_degrees_of_freedom(const Vector &u) const
   {
-    dealii::Vector<double> result(space->dof_handler().n_dofs());
+    dealii::Vector<double> result(space->n_dofs_of_all_bodies());
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         result[space->dof(node, c)] = u[node * dim + c];

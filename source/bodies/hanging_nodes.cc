@@ -7,23 +7,77 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <fuga/bodies/hanging_nodes.h>
+#include <fuga/bodies/processes.h>
+
+#include <algorithm>
+#include <tuple>
 
 namespace fuga
 {
+  namespace
+  {
+    /** u of one degree of freedom is the sum of these. */
+    struct Term
+    {
+      unsigned int dof, master;
+      double weight;
+    };
+
+    bool
+    operator<(const Term &a, const Term &b)
+    {
+      return std::tie(a.dof, a.master) < std::tie(b.dof, b.master);
+    }
+
+    bool
+    are_the_same(const Term &a, const Term &b)
+    {
+      return a.dof == b.dof && a.master == b.master;
+    }
+
+
+    /** In the first direction. A process knows what hangs on its cells and their neighbours;
+     * whether the masters hang themselves is known when all are together. */
+    template <int dim>
+    std::vector<Term>
+    terms_of_all_processes(const dealii::DoFHandler<dim, dim> &dofs,
+                           const std::vector<unsigned int> &node_of_dof,
+                           const unsigned int n_nodes)
+    {
+      dealii::IndexSet known;
+      dealii::DoFTools::extract_locally_relevant_dofs(dofs, known);
+      dealii::AffineConstraints<double> constraints(known);
+      dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+      std::vector<Term> terms;
+      for (const auto &line : constraints.get_lines())
+        if (node_of_dof[line.index] < n_nodes)
+          for (const auto &[master, weight] : line.entries)
+            terms.push_back({line.index, master, weight});
+      terms = processes::gather(std::move(terms));
+      std::sort(terms.begin(), terms.end());
+      terms.erase(std::unique(terms.begin(), terms.end(), are_the_same), terms.end());
+      return terms;
+    }
+  } // namespace
+
+
   template <int dim>
   HangingNodes<dim>::HangingNodes(const dealii::DoFHandler<dim, dim> &dofs,
-                                  const std::vector<unsigned int> &node_dofs)
+                                  const std::vector<unsigned int> &node_of_dof,
+                                  const unsigned int n_nodes)
   {
     dealii::AffineConstraints<double> constraints;
-    dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+    for (const Term &term : terms_of_all_processes(dofs, node_of_dof, n_nodes))
+      {
+        constraints.add_line(term.dof);
+        constraints.add_entry(term.dof, term.master, term.weight);
+      }
     constraints.close();
-    std::map<dealii::types::global_dof_index, unsigned int> node_of_dof;
-    for (unsigned int node = 0; node < node_dofs.size() / dim; ++node)
-      node_of_dof[node_dofs[node * dim]] = node;
-    for (const auto &[dof, node] : node_of_dof)
-      if (const auto *entries = constraints.get_constraint_entries(dof))
-        for (const auto &[master, weight] : *entries)
-          all_masters[node].emplace_back(node_of_dof.at(master), weight);
+    for (const auto &line : constraints.get_lines())
+      for (const auto &[master, weight] : line.entries)
+        all_masters[node_of_dof[line.index]].emplace_back(node_of_dof[master], weight);
+    for (auto &of_one : all_masters)
+      std::sort(of_one.second.begin(), of_one.second.end());
   }
 
 

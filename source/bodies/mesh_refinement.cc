@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
 
 #include <fuga/bodies/mesh_refinement.h>
 #include <fuga/bodies/point_matcher.h>
+#include <fuga/bodies/processes.h>
+#include <fuga/bodies/serial_cell_id.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 namespace fuga
 {
@@ -14,146 +19,278 @@ namespace fuga
     /** Lips count as one line if they are this close, relative to the size of a cell. */
     constexpr double matching_tolerance = 1e-5;
 
-    template <int dim>
-    using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
+    using Marks = std::set<dealii::CellId>;
 
-    /** The faces of a lip, by their cells. */
+    /** A face of a lip, with its cell; what it is half of, if its cell was refined. */
+    template <int dim>
+    struct LipFace
+    {
+      dealii::CellId cell;
+      unsigned int label = 0;
+      double size        = 0.;
+      dealii::Point<dim> center, center_of_parent;
+      unsigned int n_corners = 0;
+      std::array<dealii::Point<dim>, 4> corners;
+    };
+
+    /** The faces of one lip on all processes. */
     template <int dim>
     struct Lip
     {
-      std::vector<std::pair<Cell<dim>, unsigned int>> faces;
-      std::vector<dealii::Point<dim>> centers;
+      std::vector<LipFace<dim>> faces;
+
+      PointMatcher<dim>
+      centers() const
+      {
+        std::vector<dealii::Point<dim>> points;
+        for (const LipFace<dim> &face : faces)
+          points.push_back(face.center);
+        return PointMatcher<dim>(points);
+      }
     };
 
-    /** Two faces that face each other across a joint, by their cells. */
     template <int dim>
-    struct Partners
+    using Lips = std::map<unsigned int, Lip<dim>>;
+
+    /** A vertex of a lip that hangs on an edge of a cell. */
+    struct HangingVertex
     {
-      Cell<dim> one, other;
-      unsigned int face_of_one, face_of_other;
+      dealii::CellId cell;
+      unsigned int label = 0;
+      dealii::Point<3> position;
     };
 
+
     template <int dim>
-    Lip<dim>
-    find_lip(const dealii::Triangulation<dim> &mesh, const unsigned int label)
+    LipFace<dim>
+    lip_face(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+             const unsigned int f)
     {
-      Lip<dim> lip;
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f) && cell->face(f)->boundary_id() == label)
-            {
-              lip.faces.emplace_back(cell, f);
-              lip.centers.push_back(cell->face(f)->center());
-            }
-      return lip;
+      LipFace<dim> result;
+      const auto face  = cell->face(f);
+      result.cell      = serial_cell_id(cell);
+      result.label     = face->boundary_id();
+      result.size      = cell->diameter();
+      result.center    = face->center();
+      result.n_corners = face->n_vertices();
+      for (const unsigned int v : face->vertex_indices())
+        result.corners[v] = face->vertex(v);
+      // A child has the numbering of faces of its parent.
+      result.center_of_parent =
+        cell->level() > 0 ? cell->parent()->face(f)->center() : result.center;
+      return result;
     }
 
-    template <int dim>
-    std::vector<Partners<dim>>
-    find_partners(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
+
+    std::set<unsigned int>
+    labels_of_lips(const JointedMesh &jointed)
     {
-      std::vector<Partners<dim>> partners;
+      std::set<unsigned int> result;
       for (const JointedMesh::Joint &joint : jointed.joints)
-        {
-          if (joint.minus_label == JointedMesh::no_label)
-            continue;
-          const Lip<dim> plus  = find_lip<dim>(mesh, joint.plus_label),
-                         minus = find_lip<dim>(mesh, joint.minus_label);
-          const PointMatcher<dim> matcher(minus.centers);
-          for (std::size_t i = 0; i < plus.faces.size(); ++i)
-            if (const unsigned int other = matcher.find(
-                  plus.centers[i], matching_tolerance * plus.faces[i].first->diameter());
-                other != PointMatcher<dim>::not_found) // lips without partner are refused elsewhere
-              partners.push_back({plus.faces[i].first,
-                                  minus.faces[other].first,
-                                  plus.faces[i].second,
-                                  minus.faces[other].second});
-        }
-      return partners;
+        if (joint.minus_label != JointedMesh::no_label)
+          result.insert({joint.plus_label, joint.minus_label});
+      return result;
     }
 
 
-    /** Refines the cells with marks and what has to follow. */
+    template <int dim>
+    Lips<dim>
+    find_lips(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
+    {
+      const std::set<unsigned int> labels = labels_of_lips(jointed);
+      std::vector<LipFace<dim>> faces;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f) && labels.count(cell->face(f)->boundary_id()) > 0)
+              faces.push_back(lip_face<dim>(cell, f));
+      Lips<dim> lips;
+      for (const LipFace<dim> &face : processes::gather(std::move(faces)))
+        lips[face.label].faces.push_back(face);
+      return lips;
+    }
+
+
+    /** Marks of one lip where the other one is finer: lips were alike before, so that a face has no
+     *  partner if either it or its partner has been divided since. */
     template <int dim>
     void
-    refine_alike(dealii::Triangulation<dim> &mesh, const std::vector<Partners<dim>> &partners)
+    mark_coarser(const Lip<dim> &finer, const Lip<dim> &lip, Marks &marks)
     {
-      for (bool changed = true; changed;)
-        {
-          changed = false;
-          mesh.prepare_coarsening_and_refinement();
-          for (const auto &pair : partners)
-            if (bool(pair.one->refine_flag_set()) != bool(pair.other->refine_flag_set()))
+      const PointMatcher<dim> centers = lip.centers();
+      for (const LipFace<dim> &face : finer.faces)
+        if (const double tolerance = matching_tolerance * face.size;
+            centers.find(face.center, tolerance) == PointMatcher<dim>::not_found)
+          if (const unsigned int other = centers.find(face.center_of_parent, 2. * tolerance);
+              other != PointMatcher<dim>::not_found) // lips without partner are refused elsewhere
+            marks.insert(lip.faces[other].cell);
+    }
+
+
+    template <int dim>
+    Marks
+    unlike_lips(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
+    {
+      Lips<dim> lips = find_lips<dim>(mesh, jointed);
+      Marks marks;
+      for (const JointedMesh::Joint &joint : jointed.joints)
+        if (joint.minus_label != JointedMesh::no_label)
+          {
+            mark_coarser(lips[joint.plus_label], lips[joint.minus_label], marks);
+            mark_coarser(lips[joint.minus_label], lips[joint.plus_label], marks);
+          }
+      return marks;
+    }
+
+
+    /** By vertex of this process the lips it belongs to, whoever owns their cells. */
+    std::multimap<unsigned int, unsigned int>
+    labels_of_vertices(const dealii::Triangulation<3> &mesh, const std::set<unsigned int> &labels)
+    {
+      std::multimap<unsigned int, unsigned int> result;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f) && labels.count(cell->face(f)->boundary_id()) > 0)
+              for (const unsigned int v : cell->face(f)->vertex_indices())
+                result.emplace(cell->face(f)->vertex_index(v), cell->face(f)->boundary_id());
+      return result;
+    }
+
+
+    std::vector<HangingVertex>
+    find_hanging_vertices(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
+    {
+      const auto labels = labels_of_vertices(mesh, labels_of_lips(jointed));
+      std::vector<HangingVertex> found;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int edge : cell->line_indices())
+            if (cell->line(edge)->has_children())
               {
-                pair.one->set_refine_flag();
-                pair.other->set_refine_flag();
-                changed = true;
+                const auto half         = cell->line(edge)->child(0);
+                const auto [begin, end] = labels.equal_range(half->vertex_index(1));
+                for (auto at = begin; at != end; ++at)
+                  found.push_back({serial_cell_id(cell), at->second, half->vertex(1)});
               }
-        }
+      return processes::gather(std::move(found));
+    }
+
+
+    /** Those of one lip. */
+    class HangingVertices
+    {
+    public:
+      HangingVertices(const std::vector<HangingVertex> &of_all_lips, const unsigned int label)
+        : vertices(of_one_lip(of_all_lips, label)), matcher(positions(vertices))
+      {
+      }
+
+      bool
+      contain(const dealii::Point<3> &position, const double tolerance) const
+      {
+        return matcher.find(position, tolerance) != PointMatcher<3>::not_found;
+      }
+
+      /** Marks all cells on whose edges the vertex at this place hangs. */
+      void
+      mark(const dealii::Point<3> &position, const double tolerance, Marks &marks) const
+      {
+        for (const HangingVertex &vertex : vertices)
+          if (vertex.position.distance(position) <= tolerance)
+            marks.insert(vertex.cell);
+      }
+
+    private:
+      static std::vector<HangingVertex>
+      of_one_lip(const std::vector<HangingVertex> &all, const unsigned int label)
+      {
+        std::vector<HangingVertex> result;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(result), [=](const auto &vertex) {
+          return vertex.label == label;
+        });
+        return result;
+      }
+
+      static std::vector<dealii::Point<3>>
+      positions(const std::vector<HangingVertex> &vertices)
+      {
+        std::vector<dealii::Point<3>> result;
+        for (const HangingVertex &vertex : vertices)
+          result.push_back(vertex.position);
+        return result;
+      }
+
+      std::vector<HangingVertex> vertices;
+      PointMatcher<3> matcher;
+    };
+
+
+    /** Marks the cells whose undivided edges let a vertex of one lip hang and not the one that it
+     *  faces: cells beside the joint, or at its end. Lips are alike. */
+    Marks
+    unlike_edges(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
+    {
+      const std::vector<HangingVertex> all = find_hanging_vertices(mesh, jointed);
+      Lips<3> lips                         = find_lips<3>(mesh, jointed);
+      Marks marks;
+      for (const JointedMesh::Joint &joint : jointed.joints)
+        if (joint.minus_label != JointedMesh::no_label)
+          {
+            const HangingVertices plus(all, joint.plus_label), minus(all, joint.minus_label);
+            for (const LipFace<3> &face : lips[joint.plus_label].faces)
+              for (unsigned int v = 0; v < face.n_corners; ++v)
+                {
+                  const dealii::Point<3> &at = face.corners[v];
+                  const double tolerance     = matching_tolerance * face.size;
+                  const bool here            = plus.contain(at, tolerance),
+                             there           = minus.contain(at, tolerance);
+                  if (here != there)
+                    (here ? plus : minus).mark(at, tolerance, marks);
+                }
+          }
+      return marks;
+    }
+
+
+    /** Refines the cells with marks, and neighbours until levels differ by one at most. */
+    template <int dim>
+    void
+    refine(dealii::Triangulation<dim> &mesh, const Marks &marks)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned() && marks.count(serial_cell_id(cell)) > 0)
+          cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     }
 
 
-    /** The vertex in the middle of an edge of a cell, if other cells have divided it. */
-    unsigned int
-    hanging_vertex(const Cell<3> &cell, const unsigned int edge)
+    template <int dim>
+    Marks
+    what_has_to_follow(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
     {
-      return cell->line(edge)->has_children() ? cell->line(edge)->child(0)->vertex_index(1)
-                                              : dealii::numbers::invalid_unsigned_int;
-    }
-
-
-    /** Marks the cells whose undivided edges let a vertex of one lip hang and not the one that it
-     *  faces: cells beside the joint, or at its end. */
-    bool
-    mark_unlike_edges(dealii::Triangulation<3> &mesh, const std::vector<Partners<3>> &partners)
-    {
-      std::vector<bool> hangs(mesh.n_vertices(), false), is_unlike(mesh.n_vertices(), false);
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const unsigned int edge : cell->line_indices())
-          if (const unsigned int vertex = hanging_vertex(cell, edge); vertex < hangs.size())
-            hangs[vertex] = true;
-      bool any = false;
-      for (const auto &pair : partners)
-        {
-          const auto face       = pair.one->face(pair.face_of_one),
-                     other_face = pair.other->face(pair.face_of_other);
-          for (const unsigned int v : face->vertex_indices())
-            {
-              unsigned int nearest = 0;
-              for (const unsigned int w : other_face->vertex_indices())
-                if (face->vertex(v).distance(other_face->vertex(w)) <
-                    face->vertex(v).distance(other_face->vertex(nearest)))
-                  nearest = w;
-              const unsigned int here  = face->vertex_index(v),
-                                 there = other_face->vertex_index(nearest);
-              if (hangs[here] != hangs[there])
-                any = is_unlike[hangs[here] ? here : there] = true;
-            }
-        }
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const unsigned int edge : cell->line_indices())
-          if (const unsigned int vertex = hanging_vertex(cell, edge);
-              vertex < hangs.size() && is_unlike[vertex])
-            cell->set_refine_flag();
-      return any;
+      Marks marks = unlike_lips<dim>(mesh, jointed);
+      if constexpr (dim == 3)
+        if (marks.empty())
+          marks = unlike_edges(mesh, jointed);
+      return marks;
     }
   } // namespace
 
 
+  // The cells that are refined are the smallest set that has the marked ones and all that have to
+  // follow: any order leads there.
   template <int dim>
   void
   refine_marked_cells(dealii::Triangulation<dim> &mesh,
                       const JointedMesh &jointed,
                       const std::vector<CellKey> &marked)
   {
+    Marks marks;
     for (const CellKey &key : marked)
-      mesh.create_cell_iterator(dealii::CellId(key))->set_refine_flag();
-    refine_alike<dim>(mesh, find_partners<dim>(mesh, jointed));
-    if constexpr (dim == 3)
-      for (auto partners = find_partners<dim>(mesh, jointed); mark_unlike_edges(mesh, partners);
-           partners      = find_partners<dim>(mesh, jointed))
-        refine_alike<dim>(mesh, partners);
+      marks.insert(dealii::CellId(key));
+    for (; !marks.empty(); marks = what_has_to_follow<dim>(mesh, jointed))
+      refine<dim>(mesh, marks);
   }
 
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping.h>
-#include <deal.II/grid/tria.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +10,7 @@
 #include <fuga/bodies/cell_coordinates.h>
 #include <fuga/bodies/monitor_point.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/bodies/processes.h>
 
 #include <algorithm>
 
@@ -21,6 +18,8 @@ namespace fuga
 {
   namespace
   {
+    constexpr unsigned int no_body = static_cast<unsigned int>(-1);
+
     std::string
     title(const MonitorDefinition &definition)
     {
@@ -36,19 +35,16 @@ namespace fuga
     : discretization(space), point(find_position(mesh, definition))
   {
     const unsigned int body = index_of(mesh.body_names, definition.body);
-    bool is_inside          = false;
-    for (const auto &cell : discretization.triangulation().active_cell_iterators())
+    for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
       {
-        if (!definition.body.empty() && cell->material_id() != body)
+        if ((!definition.body.empty() && space.cell_body(cell) != body) ||
+            !LoneCell<dim>::is_near(space, cell, point))
           continue;
-        const auto inside = coordinates_in<dim>(cell, discretization.mapping(), point);
+        const LoneCell<dim> alone(space, cell);
+        const auto inside = alone.coordinates(point);
         if (!inside)
           continue;
-        is_inside                 = true;
-        const unsigned int number = discretization.cell_number(cell->active_cell_index());
-        if (number == Discretization<dim>::no_cell)
-          continue;
-        Shares found = shares_in(number, *inside);
+        Shares found = shares_in(cell, *inside);
         // Neighbours share the nodes of their face; the lips of a joint do not.
         if (!shares.empty() &&
             !std::equal(found.begin(),
@@ -65,13 +61,30 @@ namespace fuga
                           : "Both lips belong to this body: put the point a little beside "
                             "the joint."));
         if (shares.empty())
-          its_body = cell->material_id();
+          its_body = space.cell_body(cell);
         shares = std::move(found);
-        if (cell->material_id() == its_body)
-          add_gradients(cell, *inside);
+        if (space.cell_body(cell) == its_body)
+          add_gradients(cell, alone.gradients(*inside));
       }
-    if (!is_inside)
+    if (shares.empty() && !is_in_absent_body(definition.body.empty() ? no_body : body))
       fail_outside(definition);
+  }
+
+
+  template <int dim>
+  bool
+  MonitorPoint<dim>::is_in_absent_body(const unsigned int body) const
+  {
+    double n_cells_around = 0.;
+    if (!discretization.is_complete())
+      for (const auto &cell : discretization.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            discretization.cell_number(cell->active_cell_index()) == Discretization<dim>::no_cell &&
+            (body == no_body || cell->material_id() == body) &&
+            coordinates_in<dim>(cell, discretization.mapping(), point))
+          n_cells_around += 1.;
+    processes::sum(&n_cells_around, 1);
+    return n_cells_around > 0.;
   }
 
 
@@ -152,19 +165,12 @@ namespace fuga
 
 
   template <int dim>
-  template <typename Cell>
   void
-  MonitorPoint<dim>::add_gradients(const Cell &cell, const dealii::Point<dim> &in_reference_cell)
+  MonitorPoint<dim>::add_gradients(const std::size_t cell,
+                                   const std::vector<dealii::Tensor<1, dim>> &of_cell)
   {
-    dealii::FEValues<dim> values(discretization.mapping(),
-                                 discretization.reference_element().scalar_element(),
-                                 dealii::Quadrature<dim>(in_reference_cell),
-                                 dealii::update_gradients);
-    values.reinit(cell);
-    const unsigned int *nodes =
-      discretization.cell_nodes(discretization.cell_number(cell->active_cell_index()));
-    for (unsigned int i = 0; i < discretization.reference_element().n_nodes(); ++i)
-      gradients[nodes[i]] += values.shape_grad(i, 0);
+    for (std::size_t i = 0; i < of_cell.size(); ++i)
+      gradients[discretization.cell_nodes(cell)[i]] += of_cell[i];
     ++n_cells;
   }
 

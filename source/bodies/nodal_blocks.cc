@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/cell_owners.h>
 #include <fuga/bodies/elimination_order.h>
 #include <fuga/bodies/nodal_blocks.h>
 #include <fuga/bodies/processes.h>
@@ -41,12 +40,11 @@ namespace fuga
       if (processes::number() == 1)
         return result;
       std::fill(result.begin(), result.end(), processes::number() - 1);
-      const std::vector<unsigned int> owners = cell_owners(space, processes::number());
       for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
         for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
           {
             unsigned int &process = result[space.cell_nodes(cell)[i]];
-            process               = std::min(process, owners[cell]);
+            process               = std::min(process, space.owner(cell));
           }
       return result;
     }

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <mpi.h>
+#include <numeric>
 #include <unistd.h>
 
 namespace fuga
@@ -204,6 +205,31 @@ namespace fuga
     in_portions(n, [&](const std::size_t begin, const int count) {
       MPI_Bcast(values + begin, count, MPI_DOUBLE, 0, MPI_COMM_WORLD);
     });
+  }
+
+
+  std::size_t
+  processes::count(const std::size_t n)
+  {
+    double sum = static_cast<double>(n);
+    processes::sum(&sum, 1);
+    return static_cast<std::size_t>(sum);
+  }
+
+
+  void
+  processes::gather(const void *mine, const std::size_t n, const std::size_t size, void *all)
+  {
+    meet(Place::gather, size);
+    const int n_mine = static_cast<int>(n);
+    std::vector<int> numbers(number()), offsets(number(), 0);
+    MPI_Allgather(&n_mine, 1, MPI_INT, numbers.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    std::partial_sum(numbers.begin(), numbers.end() - 1, offsets.begin() + 1);
+    MPI_Datatype type;
+    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Allgatherv(mine, n_mine, type, all, numbers.data(), offsets.data(), type, MPI_COMM_WORLD);
+    MPI_Type_free(&type);
   }
 
 

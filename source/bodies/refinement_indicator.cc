@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <fuga/bodies/processes.h>
 #include <fuga/bodies/refinement_indicator.h>
+#include <fuga/bodies/serial_cell_id.h>
 
 #include <algorithm>
 #include <numeric>
@@ -22,23 +22,37 @@ namespace fuga
                        const CondensedSystem<dim> &fine,
                        const dealii::Vector<double> &u_fine)
   {
+    // Children follow each other in the tables, in the order of their parents.
+    constexpr std::size_t n_children   = 1u << dim;
     const Discretization<dim> &parents = coarse.discretization(), &children = fine.discretization();
-    dealii::Vector<double> difference(children.dof_handler().n_dofs());
-    dealii::AffineConstraints<double> none;
-    none.close();
-    dealii::VectorTools::interpolate_to_different_mesh(
-      parents.dof_handler(), u_coarse, children.dof_handler(), none, difference);
-    difference -= u_fine;
+    const auto &element = parents.reference_element().scalar_element();
+    Vector difference(children.n_dofs());
+    for (std::size_t node = 0; node < children.n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        difference[node * dim + c] = u_fine[children.dof(node, c)];
+    std::vector<bool> is_done(children.n_nodes(), false);
+    for (std::size_t cell = 0; cell < children.n_cells(); ++cell)
+      {
+        const unsigned int *nodes  = children.cell_nodes(cell),
+                           *around = parents.cell_nodes(cell / n_children);
+        const auto &values =
+          element.get_prolongation_matrix(static_cast<unsigned int>(cell % n_children));
+        for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+          if (!is_done[nodes[i]])
+            {
+              is_done[nodes[i]] = true;
+              for (unsigned int k = 0; k < element.n_dofs_per_cell(); ++k)
+                for (unsigned int c = 0; c < dim; ++c)
+                  difference[nodes[i] * dim + c] -=
+                    values(i, k) * u_coarse[parents.dof(around[k], c)];
+            }
+      }
 
     const Vector energies = fine.cell_energies(difference);
     Vector result(parents.n_cells(), 0.);
-    for (const auto &cell : children.triangulation().active_cell_iterators())
-      {
-        const auto parent = parents.triangulation().create_cell_iterator(cell->parent()->id());
-        // Where only rigid motions differ, rounding may have either sign.
-        result[parents.cell_number(parent->active_cell_index())] +=
-          std::max(0., energies[children.cell_number(cell->active_cell_index())]);
-      }
+    for (std::size_t cell = 0; cell < children.n_cells(); ++cell)
+      // Where only rigid motions differ, rounding may have either sign.
+      result[cell / n_children] += std::max(0., energies[cell]);
     return result;
   }
 
@@ -67,8 +81,8 @@ namespace fuga
     for (const auto &cell : space.triangulation().active_cell_iterators())
       if (const unsigned int number = space.cell_number(cell->active_cell_index());
           number != Discretization<dim>::no_cell && marked[number])
-        keys.push_back(cell->id().template to_binary<dim>());
-    return keys;
+        keys.push_back(serial_cell_id(cell).template to_binary<dim>());
+    return processes::gather(std::move(keys));
   }
 
 

@@ -12,7 +12,10 @@
 #include <fuga/io/stress_postprocessor.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
@@ -43,6 +46,36 @@ namespace fuga
       return begin == std::string::npos || end == std::string::npos
                ? text
                : text.substr(0, begin) + text.substr(end + 4);
+    }
+
+    using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    /** Displacements by Discretization::dof(), of which every process has all, as deal.II numbers
+     * them and divides them among processes; zero where no body is there. */
+    template <int dim>
+    DistributedVector
+    distributed(const Discretization<dim> &space, const dealii::Vector<double> &u)
+    {
+      const dealii::DoFHandler<dim> &dofs = space.dof_handler();
+      dealii::IndexSet relevant;
+      dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+      DistributedVector result(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+      std::vector<dealii::types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          const unsigned int number = space.cell_number(cell->active_cell_index());
+          if (number == Discretization<dim>::no_cell)
+            continue;
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (result.in_local_range(indices[i]))
+              {
+                const auto [component, k] = dofs.get_fe().system_to_component_index(i);
+                result(indices[i])        = u[space.dof(space.cell_nodes(number)[k], component)];
+              }
+        }
+      result.update_ghost_values();
+      return result;
     }
   } // namespace
 
@@ -167,26 +200,19 @@ namespace fuga
     dealii::Vector<float> body(space.triangulation().n_active_cells());
     for (const auto &cell : space.triangulation().active_cell_iterators())
       body[cell->active_cell_index()] = static_cast<float>(cell->material_id());
-    const auto build = [&](dealii::DataOut<dim> &output, const dealii::Vector<double> &straining) {
+    processes::meet(processes::Place::fields); // deal.II's functions wait for all
+    const DistributedVector moved = distributed(space, displacement);
+    const auto build = [&](dealii::DataOut<dim> &output, const DistributedVector &strained) {
       output.set_flags(vtk_flags());
       output.attach_dof_handler(space.dof_handler());
-      output.add_data_vector(displacement, displacements);
-      output.add_data_vector(straining, stresses);
+      output.add_data_vector(moved, displacements);
+      output.add_data_vector(strained, stresses);
       output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
       output.build_patches(space.mapping(), model.polynomial_degree);
     };
-    const auto is_own = [&space](const auto &cell) {
-      const unsigned int number = space.cell_number(cell->active_cell_index());
-      return number != Discretization<dim>::no_cell && space.is_own(number);
-    };
     dealii::DataOut<dim> output;
     if (space.is_complete() && system.stress_free_shapes().empty())
-      {
-        if (processes::number() > 1)
-          output.set_cell_selection(
-            [&is_own](const auto &cell) { return cell->is_active() && is_own(cell); });
-        build(output, displacement);
-      }
+      build(output, moved);
     else
       {
         bool is_first = true;
@@ -194,10 +220,12 @@ namespace fuga
           {
             dealii::DataOut<dim> more;
             dealii::DataOut<dim> &selected = is_first ? output : more;
-            selected.set_cell_selection([&part, &is_own](const auto &cell) {
-              return cell->is_active() && part.bodies[cell->material_id()] && is_own(cell);
+            selected.set_cell_selection([&part](const auto &cell) {
+              return cell->is_active() && cell->is_locally_owned() &&
+                     part.bodies[cell->material_id()];
             });
-            build(selected, part.straining);
+            const DistributedVector strained = distributed(space, part.straining);
+            build(selected, strained);
             if (!is_first)
               output.merge_patches(more);
             is_first = false;

@@ -6,8 +6,10 @@
 
 #include "block_mesh.h"
 #include "random_refinement.h"
+#include "spatial_meshes.h"
 
 #include <fuga/bodies/joint_geometry.h>
+#include <fuga/bodies/serial_cell_id.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,61 +19,6 @@ using namespace fuga::test;
 
 namespace
 {
-  /** The plane mesh as the section through bodies in space, n cells of the depth 1/2 deep. */
-  JointedMesh
-  extruded(const JointedMesh &plane, const unsigned int n)
-  {
-    JointedMesh mesh = plane;
-    mesh.dimension   = 3;
-    mesh.vertices.clear();
-    mesh.cells.clear();
-    mesh.faces.clear();
-    const auto in_layer = [&](const unsigned int vertex, const unsigned int layer) {
-      return vertex + layer * static_cast<unsigned int>(plane.vertices.size());
-    };
-    for (unsigned int layer = 0; layer <= n; ++layer)
-      for (const auto &vertex : plane.vertices)
-        mesh.vertices.push_back({{vertex[0], vertex[1], 0.5 * layer}});
-    for (unsigned int layer = 0; layer < n; ++layer)
-      {
-        for (JointedMesh::Cell cell : plane.cells)
-          {
-            cell.shape = CellShape::hexahedron;
-            for (unsigned int v = 0; v < 4; ++v)
-              {
-                cell.vertices[v + 4] = in_layer(cell.vertices[v], layer + 1);
-                cell.vertices[v]     = in_layer(cell.vertices[v], layer);
-              }
-            mesh.cells.push_back(cell);
-          }
-        for (JointedMesh::Face face : plane.faces)
-          {
-            const auto line = face.vertices;
-            face.shape      = CellShape::quadrilateral;
-            face.vertices   = {{in_layer(line[0], layer),
-                                in_layer(line[1], layer),
-                                in_layer(line[1], layer + 1),
-                                in_layer(line[0], layer + 1)}};
-            mesh.faces.push_back(face);
-          }
-      }
-    return mesh;
-  }
-
-  /** Four blocks round a crossing; joints of the lengths 1. */
-  JointedMesh
-  crossing()
-  {
-    BlockMesh mesh;
-    mesh.add_block("a", 2, 2, rectangle(-1., 0., -1., 0.), {{"b", "av-", "ah-", "l"}});
-    mesh.add_block("b", 2, 2, rectangle(0., 1., -1., 0.), {{"b", "r", "bh-", "av+"}});
-    mesh.add_block("c", 2, 2, rectangle(-1., 0., 0., 1.), {{"ah+", "cv-", "t", "l"}});
-    mesh.add_block("d", 2, 2, rectangle(0., 1., 0., 1.), {{"bh+", "r", "t", "cv+"}});
-    for (const char *joint : {"av", "ah", "bh", "cv"})
-      mesh.add_joint(joint, std::string(joint) + "+", std::string(joint) + "-");
-    return extruded(mesh.mesh, 2);
-  }
-
   /** The cell with this center. */
   std::vector<CellKey>
   cell_at(const dealii::Point<3> &center, const JointedMesh &mesh, const ModelDefinition &model)
@@ -80,26 +27,8 @@ namespace
     const Discretization<3> coarse(mesh, model);
     for (const auto &cell : coarse.triangulation().active_cell_iterators())
       if (cell->center().distance(center) < 1e-12)
-        found.push_back(cell->id().to_binary<3>());
+        found.push_back(serial_cell_id(cell).to_binary<3>());
     return found;
-  }
-
-  /** A block 1 wide on the middle of one 3 wide, whose cells go on beside the joint. */
-  JointedMesh
-  narrow_block()
-  {
-    BlockMesh mesh;
-    mesh.add_block("a", 6, 2, rectangle(-1., 2., -1., 0.), {{"b", "r", "J-", "l"}});
-    mesh.add_block("b", 2, 2, rectangle(0., 1., 0., 1.), {{"J+", "r", "t", "l"}});
-    mesh.add_joint("J", "J+", "J-");
-    const unsigned int free = mesh.label("free"), lower = mesh.label("J-");
-    for (auto &face : mesh.mesh.faces)
-      if (const double x =
-            (mesh.mesh.vertices[face.vertices[0]][0] + mesh.mesh.vertices[face.vertices[1]][0]) /
-            2.;
-          face.label == lower && (x < 0. || x > 1.))
-        face.label = free;
-    return extruded(mesh.mesh, 3);
   }
 
   /** Refines by chance and checks the pairs of lips of the area @p area. Returns how many hang. */
@@ -152,8 +81,8 @@ TEST(SpatialRefinement, LipsStayAlike)
     {
       std::size_t n_hanging = 0;
       for (const unsigned int seed : {1, 2, 3})
-        n_hanging +=
-          check_lips(crossing(), degree, seed, 4.) + check_lips(narrow_block(), degree, seed, 1.5);
+        n_hanging += check_lips(crossing_in_space(), degree, seed, 4.) +
+                     check_lips(narrow_block(), degree, seed, 1.5);
       EXPECT_GT(n_hanging, 50u);
     }
 }

@@ -38,6 +38,7 @@ FEW_LEVELS = ["Stages/reservoir/Levels=1", "Solver/Load knots=1"]
 SMALL = [
     ("Q1", "paper_2_linear.prm", [], (2,)),
     ("P1", "paper_2_linear.prm", ["Mesh/File=../meshes/s0_tri.msh"], (3,)),
+    ("refined", "paper_2_linear.prm", ["Mesh/Refinements=1", "Mesh/Polynomial degree=2"], (2,)),
     ("iterative", "paper_2_linear.prm", ITERATIVE, (2,)),
 ]
 LARGE = [
@@ -50,7 +51,10 @@ LARGE = [
     ("construction in stages", "anchor.prm", [], (2,)),
     ("uplift", "dam.prm", [], (2, 3)),
     ("target accuracy", "punch_adaptive.prm", [], (2,)),
+    ("P1 refined", "paper_2_linear.prm", ["Mesh/File=../meshes/s0_tri.msh", "Mesh/Refinements=1"], (2,)),
     ("in space", "dam_block_3d.prm", [], (2, 3)),
+    ("target accuracy in space", "dam_block_3d.prm", ["Target accuracy/Quantity=contact pressure",
+                                                      "Target accuracy/Largest number of rounds=2", *FEW_LEVELS], (2,)),
 ]
 ITERATIVE_LARGE = [
     ("iterative", "scene_g_f06.prm", ITERATIVE, (3,)),
@@ -214,7 +218,7 @@ def check_scene(program, directory, name, file, entries, numbers):
     serial = directory / f"{name} on 1".replace(" ", "_")
     alone = fuga(program, 1, path, *settings, "--output-dir", serial)
     check(alone.returncode in (0, 3), f"{name}: {alone.stderr}")
-    for n in numbers:
+    for n in numbers if alone.returncode in (0, 3) else ():
         text = f"{name} on {n} processes"
         parallel = directory / text.replace(" ", "_")
         together = fuga(program, n, path, *settings, "--output-dir", parallel)
@@ -223,6 +227,23 @@ def check_scene(program, directory, name, file, entries, numbers):
         if together.returncode == alone.returncode:
             compare_runs(serial, parallel, text, n)
     return serial
+
+
+def check_tetrahedra(program, directory):
+    """One block pressed and pushed along another, as it is and refined."""
+    scene = {"Dimension": 3, "Mesh": {"File": str(ROOT / "meshes" / "patch_tet.msh")},
+             "Bodies": {name: {"Young modulus": 1000., "Poisson ratio": 0.25} for name in ("lower", "upper")},
+             "Joints": {"joint": {"Line": "joint", "Plus body": "upper", "Minus body": "lower", "Normal stiffness": 1e4,
+                                  "Shear stiffness": 5e3, "Friction coefficient": 0.4}},
+             "Boundaries": {"bottom": {"Fixed": "x, y, z"},
+                            **{side: {"Fixed": "free"} for side in ("front", "right", "back", "left")}},
+             "Loads": {"press": {"Type": "pressure", "Boundaries": "top", "Value": "1"},
+                       "push": {"Type": "traction", "Boundaries": "top", "Value": "0.1*x; 0.1; 0"}},
+             "Stages": {"press": {"Loads": "press: t"}, "push": {"Loads": "push: t", "Levels": 3}}}
+    path = directory / "tetrahedra.json"
+    path.write_text(json.dumps(scene, indent=1))
+    check_scene(program, directory, "tetrahedra", path, [], (2,))
+    check_scene(program, directory, "tetrahedra refined", path, ["Mesh/Refinements=1"], (3,))
 
 
 def check_restart(program, directory):
@@ -297,6 +318,7 @@ def main():
         if label == "small":
             check_refusals(program, directory)
         elif label == "large":
+            check_tetrahedra(program, directory)
             check_restart(program, directory)
             check_sweep(program, directory)
             check_more_refusals(program, directory)

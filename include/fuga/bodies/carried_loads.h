@@ -29,7 +29,7 @@ namespace fuga
                 const Vector &factors);
 
   /** Where new bodies are held by supports, they are built at the supports' displacement: for the
-   *  degrees of freedom (in deal.II's numbering) that were not @p there before. */
+   *  degrees of freedom (Discretization::dof()) that were not @p there before. */
   template <int dim>
   void
   put_new_nodes_on_supports(const CondensedSystem<dim> &system,

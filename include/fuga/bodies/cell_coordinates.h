@@ -4,16 +4,11 @@
 #ifndef fuga_bodies_cell_coordinates_h
 #define fuga_bodies_cell_coordinates_h
 
-#include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include <optional>
+#include <fuga/bodies/discretization.h>
 
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Mapping;
-}
+#include <optional>
 
 namespace fuga
 {
@@ -27,6 +22,34 @@ namespace fuga
   coordinates_in(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
                  const dealii::Mapping<dim, dim> &mapping,
                  const dealii::Point<dim> &point);
+
+  /**
+   * A cell of the tables by itself, for what deal.II computes on single cells: a process has the
+   * tables of all cells, but deal.II's objects of its own cells only.
+   */
+  template <int dim>
+  class LoneCell
+  {
+  public:
+    LoneCell(const Discretization<dim> &space, const std::size_t cell);
+
+    /** Whether the point lies in the box around the corners. */
+    static bool
+    is_near(const Discretization<dim> &space,
+            const std::size_t cell,
+            const dealii::Point<dim> &point);
+
+    std::optional<dealii::Point<dim>>
+    coordinates(const dealii::Point<dim> &point) const;
+
+    /** Of the shape functions, at a point of the reference cell. */
+    std::vector<dealii::Tensor<1, dim>>
+    gradients(const dealii::Point<dim> &in_reference_cell) const;
+
+  private:
+    const Discretization<dim> &discretization;
+    dealii::Triangulation<dim> mesh;
+  };
 } // namespace fuga
 
 #endif

@@ -57,7 +57,7 @@ namespace fuga
   };
 
   /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
-   * its nodes in deal.II's numbering (the largest number for an obstacle). */
+   * its nodes (Discretization::dof(); the largest number for an obstacle). */
   using ElementIdentity = std::array<std::size_t, 3>;
 
   /** When the bodies are factorised: the expensive part. */
@@ -281,9 +281,9 @@ namespace fuga
     double
     bulk_energy(const dealii::Vector<double> &u) const;
 
-    /** That of every cell. */
+    /** That of every cell; u by nodes, entry node * dim + component. */
     Vector
-    cell_energies(const dealii::Vector<double> &u) const;
+    cell_energies(const Vector &u) const;
 
     const Discretization<dim> &
     discretization() const

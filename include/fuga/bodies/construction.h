@@ -39,7 +39,7 @@ namespace fuga
   {
     /** In which the bodies were built. */
     unsigned int stage = 0;
-    /** Degrees of freedom, in deal.II's numbering. */
+    /** Degrees of freedom; see Discretization::dof(). */
     std::vector<std::size_t> dofs;
     /** [m] */
     Vector displacements;
@@ -60,7 +60,7 @@ namespace fuga
   {
     /** The first stage of the phase. */
     unsigned int stage = 0;
-    /** At its beginning, of all degrees of freedom in deal.II's numbering [m]. */
+    /** At its beginning, of all degrees of freedom (Discretization::dof()) [m]. */
     Vector displacement;
     /** Bar forces then, less those of water in open elements [MN]. */
     Vector forces;

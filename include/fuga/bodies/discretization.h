@@ -24,10 +24,12 @@ namespace dealii
 namespace fuga
 {
   /**
-   * The finite element space on the open mesh: deal.II's triangulation (boundary id = label,
-   * material id = body), degrees of freedom, and flat tables of *nodes* (a node carries one degree
-   * of freedom per direction) that the rest of this layer works with. Every process of a run has
-   * all of it, numbered as in a run of one process, and computes on the cells that are its own.
+   * The finite element space on the open mesh: deal.II's triangulation and degrees of freedom, of
+   * which every process of a run has its part (make_triangulation()), and flat tables of *nodes* (a
+   * node carries one degree of freedom per direction) that the rest of this layer works with. The
+   * tables are whole and alike on all processes, numbered as in a run of one: cells by their way
+   * down from the coarse mesh (CellId), nodes by the first cell that has them. A process computes
+   * on the cells that are its own.
    */
   template <int dim>
   class Discretization
@@ -83,14 +85,22 @@ namespace fuga
       return bodies.size();
     }
 
-    /** Number in the tables of a cell that deal.II knows by @p active_cell_index, or no_cell. */
+    /** Number in the tables of a cell that deal.II knows by @p active_cell_index; no_cell for
+     *  bodies that are not there and for cells of other processes. */
     unsigned int
     cell_number(const unsigned int active_cell_index) const
     {
       return cell_numbers[active_cell_index];
     }
 
-    /** Whether this process computes on a cell; see cell_owners(). */
+    /** The process that computes on a cell. */
+    unsigned int
+    owner(const std::size_t cell) const
+    {
+      return owners.empty() ? 0 : owners[cell];
+    }
+
+    /** Whether that is this one. */
     bool
     is_own(const std::size_t cell) const
     {
@@ -99,6 +109,10 @@ namespace fuga
 
     std::size_t
     n_own_cells() const;
+
+    /** Whether this process keeps its part of deal.II's mesh only. */
+    bool
+    is_divided_by_p4est() const;
 
     std::size_t
     n_nodes() const
@@ -126,11 +140,20 @@ namespace fuga
       return bodies[cell];
     }
 
-    /** deal.II's number of the degree of freedom of a node in one direction. */
+    /** Number of the degree of freedom of a node in one direction, in a model with all bodies. */
     unsigned int
     dof(const std::size_t node, const unsigned int component) const
     {
-      return node_dofs[node * dim + component];
+      return (numbers_of_nodes.empty() ? static_cast<unsigned int>(node) : numbers_of_nodes[node]) *
+               dim +
+             component;
+    }
+
+    /** Of the model with all bodies. */
+    unsigned int
+    n_dofs_of_all_bodies() const
+    {
+      return n_dofs_of_all;
     }
 
     const dealii::Point<dim> &
@@ -177,7 +200,7 @@ namespace fuga
     bool
     is_complete() const
     {
-      return n_cells() == cell_numbers.size();
+      return numbers_of_nodes.empty();
     }
 
     /** Whether faces with this label belong to bodies that are not there. */
@@ -231,17 +254,25 @@ namespace fuga
     }
 
   private:
-    void
-    create_mesh(const JointedMesh &jointed, const ModelDefinition &model);
+    struct Gathered;
 
     void
-    number_nodes();
+    make_tables();
+
+    Gathered
+    gather_cells();
+
+    void
+    number_nodes(const Gathered &gathered);
+
+    void
+    find_positions(const std::vector<unsigned int> &node_of_dof);
 
     void
     find_boundary_faces();
 
     void
-    find_pieces();
+    find_pieces(const Gathered &gathered);
 
     bool axisymmetric;
     double thickness;
@@ -252,7 +283,6 @@ namespace fuga
     std::unique_ptr<dealii::DoFHandler<dim, dim>> dofs;
 
     const std::vector<bool> there;
-    /** From deal.II's numbers of active cells to those of the tables. */
     std::vector<unsigned int> cell_numbers;
     std::set<unsigned int> absent_labels;
     std::vector<unsigned int> nodes_of_cells;
@@ -262,7 +292,9 @@ namespace fuga
     unsigned int my_rank = 0;
     std::vector<unsigned int> pieces;
     unsigned int piece_count = 0;
-    std::vector<unsigned int> node_dofs;
+    /** In a model with all bodies; empty if this is one. */
+    std::vector<unsigned int> numbers_of_nodes;
+    unsigned int n_dofs_of_all = 0;
     HangingNodes<dim> hanging;
     std::vector<dealii::Point<dim>> positions;
     std::vector<unsigned int> vertex_nodes;

@@ -33,9 +33,11 @@ namespace fuga
     /** None. */
     HangingNodes() = default;
 
-    /** @p node_dofs: degree of freedom of a node in one direction, entry node * dim + direction. */
+    /** @p node_of_dof: the node that this is the first degree of freedom of; of others, and of those
+     *  of no node, not below @p n_nodes. All processes put together what they have. */
     HangingNodes(const dealii::DoFHandler<dim, dim> &dofs,
-                 const std::vector<unsigned int> &node_dofs);
+                 const std::vector<unsigned int> &node_of_dof,
+                 const unsigned int n_nodes);
 
     const std::map<unsigned int, Masters> &
     masters() const

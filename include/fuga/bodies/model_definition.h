@@ -13,7 +13,7 @@
 
 namespace fuga
 {
-  /** A cell of a refined mesh, by its way down from the coarse mesh: deal.II's binary CellId. */
+  /** A cell of a refined mesh, by its way down from the coarse mesh: serial_cell_id(), binary. */
   using CellKey = std::array<unsigned int, 4>;
 
   /** Linear elastic material of one body. */

@@ -65,9 +65,10 @@ namespace fuga
     find_position(const JointedMesh &mesh, const MonitorDefinition &definition) const;
     Shares
     shares_in(const std::size_t cell, const dealii::Point<dim> &in_reference_cell) const;
-    template <typename Cell>
     void
-    add_gradients(const Cell &cell, const dealii::Point<dim> &in_reference_cell);
+    add_gradients(const std::size_t cell, const std::vector<dealii::Tensor<1, dim>> &of_cell);
+    bool
+    is_in_absent_body(const unsigned int body) const;
     [[noreturn]] void
     fail_outside(const MonitorDefinition &definition) const;
 

@@ -8,6 +8,8 @@
 
 #include <exception>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace fuga
 {
@@ -28,6 +30,8 @@ namespace fuga
     {
       sum,
       broadcast,
+      gather,
+      mesh,
       solver,
       fields,
       end
@@ -92,6 +96,27 @@ namespace fuga
     /** Gives the values of the first process to all. */
     void
     broadcast(double *values, const std::size_t n);
+
+    /** Puts @p n things of @p size bytes behind those of the processes before, the same on all. */
+    void
+    gather(const void *mine, const std::size_t n, const std::size_t size, void *all);
+
+    /** The sum of @p n over all processes. */
+    std::size_t
+    count(const std::size_t n);
+
+    /** The things of all processes, those of the first one first. */
+    template <typename T>
+    std::vector<T>
+    gather(std::vector<T> mine)
+    {
+      static_assert(std::is_trivially_copyable_v<T>);
+      if (number() == 1)
+        return mine;
+      std::vector<T> all(count(mine.size()));
+      gather(mine.data(), mine.size(), sizeof(T), all.data());
+      return all;
+    }
 
     /** Peak memory of every process when they met last [MB]; empty if there is only one. */
     std::vector<double>
