@@ -26,6 +26,8 @@ COMMAND = "/usr/bin/python3 source/python/scaling_page.py"
 
 SPACE = "Dam block in space"
 PLANE = "Scene G in the plane"
+# A coarse file that the program refines, so that p4est divides the mesh.
+REFINED = "Dam block in space, refined twice"
 DIRECT, ITERATIVE, FREE = "direct", "iterative", "iterative matrix-free"
 # Event by event with all levels, then with more and more water until nothing holds it.
 LIMIT = "direct, to the limit load"
@@ -36,7 +38,7 @@ RUNS = sorted([(SPACE, DIRECT, n, 1) for n in (8, 12, 16, 24, 32, 40)] + [(SPACE
               [(PLANE, DIRECT, n, 1) for n in (33, 129, 513)] + [(PLANE, ITERATIVE, n, 1) for n in (33, 65, 129)] +
               [(PLANE, FREE, n, 1) for n in (33, 129, 513)] +
               [(SPACE, DIRECT, n, 2) for n in (16, 24)] + [(SPACE, FREE, n, 2) for n in (16, 24)] +
-              [(PLANE, DIRECT, n, 2) for n in (129, 513)],
+              [(PLANE, DIRECT, n, 2) for n in (129, 513)] + [(REFINED, FREE, 12, n) for n in (1, 2)],
               key=lambda run: (run[3], run[0] == SPACE and run[2] >= 32, run[2]))
 
 # Phases of summary.json under the name of the page.
@@ -50,9 +52,9 @@ PHASES = {"mesh": ("start", "mesh", "mesh and degrees of freedom", "joints and s
 
 
 def make_mesh(problem, n, folder):
-    path = os.path.join(folder, f"{problem[:3]}{n}.msh")
+    path = os.path.join(folder, f"{problem == PLANE:d}_{n}.msh")
     if not os.path.exists(path):
-        if problem == SPACE:
+        if problem != PLANE:
             command = ["gmsh", "-3", "-v", "1", "-format", "msh41", "-setnumber", "n", str(n), "-o", path,
                        os.path.join(TOP, "meshes/dam_block_3d.geo")]
         else:
@@ -72,15 +74,17 @@ def measure(fuga, problem, solver, n, processes, folder):
     """The summary of a run, reduced to what the page needs."""
     output = os.path.join(folder, "out")
     shutil.rmtree(output, ignore_errors=True)
-    name = "dam_block_3d.prm" if problem == SPACE else "scene_g_f06.prm"
+    name = "scene_g_f06.prm" if problem == PLANE else "dam_block_3d.prm"
     settings = ["Output/Fields=end", "Output/Checkpoint=never", f"Mesh/File={make_mesh(problem, n, folder)}"]
     if solver == LIMIT:
         settings += ["Solver/Bodies=direct", "Safety/Load factor=water"]
     else:
         settings += ["Solver/Load knots=1", f"Solver/Bodies={solver}",
-                     ("Stages/reservoir" if problem == SPACE else "Stages/water") + "/Levels=1"]
+                     ("Stages/water" if problem == PLANE else "Stages/reservoir") + "/Levels=1"]
     if solver == FREE:
         settings.append("Solver/Follow=stage ends")
+    if problem == REFINED:
+        settings.append("Mesh/Refinements=2")
     command = ["mpirun", "--allow-run-as-root", "-np", str(processes)] if processes > 1 else []
     command += [fuga, os.path.join(TOP, "parameters", name), "--quiet", "--output-dir", output]
     for setting in settings:
@@ -99,7 +103,7 @@ def measure(fuga, problem, solver, n, processes, folder):
            "bars": summary["sizes"]["bars"], "events": summary["events"]["total"],
            "schemes": summary["iterations"]["iterations"], "iterations": summary["work"]["iterations_of_bodies"],
            "load": os.getloadavg()[0], "solutions": summary["work"]["solutions_of_bodies"], "certificate": summary["certificate"]["worst"],
-           "megabytes": summary["memory_MB"], "wall": sum(seconds.values()),
+           "megabytes": summary["memory_MB"], "wall": sum(seconds.values()), "peak behind start": peaks.get("start", 0.),
            "seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime}
     if solver == LIMIT:
         row["safety"] = summary["safety"]["load_factor"]
@@ -201,12 +205,14 @@ class Page:
         if not pairs:
             return
         self.text.append("## One process and two\n")
-        self.text.append("Memory is that of the first process.\n")
+        self.text.append("Memory is that of the first process. The mesh of the block that is refined is divided by p4est; the others "
+                         "are used as they are in their files, and every process keeps them ([parallel](parallel.md)).\n")
         self.text.append(table(
             ["problem", "bodies", "dofs", "wall time 1 [s]", "wall time 2 [s]", "elimination 1 [s]", "elimination 2 [s]",
-             "memory 1 [MB]", "memory 2 [MB]"],
+             "memory behind *mesh* 1 [MB]", "2 [MB]", "memory 1 [MB]", "memory 2 [MB]"],
             [[one["problem"], one["solver"], number(one["unknowns"], 7), number(one["wall"]),
               number(two["wall"]), number(one["seconds of elimination"]), number(two["seconds of elimination"]),
+              number(one["peak behind mesh"], 4), number(two["peak behind mesh"], 4),
               number(one["megabytes"], 4), number(two["megabytes"], 4)] for one, two in pairs]))
 
     def write_fits(self):
@@ -221,6 +227,17 @@ class Page:
                                                      ("seconds", "seconds of elimination", "seconds of path",
                                                       "megabytes")])
         self.text.append(table(["problem", "bodies", "time", "elimination", "path", "memory"], rows))
+
+    def memory_of_mesh(self, unknowns):
+        """What of it every process has, from a refined mesh on one process and on two."""
+        one, two = ((row["peak behind mesh"] - row["peak behind start"]) / row["unknowns"] * 1e6
+                    for n in (1, 2) for row in self.select(REFINED, FREE, n))
+        whole, divided = 2. * two - one, 2. * (one - two)
+        return (f"{number(one)} bytes per unknown on one process, {number(two)} on each of two where p4est divides a refined "
+                f"mesh; hence {number(whole)} that every process has and {number(divided)} that are divided: "
+                f"{number((whole + divided / 64.) * unknowns / 1e9)} GB on each of 64 processes "
+                f"({number(one * unknowns / 1e9)} GB if the file is the mesh). Remedy: a coarse file that is refined; beyond that, "
+                "flat tables of the nodes of a process and its neighbours only.")
 
     def write_estimate(self):
         unknowns, elements = 1e8, 1e5
@@ -268,10 +285,7 @@ class Page:
             "of processes. Remedy: compute and keep only the columns of bars that ever open or slip (usually a few per "
             "cent), by blocks on the processes that share them; or `Solver/Bodies = iterative matrix-free` for stage "
             "ends, where the interface costs nothing to speak of. **Second.** Mesh, degrees of freedom and tables of "
-            "nodes are whole on every process: at "
-            f"{number(largest['peak behind mesh'] / largest['unknowns'] * 1e6)} bytes per unknown behind the phase "
-            f"*mesh*, {number(largest['peak behind mesh'] / largest['unknowns'] * unknowns / 1e3)} GB each. Remedy: a "
-            "distributed triangulation. "
+            f"nodes: {self.memory_of_mesh(unknowns)} "
             "**Third.** The factor, if one wants it: the table's second and third column; iteration needs none.\n")
 
     def write(self, path):
