@@ -33,6 +33,12 @@ namespace fuga
       return space.reference_element().n_corners() == 1u << dim;
     }
 
+    double
+    seconds_since(const std::chrono::steady_clock::time_point begin)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
     std::string
     quantity_name(const AccuracyTarget::Quantity quantity)
     {
@@ -65,6 +71,8 @@ namespace fuga
   {
     const std::string directory = model->parameters.output.directory;
     const bool quiet            = model->parameters.output.log == LogDetail::quiet;
+    const auto begin            = std::chrono::steady_clock::now();
+    const double of_first_model = model->timer.sum();
     begin_output();
     for (bool going_on = true; going_on;)
       {
@@ -78,7 +86,9 @@ namespace fuga
           replace_model(next);
       }
     model->timer.restart();
-    model->timer.book("finding the mesh", seconds);
+    // The last model has booked how it was made.
+    model->timer.book("finding the mesh",
+                      of_first_model + seconds_since(begin) - model->timer.sum());
     return Simulation<dim>(*model, report).run();
   }
 
@@ -135,8 +145,7 @@ namespace fuga
         {
           report.end = fmt::format("numerical failure: {}", failure.what());
         }
-    round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    seconds += round.seconds;
+    round.seconds = seconds_since(begin);
     report.rounds.push_back(round);
     return report.end.empty();
   }
@@ -202,12 +211,10 @@ namespace fuga
   void
   AdaptiveRun<dim>::replace_model(const ModelDefinition &definition)
   {
-    const auto begin      = std::chrono::steady_clock::now();
     Parameters parameters = model->parameters;
     parameters.model      = definition;
     model.reset(); // two factorisations at once would take twice the memory
     model = std::make_unique<const Model<dim>>(parameters);
-    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 
 

@@ -46,7 +46,6 @@ namespace fuga
 
     std::unique_ptr<const Model<dim>> model;
     AccuracyReport report;
-    double seconds = 0.;
   };
 } // namespace fuga
 

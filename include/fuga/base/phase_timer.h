@@ -56,6 +56,16 @@ namespace fuga
         }
     }
 
+    /** Of all phases. */
+    double
+    sum() const
+    {
+      double result = 0.;
+      for (const auto &phase : phases)
+        result += phase.second;
+      return result;
+    }
+
     /** In the order of first use. */
     const std::vector<std::pair<std::string, double>> &
     seconds() const

@@ -10,6 +10,7 @@
 #include <fuga/bodies/bodies_work.h>
 #include <fuga/bodies/construction.h>
 #include <fuga/bodies/equilibrium_error.h>
+#include <fuga/bodies/joint_face.h>
 #include <fuga/bodies/linear_response.h>
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/bodies/rigid_projection.h>
@@ -40,25 +41,6 @@ namespace fuga
   struct SymmetricTriplets;
   class InteriorSolver;
   class IterativeSolver;
-
-  /** One face of a joint, for output; nodes in the order of JointGeometry::Face. */
-  struct JointFace
-  {
-    unsigned int joint = 0;
-    /** By node its contact element with the weight 1; where it hangs those of its masters; none
-     * where the lips are bonded. */
-    std::vector<std::vector<std::pair<unsigned int, double>>> shares;
-    std::vector<std::array<double, 3>> positions;
-    /** The face of a cell that is the plus lip, and which of the boundary's nodes each one is. */
-    unsigned int cell = 0, number = 0;
-    bool backwards = false;
-    /** On the plus lip [m²]. */
-    double area = 0.;
-  };
-
-  /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
-   * its nodes (Discretization::dof(); the largest number for an obstacle). */
-  using ElementIdentity = std::array<std::size_t, 3>;
 
   /** When the bodies are factorised: the expensive part. */
   enum class Condensation
