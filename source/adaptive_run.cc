@@ -100,12 +100,12 @@ namespace fuga
   AdaptiveRun<dim>::begin_output() const
   {
     const Parameters &parameters = model->parameters;
-    make_output_directory(parameters.output.directory);
-    Summary unfinished;
-    unfinished.verdict = "unfinished";
-    write_complete_file(parameters.output.directory + "/summary.json",
-                        summary_json(unfinished, parameters));
-    remove_earlier_results(parameters.output.directory, {"summary.json"});
+    begin_results(parameters.output.directory, [&parameters]() {
+      Summary unfinished;
+      unfinished.verdict = "unfinished";
+      write_complete_file(parameters.output.directory + "/summary.json",
+                          summary_json(unfinished, parameters));
+    });
   }
 
 

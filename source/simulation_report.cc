@@ -19,12 +19,11 @@ namespace fuga
   void
   Simulation<dim>::begin_output()
   {
-    make_output_directory(parameters.output.directory);
-    // From here on the summary says that what lies there is not finished, whatever happens.
-    Outcome unfinished;
-    unfinished.verdict = "unfinished";
-    write_summary(unfinished);
-    remove_earlier_results(parameters.output.directory, {"summary.json"});
+    begin_results(parameters.output.directory, [this]() {
+      Outcome unfinished;
+      unfinished.verdict = "unfinished";
+      write_summary(unfinished);
+    });
     if (!accuracy.rounds.empty())
       write_refinement_table(parameters.output.directory, accuracy);
     publish(true);
@@ -251,12 +250,9 @@ namespace fuga
                          largest->first,
                          parameters.solver.certificate_bound,
                          outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
-    double total = 0.;
     model.timer.finish("tables");
-    for (const auto &phase : model.timer.seconds())
-      total += phase.second;
-    log.line(
-      fmt::format("Time        {:.3f} s, memory {:.0f} MB", total, peak_memory_in_megabytes()));
+    log.line(fmt::format(
+      "Time        {:.3f} s, memory {:.0f} MB", model.timer.sum(), peak_memory_in_megabytes()));
     log.line(fmt::format("Results     {}", parameters.output.directory));
   }
 

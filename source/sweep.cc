@@ -279,9 +279,8 @@ namespace fuga
   Sweep<dim>::run()
   {
     const Parameters &parameters = model.parameters;
-    make_output_directory(parameters.output.directory);
-    write_summary("unfinished", ExitCode::done);
-    remove_earlier_results(parameters.output.directory, {"summary.json"});
+    begin_results(parameters.output.directory,
+                  [this]() { write_summary("unfinished", ExitCode::done); });
     CsvFile table(parameters.output.directory + "/sweep.csv", columns());
     table.publish(true);
     const bool quiet = parameters.output.log == LogDetail::quiet;

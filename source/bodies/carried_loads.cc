@@ -29,17 +29,6 @@ namespace fuga
       return built;
     }
 
-    template <int dim>
-    Vector
-    by_nodes(const Discretization<dim> &space, const Vector &u)
-    {
-      Vector result(space.n_dofs());
-      for (std::size_t node = 0; node < space.n_nodes(); ++node)
-        for (unsigned int c = 0; c < dim; ++c)
-          result[node * dim + c] = u[space.dof(node, c)];
-      return result;
-    }
-
     void
     add(const double factor, const Vector &x, Vector &sum)
     {
@@ -90,7 +79,7 @@ namespace fuga
     const Discretization<dim> &space = system.discretization();
     const JointedMesh &mesh          = system.jointed_mesh();
     const ElasticBodies<dim> bodies(space, mesh, model);
-    const Vector u = by_nodes(space, state.displacement);
+    const Vector u = space.by_nodes(state.displacement);
 
     CarriedLoads result;
     result.carried.forces.assign(space.n_dofs(), 0.);
@@ -100,7 +89,7 @@ namespace fuga
         for (std::size_t i = 0; i < shape.dofs.size(); ++i)
           all[shape.dofs[i]] = shape.displacements[i];
         const std::vector<bool> built = bodies_built_in(mesh.body_names, model, shape.stage);
-        add(1., bodies.forces(by_nodes(space, all), &built), result.carried.forces);
+        add(1., bodies.forces(space.by_nodes(all), &built), result.carried.forces);
       }
     result.carried.prescribed =
       further_displacements(u, prescribed(patterns, factors, space.n_dofs()), system.fixed_dofs());

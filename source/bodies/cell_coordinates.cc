@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
@@ -33,15 +34,27 @@ namespace fuga
   }
 
 
+  namespace
+  {
+    template <int dim>
+    std::vector<dealii::Point<dim>>
+    corners_of(const Discretization<dim> &space, const std::size_t cell)
+    {
+      std::vector<dealii::Point<dim>> corners;
+      for (std::size_t v = 0; v < space.reference_element().n_corners(); ++v)
+        corners.push_back(space.position(space.cell_nodes(cell)[v]));
+      return corners;
+    }
+  } // namespace
+
+
   template <int dim>
   LoneCell<dim>::LoneCell(const Discretization<dim> &space, const std::size_t cell)
     : discretization(space)
   {
-    const std::size_t n = space.reference_element().n_corners();
-    std::vector<dealii::Point<dim>> corners;
-    for (std::size_t v = 0; v < n; ++v)
-      corners.push_back(space.position(space.cell_nodes(cell)[v]));
-    std::vector<dealii::CellData<dim>> data(1, dealii::CellData<dim>(static_cast<unsigned int>(n)));
+    const std::vector<dealii::Point<dim>> corners = corners_of(space, cell);
+    const unsigned int n                          = static_cast<unsigned int>(corners.size());
+    std::vector<dealii::CellData<dim>> data(1, dealii::CellData<dim>(n));
     std::iota(data[0].vertices.begin(), data[0].vertices.end(), 0);
     mesh.create_triangulation(corners, data, {});
   }
@@ -53,19 +66,7 @@ namespace fuga
                          const std::size_t cell,
                          const dealii::Point<dim> &point)
   {
-    dealii::Point<dim> least = space.position(space.cell_nodes(cell)[0]), most = least;
-    for (std::size_t v = 1; v < space.reference_element().n_corners(); ++v)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const double x = space.position(space.cell_nodes(cell)[v])[c];
-          least[c]       = std::min(least[c], x);
-          most[c]        = std::max(most[c], x);
-        }
-    for (unsigned int c = 0; c < dim; ++c)
-      if (const double margin = inside_tolerance * (most[c] - least[c]);
-          point[c] < least[c] - margin || point[c] > most[c] + margin)
-        return false;
-    return true;
+    return dealii::BoundingBox<dim>(corners_of(space, cell)).point_inside(point, inside_tolerance);
   }
 
 

@@ -30,7 +30,7 @@ namespace fuga
           dealii::Vector<double> u(space->n_dofs_of_all_bodies());
           for (std::size_t i = 0; i < shape.dofs.size(); ++i)
             u[static_cast<unsigned int>(shape.dofs[i])] = shape.displacements[i];
-          return dot(force, by_nodes(u));
+          return dot(force, space->by_nodes(u));
         }
     return 0.;
   }

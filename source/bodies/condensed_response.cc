@@ -100,14 +100,14 @@ namespace fuga
   {
     timer.restart();
     Vector terms;
-    Vector elastic = bodies->forces(by_nodes(u), terms);
+    Vector elastic = bodies->forces(space->by_nodes(u), terms);
     // The rounding of a jump moves both lips against each other. It is that of a sum over all bars,
     // of the size of the motion.
     if (motion.size() > 0)
       {
         const double sum_length = 0.25 * static_cast<double>(bars->bars().size());
         Vector far_terms;
-        bodies->forces(by_nodes(motion), far_terms);
+        bodies->forces(space->by_nodes(motion), far_terms);
         for (const auto &bar : bars->bars())
           for (const unsigned int node : {bar.plus_node, bar.minus_node})
             for (unsigned int c = 0; c < dim && node != Discretization<dim>::no_node; ++c)
@@ -161,7 +161,7 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::nodal_forces(const dealii::Vector<double> &u) const
   {
-    Vector forces = bodies->forces(by_nodes(u));
+    Vector forces = bodies->forces(space->by_nodes(u));
     space->hanging_nodes().move_to_masters(forces);
     return by_degrees_of_freedom(forces);
   }
@@ -170,14 +170,14 @@ namespace fuga
   Vector
   CondensedSystem<dim>::jumps(const dealii::Vector<double> &u) const
   {
-    return bars->jumps(by_nodes(u));
+    return bars->jumps(space->by_nodes(u));
   }
 
   template <int dim>
   double
   CondensedSystem<dim>::bulk_energy(const dealii::Vector<double> &u) const
   {
-    return bodies->energy(by_nodes(u));
+    return bodies->energy(space->by_nodes(u));
   }
 
   template <int dim>

@@ -98,21 +98,15 @@ namespace fuga
   void
   CondensedSystem<dim>::report_sizes(const SymmetricTriplets &matrix)
   {
-    Vector n_entries(processes::number(), 0.), n_cells = n_entries;
-    n_entries[processes::rank()] = static_cast<double>(matrix.values.size());
-    n_cells[processes::rank()]   = static_cast<double>(space->n_own_cells());
-    processes::sum(n_entries);
-    processes::sum(n_cells);
-    lines.push_back(
-      fmt::format("{} unknowns, {} of them interface coordinates; {:.0f} matrix entries",
-                  coordinates->size(),
-                  coordinates->n_interface(),
-                  fmt::join(n_entries, " + ")));
+    lines.push_back(fmt::format("{} unknowns, {} of them interface coordinates; {} matrix entries",
+                                coordinates->size(),
+                                coordinates->n_interface(),
+                                fmt::join(processes::from_all(matrix.values.size()), " + ")));
     if (processes::number() > 1)
       lines.push_back(fmt::format(
-        "{} processes: {:.0f} cells, divided by {}",
+        "{} processes: {} cells, divided by {}",
         processes::number(),
-        fmt::join(n_cells, " + "),
+        fmt::join(processes::from_all(space->n_own_cells()), " + "),
         space->is_divided_by_p4est() ? "p4est" : "METIS; every process keeps the whole mesh"));
   }
 
@@ -234,17 +228,6 @@ namespace fuga
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         result[space->dof(node, c)] = u[node * dim + c];
-    return result;
-  }
-
-  template <int dim>
-  Vector
-  CondensedSystem<dim>::by_nodes(const dealii::Vector<double> &u) const
-  {
-    Vector result(space->n_dofs());
-    for (std::size_t node = 0; node < space->n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[node * dim + c] = u[space->dof(node, c)];
     return result;
   }
 

@@ -85,6 +85,14 @@ namespace fuga
 
 
   template <int dim>
+  unsigned int
+  Discretization<dim>::n_dofs_of_all_bodies() const
+  {
+    return dofs->n_dofs();
+  }
+
+
+  template <int dim>
   bool
   Discretization<dim>::is_divided_by_p4est() const
   {

@@ -140,8 +140,7 @@ namespace fuga
   Discretization<dim>::number_nodes(const Gathered &gathered)
   {
     const std::size_t n_local = reference.n_nodes();
-    n_dofs_of_all             = dofs->n_dofs();
-    std::vector<unsigned int> node_of_dof(n_dofs_of_all, no_node), number_of_dof;
+    std::vector<unsigned int> node_of_dof(dofs->n_dofs(), no_node), number_of_dof;
     const bool all_there = bodies.size() == gathered.cells.size();
     if (!all_there)
       number_of_dof = node_of_dof;

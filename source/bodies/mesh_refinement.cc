@@ -29,26 +29,14 @@ namespace fuga
       unsigned int label = 0;
       double size        = 0.;
       dealii::Point<dim> center, center_of_parent;
-      unsigned int n_corners = 0;
-      std::array<dealii::Point<dim>, 4> corners;
+      std::array<dealii::Point<dim>, dealii::GeometryInfo<dim>::vertices_per_face> corners;
     };
 
     /** The faces of one lip on all processes. */
     template <int dim>
-    struct Lip
-    {
-      std::vector<LipFace<dim>> faces;
+    using Lip = std::vector<LipFace<dim>>;
 
-      PointMatcher<dim>
-      centers() const
-      {
-        std::vector<dealii::Point<dim>> points;
-        for (const LipFace<dim> &face : faces)
-          points.push_back(face.center);
-        return PointMatcher<dim>(points);
-      }
-    };
-
+    /** By label. */
     template <int dim>
     using Lips = std::map<unsigned int, Lip<dim>>;
 
@@ -67,12 +55,11 @@ namespace fuga
              const unsigned int f)
     {
       LipFace<dim> result;
-      const auto face  = cell->face(f);
-      result.cell      = serial_cell_id(cell);
-      result.label     = face->boundary_id();
-      result.size      = cell->diameter();
-      result.center    = face->center();
-      result.n_corners = face->n_vertices();
+      const auto face = cell->face(f);
+      result.cell     = serial_cell_id(cell);
+      result.label    = face->boundary_id();
+      result.size     = cell->diameter();
+      result.center   = face->center();
       for (const unsigned int v : face->vertex_indices())
         result.corners[v] = face->vertex(v);
       // A child has the numbering of faces of its parent.
@@ -93,20 +80,34 @@ namespace fuga
     }
 
 
+    /** Calls @p action(cell, face number) for all faces on lips that deal.II has on this process. */
+    template <int dim, typename Action>
+    void
+    for_each_lip_face(const dealii::Triangulation<dim> &mesh,
+                      const JointedMesh &jointed,
+                      const Action &action)
+    {
+      const std::set<unsigned int> labels = labels_of_lips(jointed);
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f) && labels.count(cell->face(f)->boundary_id()) > 0)
+              action(cell, f);
+    }
+
+
     template <int dim>
     Lips<dim>
     find_lips(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
     {
-      const std::set<unsigned int> labels = labels_of_lips(jointed);
       std::vector<LipFace<dim>> faces;
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->at_boundary(f) && labels.count(cell->face(f)->boundary_id()) > 0)
-              faces.push_back(lip_face<dim>(cell, f));
+      for_each_lip_face(mesh, jointed, [&](const auto &cell, const unsigned int f) {
+        if (cell->is_locally_owned())
+          faces.push_back(lip_face<dim>(cell, f));
+      });
       Lips<dim> lips;
       for (const LipFace<dim> &face : processes::gather(std::move(faces)))
-        lips[face.label].faces.push_back(face);
+        lips[face.label].push_back(face);
       return lips;
     }
 
@@ -117,21 +118,23 @@ namespace fuga
     void
     mark_coarser(const Lip<dim> &finer, const Lip<dim> &lip, Marks &marks)
     {
-      const PointMatcher<dim> centers = lip.centers();
-      for (const LipFace<dim> &face : finer.faces)
+      std::vector<dealii::Point<dim>> points;
+      for (const LipFace<dim> &face : lip)
+        points.push_back(face.center);
+      const PointMatcher<dim> centers(points);
+      for (const LipFace<dim> &face : finer)
         if (const double tolerance = matching_tolerance * face.size;
             centers.find(face.center, tolerance) == PointMatcher<dim>::not_found)
           if (const unsigned int other = centers.find(face.center_of_parent, 2. * tolerance);
               other != PointMatcher<dim>::not_found) // lips without partner are refused elsewhere
-            marks.insert(lip.faces[other].cell);
+            marks.insert(lip[other].cell);
     }
 
 
     template <int dim>
     Marks
-    unlike_lips(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
+    unlike_lips(Lips<dim> &lips, const JointedMesh &jointed)
     {
-      Lips<dim> lips = find_lips<dim>(mesh, jointed);
       Marks marks;
       for (const JointedMesh::Joint &joint : jointed.joints)
         if (joint.minus_label != JointedMesh::no_label)
@@ -145,15 +148,13 @@ namespace fuga
 
     /** By vertex of this process the lips it belongs to, whoever owns their cells. */
     std::multimap<unsigned int, unsigned int>
-    labels_of_vertices(const dealii::Triangulation<3> &mesh, const std::set<unsigned int> &labels)
+    labels_of_vertices(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
     {
       std::multimap<unsigned int, unsigned int> result;
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (!cell->is_artificial() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->at_boundary(f) && labels.count(cell->face(f)->boundary_id()) > 0)
-              for (const unsigned int v : cell->face(f)->vertex_indices())
-                result.emplace(cell->face(f)->vertex_index(v), cell->face(f)->boundary_id());
+      for_each_lip_face(mesh, jointed, [&](const auto &cell, const unsigned int f) {
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          result.emplace(cell->face(f)->vertex_index(v), cell->face(f)->boundary_id());
+      });
       return result;
     }
 
@@ -161,7 +162,7 @@ namespace fuga
     std::vector<HangingVertex>
     find_hanging_vertices(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
     {
-      const auto labels = labels_of_vertices(mesh, labels_of_lips(jointed));
+      const auto labels = labels_of_vertices(mesh, jointed);
       std::vector<HangingVertex> found;
       for (const auto &cell : mesh.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -229,22 +230,20 @@ namespace fuga
     /** Marks the cells whose undivided edges let a vertex of one lip hang and not the one that it
      *  faces: cells beside the joint, or at its end. Lips are alike. */
     Marks
-    unlike_edges(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
+    unlike_edges(const dealii::Triangulation<3> &mesh, Lips<3> &lips, const JointedMesh &jointed)
     {
       const std::vector<HangingVertex> all = find_hanging_vertices(mesh, jointed);
-      Lips<3> lips                         = find_lips<3>(mesh, jointed);
       Marks marks;
       for (const JointedMesh::Joint &joint : jointed.joints)
         if (joint.minus_label != JointedMesh::no_label)
           {
             const HangingVertices plus(all, joint.plus_label), minus(all, joint.minus_label);
-            for (const LipFace<3> &face : lips[joint.plus_label].faces)
-              for (unsigned int v = 0; v < face.n_corners; ++v)
+            for (const LipFace<3> &face : lips[joint.plus_label])
+              for (const dealii::Point<3> &at : face.corners)
                 {
-                  const dealii::Point<3> &at = face.corners[v];
-                  const double tolerance     = matching_tolerance * face.size;
-                  const bool here            = plus.contain(at, tolerance),
-                             there           = minus.contain(at, tolerance);
+                  const double tolerance = matching_tolerance * face.size;
+                  const bool here        = plus.contain(at, tolerance),
+                             there       = minus.contain(at, tolerance);
                   if (here != there)
                     (here ? plus : minus).mark(at, tolerance, marks);
                 }
@@ -269,10 +268,11 @@ namespace fuga
     Marks
     what_has_to_follow(const dealii::Triangulation<dim> &mesh, const JointedMesh &jointed)
     {
-      Marks marks = unlike_lips<dim>(mesh, jointed);
+      Lips<dim> lips = find_lips<dim>(mesh, jointed);
+      Marks marks    = unlike_lips(lips, jointed);
       if constexpr (dim == 3)
         if (marks.empty())
-          marks = unlike_edges(mesh, jointed);
+          marks = unlike_edges(mesh, lips, jointed);
       return marks;
     }
   } // namespace

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <mpi.h>
-#include <numeric>
 #include <unistd.h>
 
 namespace fuga
@@ -208,27 +207,32 @@ namespace fuga
   }
 
 
-  std::size_t
-  processes::count(const std::size_t n)
+  std::vector<std::size_t>
+  processes::from_all(const std::size_t n)
   {
-    double sum = static_cast<double>(n);
-    processes::sum(&sum, 1);
-    return static_cast<std::size_t>(sum);
+    std::vector<std::size_t> result(number(), n);
+    if (number() == 1)
+      return result;
+    meet(Place::gather);
+    MPI_Allgather(&n, sizeof(n), MPI_BYTE, result.data(), sizeof(n), MPI_BYTE, MPI_COMM_WORLD);
+    return result;
   }
 
 
   void
-  processes::gather(const void *mine, const std::size_t n, const std::size_t size, void *all)
+  processes::gather(const void *mine,
+                    const std::vector<std::size_t> &numbers,
+                    const std::size_t size,
+                    void *all)
   {
-    meet(Place::gather, size);
-    const int n_mine = static_cast<int>(n);
-    std::vector<int> numbers(number()), offsets(number(), 0);
-    MPI_Allgather(&n_mine, 1, MPI_INT, numbers.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    std::partial_sum(numbers.begin(), numbers.end() - 1, offsets.begin() + 1);
+    const std::vector<int> counts(numbers.begin(), numbers.end());
+    std::vector<int> offsets(counts.size(), 0);
+    std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
     MPI_Datatype type;
     MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &type);
     MPI_Type_commit(&type);
-    MPI_Allgatherv(mine, n_mine, type, all, numbers.data(), offsets.data(), type, MPI_COMM_WORLD);
+    MPI_Allgatherv(
+      mine, counts[rank()], type, all, counts.data(), offsets.data(), type, MPI_COMM_WORLD);
     MPI_Type_free(&type);
   }
 

@@ -25,11 +25,9 @@ namespace fuga
     // Children follow each other in the tables, in the order of their parents.
     constexpr std::size_t n_children   = 1u << dim;
     const Discretization<dim> &parents = coarse.discretization(), &children = fine.discretization();
-    const auto &element = parents.reference_element().scalar_element();
-    Vector difference(children.n_dofs());
-    for (std::size_t node = 0; node < children.n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        difference[node * dim + c] = u_fine[children.dof(node, c)];
+    const auto &element    = parents.reference_element().scalar_element();
+    Vector difference      = children.by_nodes(u_fine);
+    const Vector u_parents = parents.by_nodes(u_coarse);
     std::vector<bool> is_done(children.n_nodes(), false);
     for (std::size_t cell = 0; cell < children.n_cells(); ++cell)
       {
@@ -43,8 +41,7 @@ namespace fuga
               is_done[nodes[i]] = true;
               for (unsigned int k = 0; k < element.n_dofs_per_cell(); ++k)
                 for (unsigned int c = 0; c < dim; ++c)
-                  difference[nodes[i] * dim + c] -=
-                    values(i, k) * u_coarse[parents.dof(around[k], c)];
+                  difference[nodes[i] * dim + c] -= values(i, k) * u_parents[around[k] * dim + c];
             }
       }
 

@@ -119,6 +119,16 @@ namespace fuga
         }
   }
 
+  void
+  begin_results(const std::string &directory, const std::function<void()> &write_unfinished_summary)
+  {
+    make_output_directory(directory);
+    if (processes::is_first())
+      fs::remove(fs::path(directory) / checkpoint_file_name);
+    write_unfinished_summary();
+    remove_earlier_results(directory, {"summary.json"});
+  }
+
   std::string
   recover_text(const std::string &path, const TextMemory &memory)
   {

@@ -49,6 +49,19 @@ namespace fuga::test
 
 
   BlockMesh
+  blocks_round_a_crossing(const unsigned int n)
+  {
+    BlockMesh mesh;
+    mesh.add_block("a", n, n, rectangle(-1., 0., -1., 0.), {{"b", "av-", "ah-", "l"}});
+    mesh.add_block("b", n, n, rectangle(0., 1., -1., 0.), {{"b", "r", "bh-", "av+"}});
+    mesh.add_block("c", n, n, rectangle(-1., 0., 0., 1.), {{"ah+", "cv-", "t", "l"}});
+    mesh.add_block("d", n, n, rectangle(0., 1., 0., 1.), {{"bh+", "r", "t", "cv+"}});
+    for (const char *joint : {"ah", "bh", "av", "cv"})
+      mesh.add_joint(joint, std::string(joint) + "+", std::string(joint) + "-");
+    return mesh;
+  }
+
+  BlockMesh
   two_blocks()
   {
     BlockMesh mesh;

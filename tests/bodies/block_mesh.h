@@ -187,6 +187,12 @@ namespace fuga::test
   /** B x. */
   Vector
   apply_jump_operator(const CondensedSystem<2> &system, const Vector &x);
+
+  /** Four blocks a, b below and c, d above round a crossing, n x n cells of the size 1/n each, with
+   *  joints of the length 1: first ah and bh, which are level, then av and cv, upright. */
+  BlockMesh
+  blocks_round_a_crossing(const unsigned int n);
+
   /** A block 3 x 2 on a foundation 3 x 1, held at its base and sides. */
   BlockMesh
   two_blocks();

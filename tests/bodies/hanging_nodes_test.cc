@@ -123,15 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Hanging, testing::Values(1, 2, 3));
 // geometry would throw), of the same level; and no node of a lip hangs.
 TEST(RandomRefinement, keeps_lips_alike)
 {
-  BlockMesh mesh;
-  mesh.add_block("a", 3, 3, rectangle(-1., 0., -1., 0.), {{"b", "av-", "ah-", "l"}});
-  mesh.add_block("b", 3, 3, rectangle(0., 1., -1., 0.), {{"b", "r", "bh-", "av+"}});
-  mesh.add_block("c", 3, 3, rectangle(-1., 0., 0., 1.), {{"ah+", "cv-", "t", "l"}});
-  mesh.add_block("d", 3, 3, rectangle(0., 1., 0., 1.), {{"bh+", "r", "t", "cv+"}});
-  mesh.add_joint("av", "av+", "av-");
-  mesh.add_joint("ah", "ah+", "ah-");
-  mesh.add_joint("bh", "bh+", "bh-");
-  mesh.add_joint("cv", "cv+", "cv-");
+  const BlockMesh mesh = blocks_round_a_crossing(3);
   ModelDefinition model;
   for (const char *body : {"a", "b", "c", "d"})
     add_material(model, body, 1., 0.2);

@@ -48,19 +48,6 @@ namespace fuga::test
   }
 
   JointedMesh
-  crossing_in_space()
-  {
-    BlockMesh mesh;
-    mesh.add_block("a", 2, 2, rectangle(-1., 0., -1., 0.), {{"b", "av-", "ah-", "l"}});
-    mesh.add_block("b", 2, 2, rectangle(0., 1., -1., 0.), {{"b", "r", "bh-", "av+"}});
-    mesh.add_block("c", 2, 2, rectangle(-1., 0., 0., 1.), {{"ah+", "cv-", "t", "l"}});
-    mesh.add_block("d", 2, 2, rectangle(0., 1., 0., 1.), {{"bh+", "r", "t", "cv+"}});
-    for (const char *joint : {"av", "ah", "bh", "cv"})
-      mesh.add_joint(joint, std::string(joint) + "+", std::string(joint) + "-");
-    return extruded(mesh.mesh, 2);
-  }
-
-  JointedMesh
   narrow_block()
   {
     BlockMesh mesh;

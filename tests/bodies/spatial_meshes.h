@@ -12,10 +12,6 @@ namespace fuga::test
   JointedMesh
   extruded(const JointedMesh &plane, const unsigned int n);
 
-  /** Four blocks round a crossing; joints of the lengths 1. */
-  JointedMesh
-  crossing_in_space();
-
   /** A block 1 wide on the middle of one 3 wide, whose cells go on beside the joint. */
   JointedMesh
   narrow_block();

@@ -14,7 +14,6 @@ wrong input: exit code 1, one message, and no process waits for another.
 import csv
 import json
 import math
-import os
 import pathlib
 import subprocess
 import sys
@@ -24,10 +23,11 @@ import xml.etree.ElementTree as xml
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
+from launcher import run as fuga
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NEAR = 1e-9
 SINGLE = 2.4e-7  # two units in the last place of single precision
-SECONDS = 300  # until a run counts as hanging
 complaints = []
 
 ITERATIVE = ["Solver/Bodies=iterative"]
@@ -69,15 +69,6 @@ ITERATIVE_LARGE = [
 def check(condition, text):
     if not condition:
         complaints.append(text)
-
-
-def fuga(program, n, *arguments):
-    """Runs the program on n processes; without mpirun on one."""
-    launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", str(n)] if n > 1 else []
-    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return subprocess.run(launcher + [program, *map(str, arguments)], env=environment, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS)
 
 
 def number(text):

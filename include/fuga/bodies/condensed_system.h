@@ -349,8 +349,6 @@ namespace fuga
     Vector
     combination(const Vector &a, const Vector LoadPattern::*part) const;
 
-    Vector
-    by_nodes(const dealii::Vector<double> &u) const;
     dealii::Vector<double>
     by_degrees_of_freedom(const Vector &u) const;
 

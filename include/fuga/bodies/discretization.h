@@ -104,7 +104,7 @@ namespace fuga
     bool
     is_own(const std::size_t cell) const
     {
-      return owners.empty() || owners[cell] == my_rank;
+      return owner(cell) == my_rank;
     }
 
     std::size_t
@@ -151,9 +151,19 @@ namespace fuga
 
     /** Of the model with all bodies. */
     unsigned int
-    n_dofs_of_all_bodies() const
+    n_dofs_of_all_bodies() const;
+
+    /** Of a vector with an entry for each of these, by dof(), the entries of the nodes: node * dim
+     * + component. */
+    template <typename VectorType>
+    Vector
+    by_nodes(const VectorType &of_all) const
     {
-      return n_dofs_of_all;
+      Vector result(n_dofs());
+      for (std::size_t node = 0; node < n_nodes(); ++node)
+        for (unsigned int c = 0; c < dim; ++c)
+          result[node * dim + c] = of_all[dof(node, c)];
+      return result;
     }
 
     const dealii::Point<dim> &
@@ -294,7 +304,6 @@ namespace fuga
     unsigned int piece_count = 0;
     /** In a model with all bodies; empty if this is one. */
     std::vector<unsigned int> numbers_of_nodes;
-    unsigned int n_dofs_of_all = 0;
     HangingNodes<dim> hanging;
     std::vector<dealii::Point<dim>> positions;
     std::vector<unsigned int> vertex_nodes;

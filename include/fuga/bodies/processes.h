@@ -7,6 +7,7 @@
 #include <fuga/base/dense_matrix.h>
 
 #include <exception>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -97,13 +98,17 @@ namespace fuga
     void
     broadcast(double *values, const std::size_t n);
 
-    /** Puts @p n things of @p size bytes behind those of the processes before, the same on all. */
-    void
-    gather(const void *mine, const std::size_t n, const std::size_t size, void *all);
+    /** What every process gives for @p n, by process. */
+    std::vector<std::size_t>
+    from_all(const std::size_t n);
 
-    /** The sum of @p n over all processes. */
-    std::size_t
-    count(const std::size_t n);
+    /** Puts things of @p size bytes behind those of the processes before, the same on all; @p numbers:
+     *  how many each has, from_all(). */
+    void
+    gather(const void *mine,
+           const std::vector<std::size_t> &numbers,
+           const std::size_t size,
+           void *all);
 
     /** The things of all processes, those of the first one first. */
     template <typename T>
@@ -113,8 +118,9 @@ namespace fuga
       static_assert(std::is_trivially_copyable_v<T>);
       if (number() == 1)
         return mine;
-      std::vector<T> all(count(mine.size()));
-      gather(mine.data(), mine.size(), sizeof(T), all.data());
+      const std::vector<std::size_t> numbers = from_all(mine.size());
+      std::vector<T> all(std::accumulate(numbers.begin(), numbers.end(), std::size_t(0)));
+      gather(mine.data(), numbers, sizeof(T), all.data());
       return all;
     }
 

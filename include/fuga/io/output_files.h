@@ -5,6 +5,7 @@
 #define fuga_io_output_files_h
 
 #include <fuga/io/checksum.h>
+#include <functional>
 
 #include <chrono>
 #include <set>
@@ -43,6 +44,16 @@ namespace fuga
    */
   void
   remove_earlier_results(const std::string &directory, const std::set<std::string> &kept);
+
+  /**
+   * Makes room for the results of a run that begins. Wherever it is killed, nothing passes for
+   * finished, and nothing can be restarted whose results have begun to go: first the checkpoint
+   * goes,
+   * then @p write_unfinished_summary replaces the summary, then all else of an earlier run goes.
+   */
+  void
+  begin_results(const std::string &directory,
+                const std::function<void()> &write_unfinished_summary);
 
   /** What a checkpoint keeps of a TextFile: how much of it is on disk, and the text behind that. */
   struct TextMemory

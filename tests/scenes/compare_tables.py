@@ -8,19 +8,16 @@ usage: compare_tables.py TABLES_OF_MESHES MESH_DIR
 Expected: deal.II's serial mesh is the reference; p4est and parallel::shared have to lead to the same numbers of cells
 and nodes, places to 1e-12, faces, pieces, hanging nodes. 5 processes are more than some of the meshes have cells.
 """
-import os
-import subprocess
 import sys
+
+from launcher import run
 
 
 def tables(program, meshes, n):
-    launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", str(n)] if n > 1 else []
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    run = subprocess.run([*launcher, program, meshes], env=environment, text=True, stdout=subprocess.PIPE,
-                         stderr=subprocess.PIPE, timeout=300)
-    if run.returncode != 0:
-        sys.exit(f"{n} processes: exit code {run.returncode}\n{run.stderr}")
-    return run.stdout.splitlines()
+    done = run(program, n, meshes)
+    if done.returncode != 0:
+        sys.exit(f"{n} processes: exit code {done.returncode}\n{done.stderr}")
+    return done.stdout.splitlines()
 
 
 def main():
