@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """The pages of doc/ speak of what exists: messages of doc/errors.md are in the sources, entries of doc/names.md and
-doc/errors.md are in doc/input.md, links lead to files and headings.
+doc/errors.md are in doc/input.md, links lead to files and headings; the README is short, and the top of the repository tidy.
 
 usage: documents.py SOURCE_DIR
 """
@@ -12,6 +12,9 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+TOP_LEVEL = {"CHANGELOG.md", "CMakeLists.txt", "CONTRIBUTING.md", "LICENSE.md", "README.md", "check", "doc", "include", "meshes",
+             "parameters", "run", "source", "tests", "tools"}
+UNTRACKED = {"build", "results"}
 complaints = []
 
 
@@ -70,11 +73,22 @@ def check_links(path):
             complaints.append(f"{path.relative_to(ROOT)}: no heading {target}")
 
 
+def check_top():
+    names = {path.name for path in ROOT.iterdir()}
+    for name in sorted(names - TOP_LEVEL - UNTRACKED):
+        if not name.startswith((".", "build-")):
+            complaints.append(f"{name} does not belong to the top of the repository")
+    length = len((ROOT / "README.md").read_text(encoding="utf-8").splitlines())
+    if length > 150:
+        complaints.append(f"README.md has {length} lines; details belong to the pages of doc/")
+
+
 def main():
     errors, names = ((ROOT / "doc" / name).read_text(encoding="utf-8") for name in ("errors.md", "names.md"))
     n_messages = check_messages(errors)
     n_entries = check_entries("doc/errors.md", errors) + check_entries("doc/names.md", names)
-    for path in [ROOT / "README.md", *sorted((ROOT / "doc").rglob("*.md"))]:
+    check_top()
+    for path in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "meshes").glob("*.md")), *sorted((ROOT / "doc").rglob("*.md"))]:
         check_links(path)
     if n_messages < 40 or n_entries < 30:
         complaints.append(f"only {n_messages} messages and {n_entries} entries found")

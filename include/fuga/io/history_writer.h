@@ -62,7 +62,7 @@ namespace fuga
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
    * element and level), resultants.csv (one row per joint and level) and, if there are monitors,
-   * monitors.csv (one row per monitor and level, or event). Columns: README, "Results".
+   * monitors.csv (one row per monitor and level, or event). Columns: doc/results.md.
    */
   class HistoryWriter
   {

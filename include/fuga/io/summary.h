@@ -55,7 +55,7 @@ namespace fuga
     found() const;
   };
 
-  /** What was computed, by counts; see README, "Results". */
+  /** What was computed, by counts; see doc/results.md. */
   struct WorkSummary
   {
     BodiesWork bodies;
@@ -83,7 +83,7 @@ namespace fuga
     std::vector<std::string> warnings;
   };
 
-  /** What summary.json says of a run; see README, "Results". */
+  /** What summary.json says of a run; see doc/results.md. */
   struct Summary : RunSummary
   {
     /** Name of the stage and its fraction at t. */
