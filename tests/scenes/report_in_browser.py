@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Opens a report in Chromium without a network, and prints it. Skipped (exit code 77) if there is no Chromium.
+"""Opens a report in Chromium without a network, and prints it. Fails if there is no Chromium; ./check installs it.
 
 usage: report_in_browser.py FUGA
 
@@ -18,7 +18,6 @@ import subprocess
 import sys
 import tempfile
 
-SKIPPED = 77
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MEASURE = """<script>
 const errors = []; addEventListener("error", e => errors.push(e.message), true);
@@ -87,8 +86,7 @@ def check_print(program, folder, report):
 def main():
     program = shutil.which("chromium")
     if program is None:
-        print("no Chromium: skipped")
-        sys.exit(SKIPPED)
+        sys.exit("there is no program 'chromium'; ./check installs it, or: apt-get install chromium")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         run = subprocess.run([sys.argv[1], ROOT / "parameters/paper_3_cubic_root.prm", "--quiet", "--output-dir", folder / "run",
