@@ -32,7 +32,7 @@ namespace
     "no parameter file. What to type:\n\n"
     "  fuga my.prm                        compute; the results go to results/my\n"
     "  fuga --check my.prm                read and check everything, compute nothing\n"
-    "  fuga report results/my             make results/my/report.html: tables, diagrams, pictures\n"
+    "  fuga report results/my             make report.html and report_short.html there\n"
     "  fuga --print-parameters > my.prm   a file with all entries and their meanings to begin "
     "with\n"
     "  fuga --help                        all options\n\n"
@@ -117,8 +117,7 @@ namespace
                  "Print every entry with its meaning and default");
     app.add_flag("--version", line.print_version, "Print versions");
     app
-      .add_subcommand("report",
-                      "Makes DIR/report.html: tables, diagrams and pictures of a finished run")
+      .add_subcommand("report", "Makes DIR/report.html and DIR/report_short.html of a finished run")
       ->add_option("DIR", line.reported_directory, "Directory of the results")
       ->required();
     app.footer("Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "

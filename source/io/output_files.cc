@@ -67,6 +67,7 @@ namespace fuga
                                 "sweep.csv",
                                 "refinement.csv",
                                 "report.html",
+                                "report_short.html",
                                 paraview_script_name,
                                 "log.txt",
                                 checkpoint_file_name})

@@ -163,7 +163,7 @@ namespace fuga
        defaulted("Report",
                  "false",
                  choice("true|false"),
-                 "True: at the end report.html is made, with tables, diagrams and pictures, as by "
+                 "True: at the end report.html and report_short.html are made, as by "
                  "'fuga report DIR'."),
        defaulted("Force unit",
                  "MN",

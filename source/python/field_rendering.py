@@ -1,53 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Draws the fields of one load level with VTK into arrays of pixels. Needs an X display: see x_display()."""
-
-import contextlib
-import os
-import subprocess
+"""Reads the fields of one load level with VTK and draws those of bodies in the plane onto matplotlib axes."""
 
 import matplotlib
 import numpy
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers the renderer
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.tri import Triangulation
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter
-from vtkmodules.vtkFiltersGeneral import vtkWarpVector
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkWindowToImageFilter)
 
 from fuga_results import STATE_COLOURS, STATE_OF_CODE
 
-# Widths of the lines of the lips, in pixels of a picture 1500 high.
-RIM, LIP, REFERENCE_HEIGHT = 17.0, 10.0, 1500
+# Widths of the lines of the joint's sides and of the white around them, in points.
+RIM, SIDE = 3.2, 1.9
 # Stresses at corners grow with every refinement: the map covers all but these shares of the nodes.
 CLIPPED = (0.5, 99.5)
-
-
-@contextlib.contextmanager
-def x_display():
-    """A screen in memory, so that pictures come out the same with and without a screen of one's own."""
-    reading, writing = os.pipe()
-    try:
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24",
-                                   "-nolisten", "tcp"], pass_fds=(writing,),
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    except FileNotFoundError:
-        raise SystemExit("Pictures of the bodies need Xvfb: sudo apt install xvfb") from None
-    os.close(writing)
-    try:
-        with os.fdopen(reading) as numbers:
-            number = numbers.readline().strip()
-        if not number:
-            raise SystemExit("Xvfb does not start: no pictures of the bodies can be drawn.")
-        os.environ["DISPLAY"] = ":" + number
-        yield
-    finally:
-        server.terminate()
-        server.wait()
 
 
 def read_grid(path):
@@ -78,6 +45,14 @@ def add_array(grid, name, values):
     grid.GetPointData().AddArray(data)
 
 
+def cells_of(cell_array):
+    """Numbers of the points of all cells, as one array per number of points."""
+    offsets = vtk_to_numpy(cell_array.GetOffsetsArray()).astype(int)
+    points = vtk_to_numpy(cell_array.GetConnectivityArray()).astype(int)
+    sizes = numpy.diff(offsets)
+    return [points[offsets[:-1][sizes == size][:, None] + numpy.arange(size)] for size in numpy.unique(sizes)]
+
+
 class View:
     """The part of the plane that is shown, in deformed coordinates."""
 
@@ -85,9 +60,9 @@ class View:
         self.left, self.right, self.bottom, self.top = box
         self.width, self.height = self.right - self.left, self.top - self.bottom
 
-    @property
-    def extent(self):
-        return self.left, self.right, self.bottom, self.top
+    def show(self, axes):
+        axes.set_xlim(self.left, self.right)
+        axes.set_ylim(self.bottom, self.top)
 
 
 def default_view(bodies, displacement_share=0.1):
@@ -108,56 +83,48 @@ def colour_range(values, diverging):
     if diverging:
         high = max(abs(low), abs(high))
         low = -high
-    return low, high
+    return low, high if high > low else low + 1.0
 
 
-def lookup_table(colour_map, limits):
-    table = vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    for i, colour in enumerate(colour_map(numpy.linspace(0.0, 1.0, 256))):
-        table.SetTableValue(i, *colour)
-    table.SetRange(*limits)
-    table.Build()
-    return table
+def round_down(factor):
+    """The next smaller number of the sequence 1, 2, 5, 10 ..."""
+    power = 10.0 ** numpy.floor(numpy.log10(factor))
+    return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= factor * (1.0 + 1e-12)) * power)
 
 
-def deformed_surface(bodies, factor):
-    bodies.GetPointData().SetActiveVectors("displacement")
-    warp = vtkWarpVector()
-    warp.SetInputData(bodies)
-    warp.SetScaleFactor(factor)
-    surface = vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(warp.GetOutputPort())
-    return surface
+def deformed(bodies, factor):
+    """Positions of the points, with displacements drawn `factor` times."""
+    return points_of(bodies) + factor * array_of(bodies, "displacement")
 
 
-def flat_actor(mapper):
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    return actor
+def _triangulation(bodies, factor):
+    points = deformed(bodies, factor)
+    triangles = [cells[:, [0, k, k + 1]] for cells in cells_of(bodies.GetCells()) for k in range(1, cells.shape[1] - 1)]
+    return Triangulation(points[:, 0], points[:, 1], numpy.concatenate(triangles))
 
 
-def surface_actor(bodies, array, table, factor, edges=True):
-    """The deformed bodies, with the edges of the mesh; coloured by an array, or light grey without one."""
-    if array:
-        bodies.GetPointData().SetActiveScalars(array)
-    # A port does not keep its filter alive; the mapper does once they are connected.
-    surface = deformed_surface(bodies, factor)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(surface.GetOutputPort())
-    if array:
-        mapper.SetLookupTable(table)
-        mapper.UseLookupTableScalarRangeOn()
-        mapper.InterpolateScalarsBeforeMappingOn()
-    else:
-        mapper.ScalarVisibilityOff()
-    actor = flat_actor(mapper)
-    actor.GetProperty().SetColor(0.93, 0.93, 0.93)
-    actor.GetProperty().SetEdgeVisibility(edges)
-    actor.GetProperty().SetEdgeColor(*(3 * [0.25 if array else 0.7]))
-    actor.GetProperty().SetLineWidth(0.4)
-    return actor
+def draw_stress(axes, bodies, array, limits, colour_map, factor, edges=True):
+    """The deformed bodies coloured by a scalar, as pixels."""
+    axes.tripcolor(_triangulation(bodies, factor), array_of(bodies, array), shading="gouraud", cmap=colour_map,
+                   vmin=limits[0], vmax=limits[1], rasterized=True)
+    if edges:
+        draw_cells(axes, bodies, factor, "none", (0.25, 0.25, 0.25, 0.6))
+
+
+def draw_cells(axes, bodies, factor, colour, edge_colour):
+    """The deformed cells in one colour."""
+    points = deformed(bodies, factor)[:, :2]
+    for cells in cells_of(bodies.GetCells()):
+        axes.add_collection(PolyCollection(points[cells], facecolor=colour, edgecolor=edge_colour, linewidth=0.25,
+                                           rasterized=True))
+
+
+def draw_contour(axes, bodies, array, value, factor):
+    """The line on which an array has a value; what a diverging map loses in black and white."""
+    lines = axes.tricontour(_triangulation(bodies, factor), array_of(bodies, array), levels=[value], colors="black",
+                            linewidths=0.8)
+    for line in lines.collections:
+        line.set_rasterized(True)
 
 
 def averaged(bodies, values):
@@ -168,132 +135,58 @@ def averaged(bodies, values):
     return (numpy.bincount(node, values) / numpy.bincount(node))[node]
 
 
-def contour_actor(bodies, array, value, factor, depth):
-    """The line on which an array has a value; what a diverging map loses in black and white."""
-    bodies.GetPointData().SetActiveScalars(array)
-    surface = deformed_surface(bodies, factor)
-    contour = vtkContourFilter()
-    contour.SetInputConnection(surface.GetOutputPort())
-    contour.SetValue(0, value)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(contour.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = flat_actor(mapper)
-    actor.GetProperty().SetColor(0.0, 0.0, 0.0)
-    actor.GetProperty().SetLineWidth(3.0)
-    actor.SetPosition(0.0, 0.0, depth)
-    return actor
-
-
-def line_actor(points, lines, colours, width, depth):
-    """Line segments with a colour each. `depth` lifts them above the bodies."""
-    poly, cells, vtk_points = vtkPolyData(), vtkCellArray(), vtkPoints()
-    for x, y in points:
-        vtk_points.InsertNextPoint(x, y, depth)
-    for a, b in lines:
-        cells.InsertNextCell(2)
-        cells.InsertCellPoint(a)
-        cells.InsertCellPoint(b)
-    poly.SetPoints(vtk_points)
-    poly.SetLines(cells)
-    rgb = numpy_to_vtk(numpy.array(colours, dtype=numpy.uint8), deep=True)
-    poly.GetCellData().SetScalars(rgb)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(poly)
-    actor = flat_actor(mapper)
-    actor.GetProperty().SetLineWidth(width)
-    actor.GetProperty().SetRenderLinesAsTubes(False)
-    return actor
-
-
 def _displacements_by_body(bodies, positions, tolerance):
     """Of each position: a list of displacements per body; more than one at the nodes of a crack inside a body."""
     points, displacement, body = points_of(bodies), array_of(bodies, "displacement")[:, :2], array_of(bodies, "body")
-    for position in positions:
-        here = numpy.flatnonzero(numpy.abs(points - position).max(axis=1) < tolerance)
+    order = numpy.argsort(points[:, 0])
+    first, last = (numpy.searchsorted(points[order, 0], positions[:, 0] + shift) for shift in (-tolerance, tolerance))
+    for position, a, b in zip(positions, first, last):
+        near = order[a:b]
+        here = near[numpy.abs(points[near] - position).max(axis=1) < tolerance]
         found = {}
-        for node in here[numpy.argsort(body[here], kind="stable")]:
+        for node in here[numpy.lexsort((here, body[here]))]:
             values = found.setdefault(body[node], [])
             if not any((displacement[node] == value).all() for value in values):
                 values.append(displacement[node])
         yield found
 
 
-def lip_displacements(bodies, joints, tolerance):
-    """Displacements of the two lips at the points of the joints; equal at a tip or against a rigid obstacle.
+def _faces(joints):
+    """Numbers of the two points of each face of the joints."""
+    return numpy.concatenate([cells[:, :2] for cells in cells_of(joints.GetCells())])
 
-    Where joints meet, the lips of a face are those of the two bodies that both its ends belong to.
+
+def side_displacements(bodies, joints, tolerance):
+    """Displacements of the two sides at the points of the joints; equal at a tip or against a rigid obstacle.
+
+    Where joints meet, the sides of a face are those of the two bodies that both its ends belong to.
     """
     positions = points_of(joints)
     by_body = list(_displacements_by_body(bodies, positions, tolerance))
-    lips = numpy.zeros((2, len(positions), 2))
-    for cell in range(joints.GetNumberOfCells()):
-        ids = joints.GetCell(cell).GetPointIds()
-        ends = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+    sides = numpy.zeros((2, len(positions), 2))
+    for ends in _faces(joints):
         common = sorted(set.intersection(*(set(by_body[node]) for node in ends)))
         for node in ends:
             if len(common) >= 2:
-                lips[:, node] = [by_body[node][one][0] for one in common[:2]]
+                sides[:, node] = [by_body[node][one][0] for one in common[:2]]
             else:
                 values = [value for found in by_body[node].values() for value in found]
-                lips[:, node] = values[0], values[1 if len(values) > 1 else 0]
-    return lips
+                sides[:, node] = values[0], values[1 if len(values) > 1 else 0]
+    return sides
 
 
-def joint_actors(bodies, joints, factor, view, pixels):
-    """Both lips; each node colours the half of its faces that is next to it. White between and around."""
-    positions, state = points_of(joints), array_of(joints, "state")
-    colour_of = [[int(255 * c) for c in matplotlib.colors.to_rgb(STATE_COLOURS[name])] for name in STATE_OF_CODE]
-    scale = pixels / REFERENCE_HEIGHT
-    actors = []
-    for lip in lip_displacements(bodies, joints, 1e-6 * view.height):
-        drawn = positions[:, :2] + factor * lip
-        points, lines, colours = [], [], []
-        for cell in range(joints.GetNumberOfCells()):
-            ids = joints.GetCell(cell).GetPointIds()
-            ends = ids.GetId(0), ids.GetId(1)
-            centre = 0.5 * (drawn[ends[0]] + drawn[ends[1]])
-            for node in ends:
-                lines.append((len(points), len(points) + 1))
-                points += [drawn[node], centre]
-                colours.append(colour_of[int(round(state[node]))])
-        white = [[255, 255, 255]] * len(lines)
-        actors += [line_actor(points, lines, white, scale * RIM, 0.01 * view.height),
-                   line_actor(points, lines, colours, scale * LIP, 0.02 * view.height)]
-    return actors
-
-
-def render(actors, view, pixels):
-    """Pixels of the view, `pixels` high, first row on top."""
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    for actor in actors:
-        renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    x, y = 0.5 * (view.left + view.right), 0.5 * (view.bottom + view.top)
-    camera.SetFocalPoint(x, y, 0.0)
-    camera.SetPosition(x, y, 10.0 * view.height)
-    camera.SetParallelScale(0.5 * view.height)
-    renderer.ResetCameraClippingRange()
-    return pixels_of(renderer, (int(pixels * view.width / view.height), pixels))
-
-
-def pixels_of(renderer, size):
-    """What a renderer shows, first row on top."""
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(*size)
-    window.AddRenderer(renderer)
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    image = grab.GetOutput()
-    width, height, _ = image.GetDimensions()
-    image = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
-    # The display may end before Python collects the window.
-    window.Finalize()
-    return image
+def draw_joints(axes, bodies, joints, factor, height):
+    """Both sides; each node colours the half of its faces that is next to it. White between and around. Returns the drawn
+    positions of the two sides. `height`: that of the view."""
+    if joints.GetNumberOfCells() == 0:
+        return []
+    positions, codes, faces = points_of(joints)[:, :2], array_of(joints, "state").round().astype(int), _faces(joints)
+    colours = numpy.array([matplotlib.colors.to_rgb(STATE_COLOURS[name]) for name in STATE_OF_CODE])
+    drawn = [positions + factor * side for side in side_displacements(bodies, joints, 1e-6 * height)]
+    for side in drawn:
+        centres = 0.5 * (side[faces[:, 0]] + side[faces[:, 1]])
+        halves = numpy.concatenate([numpy.stack([side[faces[:, end]], centres], axis=1) for end in (0, 1)])
+        states = codes[numpy.concatenate([faces[:, 0], faces[:, 1]])]
+        axes.add_collection(LineCollection(halves, colors="white", linewidths=RIM, rasterized=True))
+        axes.add_collection(LineCollection(halves, colors=colours[states], linewidths=SIDE, rasterized=True))
+    return drawn

@@ -81,6 +81,9 @@ class Profile:
             return numpy.where(self["state"] == OPEN, 0.0, numpy.maximum(0.0, -self["jump_n"]))
         return self._frame[column].to_numpy()
 
+    def __contains__(self, column):
+        return column in self._frame
+
     def __len__(self):
         return len(self._frame)
 

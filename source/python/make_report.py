@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Makes one self-contained HTML page, report.html, from the results of a run or a sweep.
+"""Makes two self-contained HTML pages from the results of a run: report.html with everything, and report_short.html, of
+at most six printed pages. Of a sweep report.html only.
 
 usage: make_report.py RESULT_DIR      (the same as: fuga report RESULT_DIR)
 
@@ -13,9 +14,8 @@ import json
 import os
 import sys
 
-PACKAGES = {"matplotlib": "python3-matplotlib", "pandas": "python3-pandas", "vtkmodules": "python3-vtk9"}
-# Detailed diagrams are drawn of so many joints.
-DRAWN_JOINTS = 8
+PACKAGES = {"matplotlib": "python3-matplotlib", "pandas": "python3-pandas", "vtkmodules": "python3-vtk9",
+            "jinja2": "python3-jinja2"}
 
 
 def fail(text):
@@ -49,75 +49,40 @@ def finished_summary(directory):
     return summary
 
 
-def run_page(directory):
+def progress(word):
+    """Says on a screen what is being done, in one line."""
+    if sys.stdout.isatty():
+        print(f"\r\033[K{word}", end="", flush=True)
+
+
+def run_pages(directory):
+    """By file name the pages of a run."""
+    progress("Report: reading the tables ...")
     from fuga_results import Results
-    from report import joint_diagrams, load_diagrams, sections
-    from report.page import Page
-    from report.pictures import NoPictures, pictures
+    from report.run_report import long_page, short_page, RunParts
 
-    results = Results(directory)
-    summary = results.summary
-    page = Page(results.title or "fuga")
-    if not results.levels:
-        page.section("results", "Results", "<p>The run ended before its first load level: there is nothing to draw.</p>")
-        page.section("certificate", "Certificate", sections.certificate_table(summary))
-        page.section("parameters", "Parameters", sections.parameters(summary))
-        return page, sections.verdict_box(summary), sections.footer(summary)
-    levels = results.representative_levels()
-    joints = results.joints[:DRAWN_JOINTS]
-    more = (f"<p>The first {DRAWN_JOINTS} of {len(results.joints)} joints.</p>" if len(results.joints) > DRAWN_JOINTS else "")
-
-    def each(draw, *arguments):
-        return [more] + [draw(results, joint, *arguments) for joint in joints]
-
-    page.section("resultants", "Resultants", sections.resultant_tables(results, levels))
-    page.section("monitors", "Monitors", sections.monitor_tables(results, levels))
-    page.section("certificate", "Certificate", sections.certificate_table(summary))
-    page.section("remarks", "Joints and warnings", sections.remarks(summary))
-    if results.in_space:
-        page.section("stresses", "Contact stresses", "<p>Diagrams along a joint, of shear against pressure and of loops are for "
-                     "models in the plane. The fields of surfaces are in joints.pvd, all numbers in joint_history.csv.</p>")
-        joints = []
-    else:
-        page.section("stresses", "Contact stresses", each(joint_diagrams.pressures, levels)
-                     + each(joint_diagrams.shear_and_strength, levels)[1:])
-        page.section("displacements", "Relative displacements", each(joint_diagrams.displacements, levels))
-    page.section("load", "Load and displacement", [load_diagrams.load_displacement(results),
-                                                           load_diagrams.beyond_limit(results)])
-    page.section("states", "States and events", [load_diagrams.timeline(results)])
-    page.section("safety", "Safety", [load_diagrams.safety(results)])
-    if not results.in_space:
-        page.section("paths", "Most used elements", each(joint_diagrams.coulomb_paths))
-    loops = [figure for figure in each(joint_diagrams.hysteresis)[1:] if figure]
-    page.section("hysteresis", "Hysteresis", loops)
-    page.section("energy", "Energy balance", [load_diagrams.energies(results)
-                                              or "<p>Energies are not known: the run took implicit steps.</p>"])
-    try:
-        page.section("pictures", "Bodies", pictures(results))
-    except NoPictures as reason:
-        page.section("pictures", "Bodies", f"<p>{reason}</p>")
-    page.section("sizes", "Sizes and work", sections.sizes(summary))
-    page.section("parameters", "Parameters", sections.parameters(summary))
-    page.section("events", "Events", sections.event_list(results))
-    page.section("files", "Files", sections.files(directory))
-    return page, sections.verdict_box(summary), sections.footer(summary)
+    parts = RunParts(Results(directory), progress)
+    return {"report.html": long_page(parts).html("Short version: report_short.html"),
+            "report_short.html": short_page(parts).html("Long version: report.html")}
 
 
-def sweep_page(directory, summary):
+def sweep_pages(directory, summary):
     from fuga_results import Table
     from report import sections, sweep
     from report.page import Page
 
+    progress("Report: drawing the sweep ...")
     results = Table(os.path.join(directory, "sweep.csv"))
-    page = Page(summary.get("title") or f"Sweep, {os.path.basename(os.path.abspath(directory))}")
-    page.section("limits", "Limit loads", list(sweep.diagrams(results)))
-    page.section("variants", "Variants", sweep.variants(results))
+    page = Page(summary.get("title") or f"Sweep, {os.path.basename(os.path.abspath(directory))}", sweep.verdict(results),
+                sections.footer(summary))
+    page.section("limits", "Limit loads", sweep.diagrams(results))
+    page.section("variants", "Variants", [sweep.variants(results)])
     if summary:
         page.section("sizes", "Sizes and work", sections.sizes(summary))
         page.section("remarks", "Joints and warnings", sections.remarks(summary))
         page.section("parameters", "Parameters", sections.parameters(summary))
     page.section("files", "Files", sections.files(directory))
-    return page, sweep.verdict_box(results), sections.footer(summary)
+    return {"report.html": page.html()}
 
 
 def main(arguments):
@@ -126,15 +91,18 @@ def main(arguments):
     directory = arguments[0]
     check_packages()
     summary = finished_summary(directory)
+    progress("Report: starting ...")
     from report import figures
     figures.style()
     is_sweep = os.path.exists(os.path.join(directory, "sweep.csv"))
-    page, head, foot = sweep_page(directory, summary) if is_sweep else run_page(directory)
-    path = os.path.join(directory, "report.html")
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write(page.text(head, foot))
-    os.replace(path + ".part", path)
-    print(path)
+    pages = sweep_pages(directory, summary) if is_sweep else run_pages(directory)
+    progress("")
+    for name, text in pages.items():
+        path = os.path.join(directory, name)
+        with open(path + ".part", "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(path + ".part", path)
+        print(path)
 
 
 if __name__ == "__main__":

@@ -2,15 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """Picture of one load level: the deformed bodies with a stress, the states of the joint elements, and
-beside them the stresses along one joint; of bodies in space the bodies and their joints (options --array, --t).
+beside them the stresses along one joint; of bodies in space the bodies alone (options --array, --t).
 
 usage: render_fields.py RESULT_DIR [-o PICTURE.png] [options]; --help lists them
 
-Needs VTK and Xvfb (Debian: python3-vtk9, xvfb).
+Needs VTK (Debian: python3-vtk9).
 """
 
 import argparse
-import math
 import os
 import sys
 
@@ -21,17 +20,17 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.patches import Patch
 
-from field_rendering import (View, array_of, colour_range, default_view, is_inside, joint_actors, lookup_table,
-                             points_of, read_grid, render, surface_actor, x_display)
+from field_rendering import (View, array_of, colour_range, default_view, draw_joints, draw_stress, is_inside, points_of,
+                             read_grid, round_down)
 from fuga_results import STATE_COLOURS, STATES, Results
 from space_rendering import figure_in_space
 
-PIXELS = 1500  # height of the rendered part
 SHOWN_DISPLACEMENT = 0.2  # largest drawn displacement at most, as share of the height of the view
 
 
-def draw_bodies(axes, bar_axes, image, view, limits, colour_map, label, factor, units):
-    axes.imshow(image, extent=view.extent, interpolation="antialiased", aspect="equal")
+def draw_bodies(axes, bar_axes, view, limits, colour_map, label, factor, units):
+    axes.set_aspect("equal")
+    view.show(axes)
     axes.set_xlabel(f"x [{units['length']}]", labelpad=2)
     axes.set_ylabel(f"y [{units['length']}]", labelpad=2)
     axes.set_title(f"deformed shape, displacements drawn {factor:g} times", loc="left", fontsize=9)
@@ -72,7 +71,7 @@ def draw_profile(axes, profile, strength, units):
     axes[2].set_xlabel(f"distance along the joint [{units['length']}]")
 
 
-def compose(results, options, image, view, limits, colour_map, factor, path):
+def compose(results, options, fields, view, limits, factor, path):
     profile = results.profile(options.joint, options.t)
     units = {"length": results.unit("x"), "stress": results.unit("pressure")}
     plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
@@ -80,8 +79,10 @@ def compose(results, options, image, view, limits, colour_map, factor, path):
     left = figure.add_gridspec(2, 1, left=0.065, right=0.505, top=0.885, bottom=0.085, hspace=0.22,
                                height_ratios=(1.0, 0.03))
     right = figure.add_gridspec(3, 1, left=0.585, right=0.985, top=0.885, bottom=0.085, hspace=0.13)
-    draw_bodies(figure.add_subplot(left[0]), figure.add_subplot(left[1]), image, view, limits, colour_map,
-                options.array.replace("_", " "), factor, units)
+    plane = figure.add_subplot(left[0])
+    draw_stress(plane, fields["bodies"], options.array, limits, options.map, factor)
+    draw_joints(plane, fields["bodies"], fields["joints"], factor, view.height)
+    draw_bodies(plane, figure.add_subplot(left[1]), view, limits, options.map, options.array.replace("_", " "), factor, units)
     axes = [figure.add_subplot(right[0])]
     axes += [figure.add_subplot(right[i], sharex=axes[0]) for i in (1, 2)]
     for one in axes[:2]:
@@ -93,12 +94,6 @@ def compose(results, options, image, view, limits, colour_map, factor, path):
     figure.suptitle(f"{results.title} \u2013 {results.describe_time(profile.t)}", fontsize=12, fontweight="bold",
                     x=0.02, y=0.975, ha="left")
     figure.savefig(path, dpi=140)
-
-
-def round_down(factor):
-    """The next smaller number of the sequence 1, 2, 5, 10 ..."""
-    power = 10.0 ** math.floor(math.log10(factor))
-    return max(step for step in (1.0, 2.0, 5.0) if step * power <= factor) * power
 
 
 def parse(arguments):
@@ -120,25 +115,20 @@ def main(arguments):
     results = Results(options.directory)
     path = options.output or os.path.join(options.directory, "fields.png")
     if results.in_space:
-        figure, caption = figure_in_space(results, options.array, options.t)
+        figure = plt.figure(figsize=(9.0, 6.4))
+        caption = figure_in_space(results, options.array, figure, options.t)
         figure.suptitle(f"{results.title} \u2013 {results.describe_time(results.profile(None, options.t).t)}\n{caption}",
                         fontsize=9)
         figure.savefig(path, dpi=140)
         print(path)
         return
-    bodies = read_grid(results.field_file("bodies", options.t))
-    joints = read_grid(results.field_file("joints", options.t))
-    view = View(options.view) if options.view else default_view(bodies)
-
-    inside = is_inside(points_of(bodies), view)
-    moved = numpy.abs(array_of(bodies, "displacement")[inside]).max()
-    factor = options.factor or round_down(SHOWN_DISPLACEMENT * view.height / moved)
-    limits = colour_range(array_of(bodies, options.array)[inside], options.diverging)
-    colour_map = matplotlib.colormaps[options.map]
-    with x_display():
-        actors = [surface_actor(bodies, options.array, lookup_table(colour_map, limits), factor)]
-        image = render(actors + joint_actors(bodies, joints, factor, view, PIXELS), view, PIXELS)
-    compose(results, options, image, view, limits, colour_map, factor, path)
+    fields = {name: read_grid(results.field_file(name, options.t)) for name in ("bodies", "joints")}
+    view = View(options.view) if options.view else default_view(fields["bodies"])
+    inside = is_inside(points_of(fields["bodies"]), view)
+    moved = numpy.abs(array_of(fields["bodies"], "displacement")[inside]).max()
+    factor = options.factor or (round_down(SHOWN_DISPLACEMENT * view.height / moved) if moved > 0.0 else 1.0)
+    limits = colour_range(array_of(fields["bodies"], options.array)[inside], options.diverging)
+    compose(results, options, fields, view, limits, factor, path)
     print(path)
 
 

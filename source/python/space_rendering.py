@@ -1,101 +1,124 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Pictures of bodies in space: the deformed bodies, and the joints seen for themselves. Needs an X display."""
+"""Draws bodies in space as their outer faces, seen in parallel from upstream, front and above, onto matplotlib axes: those
+behind first."""
 
 import matplotlib
-import matplotlib.pyplot as plt
 import numpy
+from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer
 
-from field_rendering import (array_of, colour_range, flat_actor, lookup_table, pixels_of, points_of, read_grid,
-                             surface_actor, x_display)
+from field_rendering import array_of, cells_of, colour_range, points_of, read_grid, round_down
 from fuga_results import STATE_COLOURS, STATE_OF_CODE
 
-PIXELS = 1400
-FROM = (-1.0, -1.4, 0.9)  # where the camera stands: upstream, in front and above
+FROM = numpy.array((-1.0, -1.4, 0.9))  # where the eye is: upstream, in front and above
+LIGHT = numpy.array((-0.3, -0.7, 1.0))
+DARKEST = 0.75  # of a face turned away from the light
 SHOWN_DISPLACEMENT = 0.05  # largest drawn displacement, as share of the size of the model
+CELLS_WITH_EDGES = 4000
 
 
 def magnification(bodies):
     """1, 2 or 5 times a power of ten."""
     points = points_of(bodies)
     moved = numpy.abs(array_of(bodies, "displacement")).max()
-    wanted = SHOWN_DISPLACEMENT * (points.max(axis=0) - points.min(axis=0)).max() / moved if moved > 0.0 else 1.0
-    power = 10.0 ** numpy.floor(numpy.log10(wanted))
-    return max(step for step in (1.0, 2.0, 5.0) if step * power <= wanted * 1.000001) * power
+    return round_down(SHOWN_DISPLACEMENT * (points.max(axis=0) - points.min(axis=0)).max() / moved) if moved > 0.0 else 1.0
 
 
-def _joint_actor(joints, array, table, edges):
-    joints.GetPointData().SetActiveScalars(array)
+def _axes_of_view():
+    """Right, up and towards the eye."""
+    towards = FROM / numpy.linalg.norm(FROM)
+    right = numpy.cross((0.0, 0.0, 1.0), towards)
+    right /= numpy.linalg.norm(right)
+    return numpy.array((right, numpy.cross(towards, right), towards))
+
+
+def projected(points):
+    """Positions on the picture and, last, towards the eye."""
+    return numpy.asarray(points) @ _axes_of_view().T
+
+
+def outer_faces(bodies, shown=None):
+    """Numbers of the points of the faces around the bodies, one array per number of corners. `shown`: numbers of bodies;
+    without it all."""
     surface = vtkDataSetSurfaceFilter()
-    surface.SetInputData(joints)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(surface.GetOutputPort())
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOn()
-    actor = flat_actor(mapper)
-    actor.GetProperty().SetEdgeVisibility(edges)
-    actor.GetProperty().SetEdgeColor(0.25, 0.25, 0.25)
-    actor.GetProperty().SetLineWidth(0.4)
-    return actor
-
-
-def _render(actor, direction):
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(0.0, 0.0, 0.0)
-    camera.SetPosition(*direction)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    renderer.ResetCamera()
-    pixels = pixels_of(renderer, (PIXELS, PIXELS))
-    drawn = (pixels < 255).any(axis=2)
-    rows, columns = numpy.flatnonzero(drawn.any(axis=1)), numpy.flatnonzero(drawn.any(axis=0))
-    return pixels[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
-
-
-def pictures_in_space(bodies_file, joints_file, array):
-    """(pixels, limits of the colours, name) of the bodies and, with joints, of their pressures and states; and the factor
-    of the displacements."""
-    bodies, joints = read_grid(bodies_file), read_grid(joints_file)
-    factor = magnification(bodies)
-    limits = colour_range(array_of(bodies, array), False)
+    surface.SetInputData(bodies)
+    surface.PassThroughPointIdsOn()
+    surface.SetOriginalPointIdsName("point")
+    surface.Update()
+    faces = surface.GetOutput()
+    original = array_of(faces, "point").astype(int)
+    points, body = points_of(bodies), array_of(bodies, "body")
+    size = numpy.abs(points).max()
     found = []
-    with x_display():
-        actor = surface_actor(bodies, array, lookup_table(matplotlib.colormaps["viridis"], limits), factor)
-        found.append((_render(actor, FROM), limits, array.replace("_", " ")))
-        if joints.GetNumberOfCells() > 0:
-            pressures = array_of(joints, "pressure")
-            limits = (0.0, max(pressures.max(), 1e-300))
-            actor = _joint_actor(joints, "pressure", lookup_table(matplotlib.colormaps["viridis"], limits), True)
-            found.append((_render(actor, FROM), limits, "pressure"))
-            states = lookup_table(matplotlib.colors.ListedColormap([STATE_COLOURS[s] for s in STATE_OF_CODE]),
-                                  (-0.5, len(STATE_OF_CODE) - 0.5))
-            found.append((_render(_joint_actor(joints, "state", states, True), FROM), None, "state"))
-    return found, factor
+    for cells in cells_of(faces.GetPolys()):
+        cells = original[cells]
+        if shown is not None:
+            cells = cells[numpy.isin(body[cells[:, 0]], list(shown))]
+        # Cells share no points in the file: an inner face is there twice.
+        keys = numpy.column_stack([(points[cells].mean(axis=1) / size).round(7), body[cells[:, 0]]])
+        _, place, count = numpy.unique(keys, axis=0, return_inverse=True, return_counts=True)
+        found.append(cells[count[place] == 1])
+    return found
 
 
-def figure_in_space(results, array, t=None):
-    """(figure, caption)"""
-    found, factor = pictures_in_space(results.field_file("bodies", t), results.field_file("joints", t), array)
-    figure, all_axes = plt.subplots(1, len(found), figsize=(4.2 * len(found), 4.6))
-    unit = results.unit("pressure")
-    for axes, (pixels, limits, name) in zip(numpy.atleast_1d(all_axes), found):
-        axes.imshow(pixels, interpolation="antialiased")
-        axes.set_axis_off()
-        if limits is None:
-            axes.legend(handles=[Patch(facecolor=STATE_COLOURS[s], label=s if s != "bonded" else "no element")
-                                 for s in STATE_OF_CODE], ncol=2, frameon=False, loc="upper center",
-                        bbox_to_anchor=(0.5, 0.0))
-            axes.set_title("states of the joints", fontsize=10)
-            continue
-        scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*limits), "viridis")
-        figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.8, pad=0.02).set_label(f"[{unit}]")
-        axes.set_title(name, fontsize=10)
-    return figure, (f"Seen from the left, the front and above; displacements of the bodies are drawn {factor:g} times; "
-                    "joints where the undeformed lips are.")
+def draw_faces(axes, points, faces, colours, edges=True, alpha=1.0):
+    """Faces (arrays of numbers of points) in their colours (arrays of RGB per face), those behind first; faces that look
+    away are left out unless one can see through."""
+    polygons, shades, depths = [], [], []
+    light = LIGHT / numpy.linalg.norm(LIGHT)
+    towards = _axes_of_view()[2]
+    for cells, colour in zip(faces, colours):
+        corners = points[cells]
+        normal = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, -1] - corners[:, 0])
+        normal /= numpy.maximum(numpy.linalg.norm(normal, axis=1), 1e-300)[:, None]
+        visible = (normal @ towards > 1e-6) if alpha == 1.0 else numpy.ones(len(cells), dtype=bool)
+        shade = DARKEST + (1.0 - DARKEST) * numpy.clip(normal @ light, 0.0, 1.0)
+        flat = projected(corners[visible])
+        polygons += list(flat[:, :, :2])
+        depths.append(flat[:, :, 2].mean(axis=1))
+        shades.append(numpy.asarray(colour)[visible, :3] * shade[visible, None])
+    order = numpy.argsort(numpy.concatenate(depths))
+    colours = numpy.concatenate(shades)[order]
+    edges = edges and len(order) <= CELLS_WITH_EDGES
+    axes.add_collection(PolyCollection([polygons[k] for k in order], facecolors=colours, alpha=alpha,
+                                       edgecolors=(0.2, 0.2, 0.2) if edges else colours, linewidths=0.2, rasterized=True))
+
+
+def fit(axes, points):
+    """Shows all points in true proportions, without axes."""
+    flat = projected(points)
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    margin = 0.03 * (high - low).max()
+    axes.set_xlim(low[0] - margin, high[0] + margin)
+    axes.set_ylim(low[1] - margin, high[1] + margin)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+
+
+def draw_bodies(axes, bodies, array, factor, shown=None):
+    """The deformed bodies coloured by a scalar; returns the limits of the colours."""
+    points = points_of(bodies) + factor * array_of(bodies, "displacement")
+    values, faces = array_of(bodies, array), outer_faces(bodies, shown)
+    limits = colour_range(numpy.concatenate([values[cells].ravel() for cells in faces]), False)
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*limits), "viridis")
+    draw_faces(axes, points, faces, [scale.to_rgba(values[cells].mean(axis=1)) for cells in faces])
+    fit(axes, points[numpy.concatenate([cells.ravel() for cells in faces])])
+    return limits
+
+
+def state_handles():
+    return [Patch(facecolor=STATE_COLOURS[s], label=s if s != "bonded" else "no element") for s in STATE_OF_CODE]
+
+
+def figure_in_space(results, array, figure, t=None, shown=None):
+    """Draws the bodies into a figure; returns a caption."""
+    bodies = read_grid(results.field_file("bodies", t))
+    factor = magnification(bodies)
+    axes = figure.subplots()
+    limits = draw_bodies(axes, bodies, array, factor, shown)
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*limits), "viridis")
+    unit = f" [{results.unit('pressure')}]" if "stress" in array else ""
+    figure.colorbar(scale, ax=axes, extend="both", shrink=0.8, pad=0.02).set_label(array.replace("_", " ") + unit)
+    return f"Seen from the left, the front and above; displacements are drawn {factor:g} times."

@@ -7,7 +7,7 @@ usage: report_in_browser.py FUGA
 
 A script in a copy of the page measures it: nothing may be wider than the window, every drawing has a height, every
 picture of the bodies is decoded, and errors are heard of. The print is a PDF of A4 pages that has the collapsed
-tables too.
+tables too; that of the short report has at most six.
 """
 import html
 import json
@@ -72,13 +72,13 @@ def check_page(program, folder, report):
         check(len(found["pictures"]) >= 2 and min(found["pictures"]) > 0, f"pictures {found['pictures']}")
 
 
-def check_print(program, folder, report):
+def check_print(program, folder, report, fewest, most):
     pdf = folder / "report.pdf"
     run = chromium(program, folder, f"--print-to-pdf={pdf}", report.as_uri())
     check(run.returncode == 0 and pdf.exists(), f"print: {run.returncode} {run.stderr[-300:]}")
     content = pdf.read_bytes() if pdf.exists() else b""
     boxes = re.findall(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)", content)
-    check(len(boxes) >= 6, f"{len(boxes)} printed pages")
+    check(fewest <= len(boxes) <= most, f"{report.name}: {len(boxes)} printed pages")
     # A4 is 595.3 x 841.9 points.
     check(all(abs(float(w) - 595.3) < 1.5 and abs(float(h) - 841.9) < 1.5 for w, h in boxes), f"pages of {set(boxes)}")
 
@@ -92,9 +92,10 @@ def main():
         run = subprocess.run([sys.argv[1], ROOT / "parameters/paper_3_cubic_root.prm", "--quiet", "--output-dir", folder / "run",
                               "--set", "Output/Report=true", "--set", "Output/Fields=end"], capture_output=True, text=True)
         check(run.returncode == 0, f"the run: {run.stderr}")
-        report = folder / "run/report.html"
-        check_page(program, folder, report)
-        check_print(program, folder, report)
+        for name, fewest, most in (("report.html", 6, 40), ("report_short.html", 2, 6)):
+            report = folder / "run" / name
+            check_page(program, folder, report)
+            check_print(program, folder, report, fewest, most)
     print("\n".join(complaints) or "the report can be seen and printed")
     sys.exit(1 if complaints else 0)
 

@@ -9,9 +9,8 @@
 namespace fuga
 {
   /**
-   * Writes DIRECTORY/report.html from the results there, by the Python script make_report.py that
-   * is
-   * installed or built with this program. The script says on the screen what it wrote, unless @p quiet, or
+   * Writes DIRECTORY/report.html and, of a run, report_short.html from the results there, by the
+   * Python script make_report.py that is installed or built with this program. The script says on the screen what it wrote, unless @p quiet, or
    * what is wrong.
    * @return the exit code of the script: 0, or 1 if there are no finished results or packages are
    * missing

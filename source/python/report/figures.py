@@ -7,10 +7,12 @@ import itertools
 import re
 
 import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure as MatplotlibFigure
+
+from report.load_states import describe
+from report.page import Figure
 
 WIDTH = 7.2  # inches; the print of an A4 page
 GREY = "#555555"
@@ -21,30 +23,39 @@ LINES = ((0, (1.0, 1.2)), (0, (3.0, 1.2)), (0, (6.0, 1.5, 1.0, 1.5)), (0, (6.0, 
          (0, (9.0, 2.0)), "-")
 # More events or levels are told apart by nobody: drawn as pixels.
 MANY_MARKS = 2000
+DOTS_PER_INCH = 150  # of what is drawn as pixels
+# Room for labels around the axes, in inches.
+LEFT, RIGHT, BOTTOM, TOP = 0.9, 0.15, 0.5, 0.25
 _numbers = itertools.count(1)
 
 
-class Figure:
-    """One diagram: its SVG text and its caption."""
-
-    def __init__(self, svg, caption):
-        self.svg, self.caption = svg, caption
-
-
 def style():
-    plt.rcParams.update({"font.size": 9, "font.family": "DejaVu Sans", "axes.spines.top": False,
-                         "axes.spines.right": False, "axes.grid": True, "grid.color": "#e0e0e0",
-                         "grid.linewidth": 0.6, "axes.axisbelow": True, "hatch.linewidth": 0.7,
-                         "legend.frameon": False, "legend.fontsize": 8, "svg.fonttype": "path",
-                         "svg.hashsalt": "fuga", "axes.formatter.limits": (-3, 4), "axes.formatter.useoffset": False,
-                         "axes.formatter.use_mathtext": True, "figure.dpi": 100})
+    matplotlib.rcParams.update({"font.size": 9, "font.family": "DejaVu Sans", "axes.spines.top": False,
+                                "axes.spines.right": False, "axes.grid": True, "grid.color": "#e0e0e0",
+                                "grid.linewidth": 0.6, "axes.axisbelow": True, "hatch.linewidth": 0.7,
+                                "legend.frameon": False, "legend.fontsize": 8, "svg.fonttype": "none",
+                                "svg.hashsalt": "fuga", "axes.formatter.limits": (-3, 5), "axes.formatter.useoffset": False,
+                                "figure.dpi": 100})
 
 
-def to_figure(figure, caption, dpi=150):
+def new_figure(height, width=WIDTH):
+    """An empty drawing; sizes in inches."""
+    figure = MatplotlibFigure(figsize=(width, height))
+    FigureCanvasSVG(figure)
+    return figure
+
+
+def set_margins(figure, left=LEFT, right=RIGHT, bottom=BOTTOM, top=TOP, **between):
+    """Room around all axes, in inches, and between them, in axes."""
+    width, height = figure.get_size_inches()
+    figure.subplots_adjust(left=left / width, right=1.0 - right / width, bottom=bottom / height, top=1.0 - top / height,
+                           **between)
+
+
+def to_figure(figure, caption):
     """The inline SVG of a matplotlib figure, with names of its own so that figures cannot mix theirs."""
     text = io.StringIO()
-    figure.savefig(text, format="svg", dpi=dpi, metadata={"Date": None})
-    plt.close(figure)
+    figure.savefig(text, format="svg", dpi=DOTS_PER_INCH, metadata={"Date": None})
     svg = text.getvalue()
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
@@ -57,7 +68,7 @@ def to_figure(figure, caption, dpi=150):
 
 def level_styles(number):
     """Line style, marker and colour of each of up to six levels; the last is black and solid."""
-    shades = [plt.get_cmap("viridis")(x) for x in numpy.linspace(0.72, 0.05, max(number - 1, 1))]
+    shades = [matplotlib.colormaps["viridis"](x) for x in numpy.linspace(0.72, 0.05, max(number - 1, 1))]
     colours = shades[:number - 1] + ["black"]
     return [{"linestyle": line, "marker": marker, "color": colour, "markersize": 4.0, "markerfacecolor": "white",
              "markeredgewidth": 0.9, "linewidth": 1.4}
@@ -69,13 +80,6 @@ def mark_every(number):
     return 1 if number <= MARKED_ELEMENTS else max(1, number // 12)
 
 
-class Length:
-    """Small lengths in a unit that one can read: metres become millimetres, others stay."""
-
-    def __init__(self, unit):
-        self.factor, self.unit = {"m": (1e3, "mm")}.get(unit, (1.0, unit))
-
-
 def short(text, length=18):
     return text if len(text) <= length else text[:length - 1] + "\u2026"
 
@@ -83,7 +87,7 @@ def short(text, length=18):
 def load_time_axis(axes, results, end=None):
     """Load time on the lowest of several axes: a line at every end of a stage, its name on top."""
     end = end or max(results.levels[-1], results.summary["t"])
-    stages = results.stages
+    stages = results.stages + [name.replace("_", " ") for name in results.summary.get("safety", {})]
     axes[0].set_xlim(-0.01 * end, 1.01 * end)
     axes[-1].set_xlabel("load time t: number of the stage + share of the stage done [\u2013]")
     for one in axes:
@@ -101,14 +105,13 @@ def load_time_axis(axes, results, end=None):
 
 
 def level_label(results, t):
-    return f"t = {t:.5g}, {results.describe_time(t).replace('stage ', '')}"
+    return f"t = {t:.4g}, {describe(results, t)}"
 
 
-def legend_on_top(figure, handles, columns):
+def legend_on_top(figure, handles, columns, **between):
     """A legend over all axes, row by row; the axes get the room that is left."""
     rows = -(-len(handles) // columns)
-    room = (0.185 * rows + 0.08) / figure.get_figheight()
-    figure.set_layout_engine("constrained", rect=(0.0, 0.0, 1.0, 1.0 - room))
+    set_margins(figure, top=0.185 * rows + 0.08 + TOP, **between)
     # matplotlib fills column by column.
     ordered = [handles[row * columns + column] for column in range(columns) for row in range(rows)
                if row * columns + column < len(handles)]

@@ -2,14 +2,14 @@
 # Copyright (C) 2026 by the Fuga authors
 """Diagrams along one joint: contact stresses, relative displacements; paths of its most used elements."""
 
-import matplotlib.pyplot as plt
 import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from fuga_results import OPEN, STATE_COLOURS, STATE_MARKERS, STATES
-from report.figures import (GREY, MARKED_ELEMENTS, WIDTH, Length, legend_on_top, level_label, level_styles,
-                            mark_every, to_figure)
+from report.figures import (GREY, MARKED_ELEMENTS, legend_on_top, level_label, level_styles, mark_every, new_figure,
+                            to_figure)
+from report.numbers import Length
 
 # A reversal counts if the jump goes back by more than this share of its range.
 REVERSAL = 0.02
@@ -25,7 +25,8 @@ def _along(axes, results):
 def _levels_diagram(results, joint, levels, panels):
     """One line per level in each panel; panels are (values of a profile, label of the axis)."""
     levels = results.levels_of(joint, levels)
-    figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(WIDTH, len(panels) + 3.1))
+    figure = new_figure(len(panels) + 3.1)
+    axes = figure.subplots(len(panels), 1, sharex=True)
     profiles = [results.profile(joint, t) for t in levels]
     for one, (values_of, label) in zip(axes, panels):
         one.axhline(0.0, color="black", linewidth=0.8, zorder=2)
@@ -67,8 +68,8 @@ def shear_and_strength(results, joint, levels):
     """One small diagram per level: the shear stress inside its limits \u00b1(f p + c)."""
     levels = results.levels_of(joint, levels)
     rows = (len(levels) + 1) // 2
-    figure, axes = plt.subplots(rows, 2, sharex=True, sharey=True, squeeze=False,
-                                figsize=(WIDTH, 0.5 + 1.75 * rows))
+    figure = new_figure(0.9 + 1.75 * rows)
+    axes = figure.subplots(rows, 2, sharex=True, sharey=True, squeeze=False)
     for one, t in zip(axes.flat, levels):
         profile = results.profile(joint, t)
         along, strength = profile["along"], results.strength(joint, profile)
@@ -94,7 +95,7 @@ def shear_and_strength(results, joint, levels):
                Patch(facecolor="#ececec", edgecolor=GREY, linestyle="--", label="within \u00b1(f p + c)")]
     handles += [Line2D([], [], linestyle="", marker=STATE_MARKERS[s], markerfacecolor=STATE_COLOURS[s], color="black",
                        markersize=5, label=s) for s in STATES]
-    legend_on_top(figure, handles, 5)
+    legend_on_top(figure, handles, 5, hspace=0.25, wspace=0.08)
     return to_figure(figure, f"Joint \u201c{joint}\u201d: shear stress against its limits \u00b1(f p + c). {_strength_words(results, joint)} "
                              "An element that slips is on the limit.")
 
@@ -137,7 +138,8 @@ def _element_paths(results, joint, elements):
 
 def coulomb_paths(results, joint):
     elements = most_used(results, joint)
-    figure, axes = plt.subplots(figsize=(WIDTH, 4.0))
+    figure = new_figure(4.0)
+    axes = figure.subplots()
     law = results.strength_parameters(joint)
     lowest = highest = 0.0
     for element, path, look in _element_paths(results, joint, elements):
@@ -180,7 +182,8 @@ def hysteresis(results, joint):
     if not paths:
         return None
     length = Length(results.unit("gap"))
-    figure, axes = plt.subplots(1, 2, sharey=True, figsize=(WIDTH, 3.5))
+    figure = new_figure(3.5)
+    axes = figure.subplots(1, 2, sharey=True)
     for element, path, look in paths:
         for one, column in zip(axes, ("jump_t1", "slip1")):
             one.plot(length.factor * path[column], path["shear1"], label=f"element {element:g}",
@@ -192,7 +195,7 @@ def hysteresis(results, joint):
         one.set_xlabel(f"{label} [{length.unit}]")
     axes[0].set_ylabel(f"shear stress \u03c4 [{results.unit('pressure')}]")
     axes[0].plot([], [], "*", color="black", markersize=11, linestyle="", label="last level")
-    legend_on_top(figure, axes[0].get_legend_handles_labels()[0], 5)
+    legend_on_top(figure, axes[0].get_legend_handles_labels()[0], 5, wspace=0.08)
     return to_figure(figure, f"Joint \u201c{joint}\u201d: shear stress against shear jump (left) and against slip (right) of the "
                              "most used elements, from load level to load level. The area of a loop on the right is the "
                              "work of friction per area.")

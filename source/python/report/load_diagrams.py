@@ -4,15 +4,15 @@
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy
 import pandas
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 
 from fuga_results import BONDED, HATCHES, OPEN, SLIP, STATE_COLOURS, STATE_MARKERS, STATES, STICK
-from report.figures import (MANY_MARKS, WIDTH, Length, legend_on_top, level_styles, load_time_axis, mark_every,
+from report.figures import (MANY_MARKS, legend_on_top, level_styles, load_time_axis, mark_every, new_figure, set_margins,
                             to_figure)
+from report.numbers import Length, rounded
 
 SAFETY_DRAWN = 10.0
 CURVES = 6
@@ -54,7 +54,8 @@ def load_displacement(results):
     length = Length(results.unit("gap"))
     has_monitors = results.monitors is not None and not results.monitors.frame.empty
     curves = list((_monitor_curves if has_monitors else _jump_curves)(results, length))
-    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(WIDTH, 4.4), gridspec_kw={"height_ratios": (3.4, 1.0)})
+    figure = new_figure(4.4)
+    axes = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (3.4, 1.0)})
     for (name, curve), look in zip(curves, level_styles(len(curves))):
         axes[0].plot(curve.index, curve.to_numpy(), label=name, markevery=mark_every(len(curve)), **look)
     axes[0].axhline(0.0, color="black", linewidth=0.8)
@@ -77,7 +78,8 @@ def beyond_limit(results):
         return None
     length = Length(results.unit("gap"))
     rows = pandas.concat([results.resultants.frame[results.resultants.frame["t"] == results.levels[-1]], results.beyond])
-    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(WIDTH, 4.2))
+    figure = new_figure(4.2)
+    axes = figure.subplots(2, 1, sharex=True)
     steps = rows.drop_duplicates("path_length")
     axes[0].plot(length.factor * steps["path_length"], steps["t"], "-o", color="black", markersize=3)
     axes[0].set_ylabel("load time t [\u2013]")
@@ -91,7 +93,7 @@ def beyond_limit(results):
     if len(joints) > 1:
         legend_on_top(figure, axes[1].get_legend_handles_labels()[0], 4)
     else:
-        figure.set_layout_engine("constrained")
+        set_margins(figure)
     return to_figure(figure, "Beyond the limit load: the load that can still be carried, and the shear forces of the joints, "
                              "while the mechanism moves.")
 
@@ -130,9 +132,8 @@ def timeline(results):
     joints = results.joints[:CURVES]
     counts = [results.joint_frame(joint)["element"].nunique() for joint in joints]
     heights = [min(3.2, max(1.1, 0.09 * count)) for count in counts]
-    figure, axes = plt.subplots(len(joints), 1, sharex=True, squeeze=False, figsize=(WIDTH, sum(heights) + 1.0),
-                                gridspec_kw={"height_ratios": heights})
-    axes = axes[:, 0]
+    figure = new_figure(sum(heights) + 1.0)
+    axes = figure.subplots(len(joints), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
     shown = set()
     for one, joint in zip(axes, joints):
         intervals = state_intervals(results, joint)
@@ -166,7 +167,8 @@ def timeline(results):
 def safety(results):
     """Safety factors and the compressed share of every joint."""
     frame = results.resultants.frame
-    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(WIDTH, 4.6))
+    figure = new_figure(4.6)
+    axes = figure.subplots(2, 1, sharex=True)
     columns = [c for c in ("sliding_safety", "overturning_safety") if c in frame]
     joints = results.joints[:CURVES // len(columns)]
     curves = [(joint, column) for joint in joints for column in columns]
@@ -205,7 +207,8 @@ def energies(results):
     if frame.empty:
         return None
     unit = results.resultants.units["external_work"]
-    figure, axes = plt.subplots(figsize=(WIDTH, 3.4))
+    figure = new_figure(3.4)
+    axes = figure.subplots()
     columns = {"dissipation": "dissipation by friction", "energy_layer": "energy of the layer",
                "energy_bodies": "energy of the bodies", "external_work": "external work"}
     for (column, name), look in zip(columns.items(), level_styles(4)):
@@ -217,5 +220,5 @@ def energies(results):
     rest = frame["external_work"] - frame["energy_bodies"] - frame["energy_layer"] - frame["dissipation"]
     return to_figure(figure, "Energy balance of the whole model, without the part of the bonded structure: external work = "
                              "energy of the bodies + energy of the layer + dissipation. Largest difference: "
-                             f"{rest.abs().max():.1e} {unit}, with a largest external work of "
-                             f"{frame['external_work'].abs().max():.4g} {unit}.")
+                             f"{rounded(rest.abs().max(), 2)} {unit}, with a largest external work of "
+                             f"{rounded(frame['external_work'].abs().max())} {unit}.")

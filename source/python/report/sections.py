@@ -5,12 +5,22 @@
 import math
 import os
 
-from report.page import Shown, collapsed, escape, number, table
+import numpy
+
+from report.load_states import describe, end_of_loads
+from report.numbers import DIGITS, Length, rounded
+from report.page import Fold, Heading, Number, Table, Text, Verdict
 
 # The list of events is cut in the middle of a longer one.
 LISTED_EVENTS = 400
+# What is so much smaller than the largest number of its row is rounding, and shown as 0.
 ROUNDING = 1e-12
-NO_UNITS = ("", None)
+# Columns of one kind: rounding is judged beside the largest of all.
+ALIKE = (("N", "T", "T2", "water"), ("M", "M1", "Mn"), ("eccentricity", "eccentricity2", "position_x", "position_y", "position_z"),
+         ("external_work", "energy_bodies", "energy_layer", "dissipation", "joint_dissipation"), ("ux", "uy", "uz"),
+         ("stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_xz"))
+# Columns of lengths that are read in millimetres where the model is in metres.
+SMALL_LENGTHS = ("largest_gap", "largest_slip", "ux", "uy", "uz")
 
 CERTIFICATE = {
     "equilibrium": "forces of the bodies, the joints and the loads balance at every interface coordinate",
@@ -39,25 +49,29 @@ FILES = {
 }
 
 
-def verdict_words(summary):
+def place_of(summary):
+    """Where a run ended, in words."""
+    return (f"{rounded(100.0 * summary['stage_fraction'])} % of stage \u2018{summary['stage']}\u2019, "
+            f"t = {rounded(summary['t'])}")
+
+
+def _verdict_words(summary):
     """(class of the box, heading, sentences) for the verdict of a run."""
-    code, verdict = summary["exit_code"], summary["verdict"]
-    place = f"{100 * summary['stage_fraction']:.6g} % of stage \u2018{summary['stage']}\u2019, t = "
-    place = escape(place) + number(summary["t"], 12)
+    code, verdict, place = summary["exit_code"], summary["verdict"], place_of(summary)
     if code == 0:
         return "good", "Done: the whole load is carried.", [f"Reached {place}."]
     if code == 4:
         worst = summary["certificate"]
         return "bad", "The certificate is above its bound: do not use these results.", [
-            f"Worst entry {number(worst['worst'], 3)}, bound {number(worst['bound'], 3)}; the run ended with "
-            f"\u201c{escape(verdict)}\u201d at {place}."]
+            f"Worst entry {rounded(worst['worst'], 2)}, bound {rounded(worst['bound'], 2)}; the run ended with "
+            f"\u201c{verdict}\u201d at {place}."]
     if code == 2:
-        return "bad", "Numerical failure.", [escape(summary.get("message", "")), f"The run ended at {place}."]
+        return "bad", "Numerical failure.", [summary.get("message", ""), f"The run ended at {place}."]
     limit = summary.get("limit_load")
     heading = f"Loss of equilibrium: {verdict}" + (f", mechanism {limit['mechanism']}." if limit else ".")
     sentences = [f"The load can be carried up to {place}. All results up to there are complete and valid."]
     if limit:
-        factors = ", ".join(f"{escape(name)} {number(factor, 9)}" for name, factor in limit["load_factors"].items())
+        factors = ", ".join(f"{name} {rounded(factor)}" for name, factor in limit["load_factors"].items())
         sentences.append(f"Load factors at the limit: {factors}.")
     else:
         sentences.append("Nothing moves freely there, yet no quasi-static continuation exists: friction is beyond its "
@@ -65,94 +79,144 @@ def verdict_words(summary):
     return "limit", heading, sentences
 
 
-def safety_words(summary):
+def _safety_words(summary):
     """A sentence for each factor of safety that was looked for."""
     sentences = []
     for method, found in summary.get("safety", {}).items():
-        subject = ", ".join(escape(name) for name in found.get("joints", found.get("loads", [])))
+        subject = ", ".join(found.get("joints", found.get("loads", [])))
         text = f"Factor of safety by {method.replace('_', ' ')} ({subject}): "
         if found["factor"] is not None:
-            text += number(found["factor"], 9) + f", {escape(found['verdict'])}"
+            text += f"{'F = ' if method == 'strength_reduction' else ''}{rounded(found['factor'])}, {found['verdict']}"
             if "mechanism" in found:
-                moving = ", ".join(escape(name) for name in found["mechanism_joints"])
-                text += f", mechanism {escape(found['mechanism'])} of {moving}"
+                text += f", mechanism {found['mechanism']} of {', '.join(found['mechanism_joints'])}"
         elif "factor_at_least" in found:
-            text += "above " + number(found["factor_at_least"], 9) + ", the largest factor asked for"
+            text += f"above {rounded(found['factor_at_least'])}, the largest factor asked for"
         else:
             text += "not computed, because the loads are not carried to their end"
         sentences.append(text + ".")
     return sentences
 
 
-def accuracy_words(summary):
+def _accuracy_words(summary):
     """How accurate the quantity of section Target accuracy is, if there is one."""
     accuracy = summary.get("accuracy")
     if accuracy is None:
         return []
     estimate = accuracy["estimated_error"]
-    text = f"Estimated error of the {escape(accuracy['quantity'])}: "
-    text += "not known" if estimate is None else f"{number(100 * estimate, 3)} %"
-    text += f", target {number(100 * accuracy['target'], 3)} %; mesh {len(accuracy['rounds'])}"
-    return [text + ("." if accuracy["reached"] else f". The target is not reached: {escape(accuracy['end'])}.")]
+    text = f"Estimated error of the {accuracy['quantity']}: "
+    text += "not known" if estimate is None else f"{rounded(100.0 * estimate, 3)} %"
+    text += f", target {rounded(100.0 * accuracy['target'], 3)} %; mesh {len(accuracy['rounds'])}"
+    return [text + ("." if accuracy["reached"] else f". The target is not reached: {accuracy['end']}.")]
 
 
-def verdict_box(summary):
-    kind, heading, sentences = verdict_words(summary)
-    sentences += safety_words(summary)
-    sentences += accuracy_words(summary)
-    lines = "".join(f"<p>{sentence}</p>" for sentence in sentences if sentence)
-    return (f'<div class="verdict {kind}" id="verdict"><strong>{escape(heading)}</strong>{lines}'
-            f"<p>Exit code {number(summary['exit_code'])}.</p></div>")
+def verdict(summary):
+    look, heading, sentences = _verdict_words(summary)
+    worst = summary["certificate"]
+    return Verdict(look, heading, sentences + _safety_words(summary) + _accuracy_words(summary)
+                   + [f"Exit code {summary['exit_code']}. Certificate {rounded(worst['worst'], 2)}, bound "
+                      f"{rounded(worst['bound'], 2)}."])
 
 
-def _cells(name, values):
-    """One row of the resultants. What is rounding beside the largest value of the row is shown as 0."""
-    finite = [abs(value) for value in values if math.isfinite(value)]
-    rounding = ROUNDING * max(finite, default=0.0)
-    digits = 2 if name == "certificate" else 6
-    return [Shown(number(float(value), digits, shown=0.0 if abs(value) < rounding else None)) for value in values]
+def joint_overview(results):
+    """A row per joint at the end of the loads, the least safe first."""
+    frame, units = results.resultants.frame, results.resultants.units
+    length = Length(units["largest_gap"])
+    rows, keys = [], []
+    for joint in results.joints:
+        there = results.levels_of(joint)
+        t = min(there, key=lambda level: abs(level - end_of_loads(results)))
+        row = frame[(frame["joint"] == joint) & (frame["t"] == t)].iloc[0]
+        shear = math.hypot(row["T"], row["T2"]) if results.in_space else row["T"]
+        rows.append([joint, float(row["N"]), float(shear)] + ([float(row["water"])] if "water" in row else [])
+                    + [Number(rounded(100.0 * row["share_open"], 3)), Number(rounded(100.0 * row["share_slip"], 3)),
+                       length.factor * float(row["largest_gap"]), length.factor * float(row["largest_slip"]),
+                       float(row["sliding_safety"])]
+                    + ([float(row["overturning_safety"])] if "overturning_safety" in row else []))
+        keys.append((not row["sliding_safety"] >= 0.0, row["sliding_safety"], -row["share_open"], len(keys)))
+    head = ["joint", f"N [{units['N']}]", f"{'|T|' if results.in_space else 'T'} [{units['T']}]"]
+    head += [f"water [{units['water']}]"] if "water" in units else []
+    head += ["open [%]", "slip [%]", f"largest gap [{length.unit}]", f"largest slip [{length.unit}]", "sliding safety"]
+    head += ["overturning safety"] if "overturning_safety" in units else []
+    ordered = [rows[k] for k in sorted(range(len(rows)), key=lambda k: keys[k])]
+    return Table(ordered, head, "joints-table")
+
+
+def shortened(whole, rows):
+    """The first rows of a table; says so if it has more."""
+    if len(whole.rows) <= rows:
+        return whole
+    return Table(whole.rows[:rows] + [[f"and {len(whole.rows) - rows} more"] + [""] * (len(whole.head) - 1)], whole.head,
+                 whole.name, whole.digits)
+
+
+def _level_heads(results, levels):
+    return [f"t = {t:.5g}" for t in levels]
+
+
+def _cells(name, values, largest):
+    """One row of numbers; what is rounding beside the largest number it is made of is shown as 0."""
+    digits = 2 if name == "certificate" else DIGITS
+    return [Number(rounded(0.0 if abs(value) < ROUNDING * largest else float(value), digits)) for value in values]
+
+
+def _largest(rows, names):
+    """The largest finite size in some columns."""
+    sizes = numpy.abs(rows[[name for name in names if name in rows]].to_numpy(float))
+    return float(sizes[numpy.isfinite(sizes)].max(initial=0.0))
+
+
+def _level_row(name, unit, rows):
+    """Name, unit and one number per level; small lengths in a unit that one can read."""
+    length = Length(unit) if name in SMALL_LENGTHS else Length("")
+    largest = _largest(rows, next((alike for alike in ALIKE if name in alike), (name,)))
+    return ([name.replace("_", " "), (length.unit or unit) or "\u2013"]
+            + _cells(name, length.factor * rows[name], length.factor * largest))
 
 
 def resultant_tables(results, levels):
     """Per joint: a row per column of resultants.csv, a column per level."""
     frame, units = results.resultants.frame, results.resultants.units
-    text = ("<p>N, T: sums of the bar forces along the mean normal and tangent of the joint, tension positive; M: moment "
-            "about the centroid of the joint, counter-clockwise. All levels: resultants.csv.</p>")
-    names = [name for name in frame.columns if name not in ("t", "joint")]
+    parts = [Text("N, T: sums of the bar forces along the mean normal and tangent of the joint, tension positive; M: moment "
+                  "about the centroid of the joint, counter-clockwise. All levels with all digits: resultants.csv.")]
+    # Columns of words name the state, which stands in the head; the frame of a joint does not change.
+    names = [name for name in frame.columns if name not in ("t", "joint", "path_length")
+             and not name.startswith(("normal_", "t1_")) and frame[name].dtype.kind in "fi"]
     for k, joint in enumerate(results.joints):
         there = results.levels_of(joint, levels)
-        rows = frame[frame["joint"] == joint].set_index("t").loc[there]
-        head = ["", "unit"] + [f"t = {t:.6g}" for t in there]
-        body = [[name.replace("_", " "), units[name] or "\u2013"] + _cells(name, rows[name]) for name in names]
-        text += f"<h3>Joint \u201c{escape(joint)}\u201d</h3>" + table(body, head, f"resultants-{k}")
-    return text
+        rows = frame[frame["joint"] == joint].drop_duplicates("t").set_index("t").loc[there]
+        body = [["", ""] + [describe(results, t) for t in there]]
+        body += [_level_row(name, units[name], rows) for name in names if rows[name].notna().any()]
+        parts += [Heading(f"Joint \u201c{joint}\u201d"), Table(body, ["", "unit"] + _level_heads(results, there),
+                                                               f"resultants-{k}")]
+    return parts
 
 
 def monitor_tables(results, levels):
     """Per monitor: a row per displacement and stress, a column per level; nothing without monitors."""
     if results.monitors is None or results.monitors.frame.empty:
-        return ""
+        return []
     frame, units = results.monitors.frame, results.monitors.units
     frame = frame[frame["occasion"] == "level"]
-    text = ""
+    parts = [Text("Displacements; stresses positive in tension" + ("" if results.in_space else ", zz across the plane")
+                  + ". All levels: monitors.csv.")]
     for k, (name, rows) in enumerate(frame.groupby("monitor", sort=False)):
         rows = rows.drop_duplicates("t").set_index("t").loc[levels]
-        place = ", ".join(f"{rows[c].iloc[0]:.6g}" for c in ("x", "y"))
-        columns = [c for c in ("ux", "uy", "stress_xx", "stress_yy", "stress_zz", "stress_xy") if rows[c].notna().all()]
-        head = ["", "unit"] + [f"t = {t:.6g}" for t in levels]
-        body = [[c.replace("_", " "), units[c] or "\u2013"] + _cells(c, rows[c]) for c in columns]
-        text += (f"<h3>Monitor \u201c{escape(name)}\u201d at ({place})</h3>" + table(body, head, f"monitor-{k}"))
-    return text and ("<p>Displacements; stresses positive in tension, zz across the plane. All levels: monitors.csv.</p>" + text)
+        place = ", ".join(rounded(float(rows[c].iloc[0])) for c in ("x", "y", "z")[:3 if results.in_space else 2])
+        columns = [c for c in frame.columns if c.startswith(("u", "stress_")) and c in units and rows[c].notna().all()
+                   and (results.in_space or c != "uz")]
+        body = [_level_row(c, units[c], rows) for c in columns]
+        parts += [Heading(f"Monitor \u201c{name}\u201d at ({place})"),
+                  Table(body, ["", "unit"] + _level_heads(results, levels), f"monitor-{k}")]
+    return parts
 
 
 def certificate_table(summary):
-    entries = summary["certificate"]["entries"]
     bound = summary["certificate"]["bound"]
     rows = [[name, CERTIFICATE.get(name, ""), float(value), "yes" if value <= bound else "NO"]
-            for name, value in entries.items()]
-    return ("<p>A part of the program that knows the data but not the solver has judged every state. Largest values of "
-            f"the whole run, relative; the bound is {number(bound, 3)}.</p>"
-            + table(rows, ["entry", "condition", "largest", "within the bound"], "certificate-table", digits=3))
+            for name, value in summary["certificate"]["entries"].items()]
+    return [Text("A part of the program that knows the data but not the solver has judged every state. Largest values of "
+                 f"the whole run, relative; the bound is {rounded(bound, 2)}."),
+            Table(rows, ["entry", "condition", "largest", "within the bound"], "certificate-table", 2)]
 
 
 def _flat(value, path=""):
@@ -164,58 +228,70 @@ def _flat(value, path=""):
         yield path, value if isinstance(value, (int, float, str)) else ", ".join(map(str, value))
 
 
+def _words(section, prefix=""):
+    return [[prefix + path.replace("_", " "), value] for path, value in _flat(section)]
+
+
 def sizes(summary):
-    rows = [[path.replace("_", " "), value] for path, value in _flat(summary.get("sizes", {}))]
-    rows += [["events: " + path.replace("_", " "), value] for path, value in _flat(summary.get("events", {}))]
-    rows += [["iterations: " + path.replace("_", " "), value] for path, value in _flat(summary.get("iterations", {}))]
+    rows = (_words(summary.get("sizes", {})) + _words(summary.get("events", {}), "events: ")
+            + _words(summary.get("iterations", {}), "iterations: "))
     seconds = summary.get("seconds", {})
     rows += [["seconds in all", float(sum(seconds.values()))], ["memory, MB", float(summary.get("memory_MB", 0.0))]]
-    work = [[path.replace("_", " "), value] for path, value in _flat(summary.get("work", {}))]
-    text = table(rows, name="sizes-table", digits=4)
-    if work:
-        text += collapsed("Work by counts", table(work, name="work-table"))
-    return text + collapsed("Seconds by phase", table([[name, float(s)] for name, s in seconds.items()], digits=3))
+    parts = [Table(rows, name="sizes-table", digits=3)]
+    if "work" in summary:
+        parts.append(Fold("Work by counts", [Table(_words(summary["work"]), name="work-table", digits=3)]))
+    return parts + [Fold("Seconds by phase", [Table([[name, float(s)] for name, s in seconds.items()], digits=2)])]
 
 
 def remarks(summary):
     """Warnings and what the program says of each joint."""
-    warnings = "".join(f'<p class="warning">{escape(text)}</p>' for text in summary.get("warnings", []))
-    lines = "".join(f"<p>{escape(text)}</p>" for text in summary.get("joints", []))
-    return warnings + lines
+    return [Text(text, "warning") for text in summary.get("warnings", [])] + [Text(text) for text in summary.get("joints", [])]
 
 
 def event_list(results):
     frame = results.all_events
-    columns = ["event", "t", "stage", "stage_fraction", "joint", "element", "x", "y", "from", "to"]
+    columns = ["event", "t", "stage", "stage_fraction", "joint", "element", "x", "y", "z", "from", "to"]
+    if not results.in_space:
+        columns.remove("z")
     if frame.empty:
-        return "<p>No contact element changed its state, or the path was not followed from event to event.</p>"
-    shown = frame if len(frame) <= LISTED_EVENTS else frame.iloc[[*range(LISTED_EVENTS // 2),
-                                                                 *range(len(frame) - LISTED_EVENTS // 2, len(frame))]]
-    cut = "" if len(frame) <= LISTED_EVENTS else (
-        f"<p>The first and the last {LISTED_EVENTS // 2} of {len(frame)} events; all of them: events.csv.</p>")
+        return [Text("No contact element changed its state, or the path was not followed from event to event.")]
+    half, number = LISTED_EVENTS // 2, len(frame)
+    shown = frame if number <= LISTED_EVENTS else frame.iloc[[*range(half), *range(number - half, number)]]
+    cut = ([] if number <= LISTED_EVENTS else
+           [Text(f"The first and the last {half} of {number} events; all of them: events.csv.")])
     head = [results.events.label(name) for name in columns]
     rows = [[value.item() if hasattr(value, "item") else value for value in row]
             for row in shown[columns].itertuples(index=False)]
-    return cut + collapsed(f"All {len(frame)} events" if not cut else "Events", table(rows, head, "event-table", digits=9))
+    return cut + [Fold(f"All {number} events" if not cut else "Events", [Table(rows, head, "event-table")])]
 
 
 def parameters(summary):
-    text = ""
+    parts = []
     plain = [[name, value] for name, value in summary["parameters"].items() if not isinstance(value, dict)]
     if plain:
-        text += table(plain, name="parameters-general")
+        parts.append(Table(plain, name="parameters-general"))
     for name, section in summary["parameters"].items():
-        if isinstance(section, dict):
-            text += f"<h3>{escape(name)}</h3>" + table([list(row) for row in _flat(section)])
-    return collapsed("All parameters as they were used", text)
+        if isinstance(section, dict) and section:
+            parts += [Heading(name), Table([list(row) for row in _flat(section)])]
+    return [Fold("All parameters as they were used", parts)]
+
+
+def main_parameters(summary):
+    """Data of bodies, joints, loads and supports, without what says nothing."""
+    parts = []
+    for name in ("Bodies", "Joints", "Boundaries", "Loads", "Stages"):
+        rows = [[subject, ", ".join(f"{entry} {value}" for entry, value in data.items() if value not in ("", "0"))]
+                for subject, data in summary["parameters"].get(name, {}).items()]
+        if rows:
+            parts += [Heading(name), Table(rows)]
+    return parts
 
 
 def files(directory):
-    rows = [[name, meaning] for name, meaning in FILES.items() if os.path.exists(os.path.join(directory, name))]
-    return table(rows)
+    return [Table([[name, meaning] for name, meaning in FILES.items() if os.path.exists(os.path.join(directory, name))])]
 
 
 def footer(summary):
-    versions = ", ".join(f"{escape(name)} {escape(version)}" for name, version in summary.get("versions", {}).items())
-    source = f"Parameter file: {escape(summary['parameter_file'])}. " if "parameter_file" in summary else ""
-    return f"{source}Written by fuga report. {versions}"
+    versions = ", ".join(f"{name} {version}" for name, version in summary.get("versions", {}).items())
+    source = f"Parameter file: {summary['parameter_file']}. " if "parameter_file" in summary else ""
+    return f"{source}Numbers are rounded; the CSV files have all digits. Written by fuga report. {versions}"

@@ -2,12 +2,12 @@
 # Copyright (C) 2026 by the Fuga authors
 """Diagrams of a sweep: what each varied parameter does to the limit load and to the safety of the joints."""
 
-import matplotlib.pyplot as plt
 import pandas
 
-from report.figures import WIDTH, legend_on_top, level_styles, short, to_figure
-from report.page import escape, number
-from report.page import table as html_table
+from report.figures import legend_on_top, level_styles, new_figure, set_margins, short, to_figure
+from report.numbers import rounded
+from report.page import Table as PageTable
+from report.page import Verdict
 
 CURVES = 6
 CARRIED = "done"
@@ -55,7 +55,8 @@ def diagrams(table):
         curves, n_curves = _curves(frame, entry, [name for name in entries if name != entry])
         panels = [("t", "load time t at the end [\u2013]")]
         panels += [(name, "sliding safety at the\nend, " + short(name[:-len(" sliding_safety")]) + " [\u2013]") for name in safeties]
-        figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(WIDTH, 1.0 + 2.2 * len(panels)))
+        figure = new_figure(1.0 + 2.2 * len(panels))
+        axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)
         for one, (column, label) in zip(axes[:, 0], panels):
             for (name, rows), look in zip(curves, level_styles(len(curves))):
                 rows = rows.sort_values("place")
@@ -76,25 +77,25 @@ def diagrams(table):
         if len(curves) > 1:
             legend_on_top(figure, handles, 2)
         else:
-            figure.set_layout_engine("constrained")
+            set_margins(figure)
         some = f" {len(curves)} of {n_curves} combinations of the other entries are drawn." if len(curves) < n_curves else ""
         yield to_figure(figure, f"Limit load against {entry}. Full markers: the load could not be carried further. Hollow "
                                 f"markers: the whole load was carried.{some}")
 
 
-def verdict_box(table):
+def verdict(table):
     """How many variants ended how."""
     counts = table.frame["verdict"].value_counts()
-    words = ", ".join(f"{number(int(count))} {escape(verdict)}" for verdict, count in counts.items())
+    words = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     ends = table.frame.loc[table.frame["verdict"] != CARRIED, "t"]
-    lines = f"<p>{number(len(table.frame))} variants: {words}.</p>"
+    sentences = [f"{len(table.frame)} variants: {words}."]
     if not ends.empty:
-        lines += f"<p>Loss of equilibrium between t = {number(float(ends.min()), 9)} and {number(float(ends.max()), 9)}.</p>"
-    lines += f"<p>Worst certificate {number(float(table.frame['certificate'].max()), 3)}.</p>"
-    return f'<div class="verdict" id="verdict"><strong>Sweep over {escape(", ".join(varied(table)))}</strong>{lines}</div>'
+        sentences.append(f"Loss of equilibrium between t = {rounded(float(ends.min()))} and {rounded(float(ends.max()))}.")
+    sentences.append(f"Worst certificate {rounded(float(table.frame['certificate'].max()), 2)}.")
+    return Verdict("", f"Sweep over {', '.join(varied(table))}", sentences)
 
 
 def variants(table):
     rows = [[value.item() if hasattr(value, "item") else value for value in row]
             for row in table.frame.itertuples(index=False)]
-    return html_table(rows, [table.label(name) for name in table.frame.columns], "variants-table")
+    return PageTable(rows, [table.label(name) for name in table.frame.columns], "variants-table")

@@ -1,0 +1,2 @@
+def model_sketch(results, fields):
+    return []
