@@ -28,6 +28,17 @@ extern "C"
          double *y,
          const int *incy);
   void
+  dsymv_(const char *triangle,
+         const int *n,
+         const double *alpha,
+         const double *A,
+         const int *lda,
+         const double *x,
+         const int *incx,
+         const double *beta,
+         double *y,
+         const int *incy);
+  void
   dger_(const int *m,
         const int *n,
         const double *alpha,
@@ -92,6 +103,16 @@ namespace fuga
       const int rows = to_int(m), columns = to_int(n), stride = to_int(lda), unit = 1;
       const double one = 1., zero = 0.;
       dgemv_(&op, &rows, &columns, &one, A, &stride, x, &unit, &zero, y, &unit);
+    }
+
+    /** y = A x for a symmetric A of order n, of which the lower triangle is read. */
+    inline void
+    symv(const std::size_t n, const double *A, const std::size_t lda, const double *x, double *y)
+    {
+      const int order = to_int(n), stride = to_int(lda), unit = 1;
+      const char lower = 'L';
+      const double one = 1., zero = 0.;
+      dsymv_(&lower, &order, &one, A, &stride, x, &unit, &zero, y, &unit);
     }
 
     /** A += alpha x yᵀ. */

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// The judge must find what is wrong in a state, also where a body moves by far more than it
+// deforms.
+
+#include "contact/toy_system.h"
+
+#include <fuga/base/accurate.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  constexpr std::size_t n = 40, last = n - 1, somewhere = 12, elsewhere = 25;
+  /** Compliance of the joint, stiffness of the chain one, load of a node one, friction. */
+  constexpr double D = 1e3, f = 0.3;
+  /** The largest force of the scene; 12 would be needed to slide. */
+  constexpr double shear = 10.;
+  /** Share of the force or jump concerned. */
+  constexpr double error = 1e-9;
+
+  /** Nodes one after the other, held together by springs of stiffness one in both directions, and
+   * by nothing else: their joint is a thousand times softer than they are. Load 0 presses every
+   * node, load 1 shears the last one. */
+  ToySystem
+  floating_chain()
+  {
+    ToySystem chain;
+    chain.S       = DenseMatrix(2 * n, 2 * n);
+    chain.F       = DenseMatrix(2 * n, 2);
+    chain.motions = DenseMatrix(2 * n, 2);
+    for (std::size_t node = 0; node < n; ++node)
+      for (std::size_t c = 0; c < 2; ++c)
+        {
+          const std::size_t i = 2 * node + c;
+          chain.motions(i, c) = 1.;
+          chain.S(i, i)       = node == 0 || node == last ? 1. : 2.;
+          if (node < last)
+            chain.S(i, i + 2) = chain.S(i + 2, i) = -1.;
+          if (c == 0)
+            chain.F(i, 0) = -1.;
+        }
+    chain.F(2 * last + 1, 1) = 1.;
+    chain.motion_loads       = multiply_transposed(chain.motions, chain.F);
+    return chain;
+  }
+
+  class PlantedErrors : public testing::Test
+  {
+  protected:
+    PlantedErrors()
+    {
+      const LayeredSystem layered(chain, joint.elements);
+      EventPath path(joint.elements, layered, history, {});
+      path.run({2.}, record);
+      EXPECT_EQ(record.levels.size(), 1u);
+      state = record.levels.at(0);
+    }
+
+    /** The certificate of the state after @p plant has spoilt it. */
+    Certificate
+    judge(const std::function<void(JointState &)> &plant) const
+    {
+      JointState planted = state;
+      plant(planted);
+      Judge copy = record.judge;
+      return copy.judge(planted);
+    }
+
+    const ToySystem chain = floating_chain();
+    const ToyJoint joint  = ToyJoint(n, 1., make_linear_law(D), make_linear_law(D), {f, 0.});
+    const LoadHistory history{{0., 1., 2.}, {{0., 0.}, {1., 0.}, {1., shear}}};
+    Record record{chain, joint.elements, history};
+    JointState state;
+  };
+} // namespace
+
+// Every node carries its load, 1, and the shear lets the last ones slip: that
+// the state is right to 1e-12 is the premise of what follows.
+TEST_F(PlantedErrors, NoneIsSeenWithout)
+{
+  EXPECT_NEAR(state.forces[0], -1., 1e-9);
+  EXPECT_EQ(state.states[0], ContactState::stick);
+  EXPECT_EQ(state.states[last], ContactState::slip_forward);
+  EXPECT_LE(record.worst.worst(), 1e-12);
+}
+
+// Two normal forces, one larger, one smaller by e: the joint gives way by D e there, the chain
+// answers with 2 D e (two springs), so equilibrium is missed by (1 + 2 D) e. One percent: what the
+// judge concedes to rounding is less than a thousandth of it.
+TEST_F(PlantedErrors, ForcesThatDoNotBalance)
+{
+  const Certificate found = judge([](JointState &planted) {
+    planted.forces[2 * somewhere] += error;
+    planted.forces[2 * elsewhere] -= error;
+  });
+  const double known      = (1. + 2. * D) * error / shear;
+  EXPECT_NEAR(found.equilibrium, known, 0.01 * known);
+  EXPECT_LE(found.body_equilibrium, 1e-13);
+}
+
+// All normal forces too large by the same: the chain moves as a rigid body and feels nothing but
+// the forces themselves, whose sum is wrong by n e.
+TEST_F(PlantedErrors, ABodyOutOfEquilibrium)
+{
+  const Certificate found = judge([](JointState &planted) {
+    for (std::size_t node = 0; node < n; ++node)
+      planted.forces[2 * node] += error;
+  });
+  EXPECT_NEAR(found.body_equilibrium, n * error / shear, 0.01 * n * error / shear);
+}
+
+// A stuck element slips by a share of the largest jump.
+TEST_F(PlantedErrors, SlipOfAStuckElement)
+{
+  const std::size_t bar = 2 * somewhere + 1;
+  const double largest  = record.judge.memory().largest_jump;
+  const Certificate found =
+    judge([&](JointState &planted) { planted.dislocations[bar] += error * largest; });
+  EXPECT_NEAR(found.layer_law, error, 0.01 * error);
+  EXPECT_NEAR(found.equilibrium, 2. * error * largest / shear, 0.02 * error * largest / shear);
+}
+
+// A slipping element with more shear than its strength f N allows.
+TEST_F(PlantedErrors, ShearBeyondTheStrength)
+{
+  const double strength = f * std::abs(state.forces[2 * last]);
+  const Certificate found =
+    judge([&](JointState &planted) { planted.forces[2 * last + 1] += error * strength; });
+  EXPECT_NEAR(found.cone, error * strength / shear, 0.01 * error * strength / shear);
+  EXPECT_NEAR(found.slip_direction, error * strength / shear, 0.01 * error * strength / shear);
+}
+
+// Sums that cancel: 2^60 + 1 - 2^60 loses the one in double precision, and so does what the second
+// number of the vector has beyond double.
+TEST(Accurate, ProductsKeepWhatDoubleLoses)
+{
+  DenseMatrix A(9, 3);
+  const double large = std::pow(2., 60);
+  for (std::size_t i = 0; i < A.n_rows(); ++i)
+    {
+      A(i, 0) = large;
+      A(i, 1) = 1. + static_cast<double>(i);
+      A(i, 2) = -large;
+    }
+  const long double little = std::pow(2.L, -30), tiny = std::pow(2.L, -62);
+  Accurate y(9, little);
+  add_product(-1.L, A, {1.L, 1.L, 1.L + tiny}, y);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    EXPECT_EQ(y[i], little - (1.L + static_cast<long double>(i)) + 0.25L) << i;
+}
