@@ -3,6 +3,7 @@
 
 #include <fuga/adaptive_run.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/bodies/refinement_indicator.h>
 #include <fuga/dual_fields.h>
 #include <fuga/io/output_files.h>
@@ -77,7 +78,15 @@ namespace fuga
     for (bool going_on = true; going_on;)
       {
         ModelDefinition next = model->parameters.model;
-        going_on             = do_round(next);
+        try
+          {
+            going_on = do_round(next);
+          }
+        catch (const Interrupted &)
+          {
+            throw Interrupted(fmt::format("Interrupted in round {} of the search for the mesh.",
+                                          report.rounds.size() + 1));
+          }
         write_refinement_table(directory, report);
         if (!quiet)
           fmt::print("{}\n", report.description(report.rounds.size() - 1));

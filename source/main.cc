@@ -3,8 +3,11 @@
 
 #include <fuga/adaptive_run.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/bodies/processes.h>
+#include <fuga/io/directory_lock.h>
 #include <fuga/io/law_plot.h>
+#include <fuga/io/output_files.h>
 #include <fuga/io/parameters.h>
 #include <fuga/io/report.h>
 #include <fuga/io/threads.h>
@@ -17,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -120,9 +124,11 @@ namespace
       .add_subcommand("report", "Makes DIR/report.html and DIR/report_short.html of a finished run")
       ->add_option("DIR", line.reported_directory, "Directory of the results")
       ->required();
-    app.footer("Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
-               "(results up to there are "
-               "complete), 4 certificate above its bound.");
+    app.footer(
+      "Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
+      "(results up to there are "
+      "complete), 4 certificate above its bound, 5 a result file cannot be written, 130 or 143 "
+      "interrupted (Ctrl-C, SIGTERM).");
   }
 
   Checkpoint
@@ -169,12 +175,45 @@ namespace
       }
   }
 
+  /** What a run that ended before its end left, and how to go on. */
+  std::string
+  advice(const std::string &directory)
+  {
+    const bool has_checkpoint =
+      std::filesystem::exists(std::filesystem::path(directory) / checkpoint_file_name);
+    return fmt::format(" The results in {} are complete up to there{}.",
+                       directory,
+                       has_checkpoint
+                         ? "; the same command with --restart goes on from the last checkpoint"
+                         : ", but there is no checkpoint to go on from");
+  }
+
+  template <typename Run>
+  ExitCode
+  with_advice(const Run &run, const std::string &directory)
+  {
+    try
+      {
+        return run();
+      }
+    catch (const Interrupted &end)
+      {
+        throw Interrupted(end.what() + advice(directory));
+      }
+    catch (const WriteFailure &failure)
+      {
+        throw WriteFailure(failure.what() + advice(directory));
+      }
+  }
+
   template <int dim>
   int
   compute(const CommandLine &line,
           const Parameters &parameters,
           const std::optional<Checkpoint> &checkpoint)
   {
+    interruption::listen();
+    std::signal(SIGXFSZ, SIG_IGN); // a limit of the size of files is noticed where they are written
     auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
                                                  parameters.output.log != LogDetail::quiet);
     auto model   = std::make_unique<const Model<dim>>(
@@ -192,7 +231,7 @@ namespace
                ? run_all_phases<dim>(std::move(model), checkpoint ? &*checkpoint : nullptr)
                : Sweep<dim>(*model).run();
     };
-    const ExitCode code = run();
+    const ExitCode code = with_advice(run, parameters.output.directory);
     if (parameters.output.report && code != ExitCode::input_error && processes::is_first())
       report_after_run(parameters.output);
     return static_cast<int>(code);
@@ -229,6 +268,9 @@ namespace
             fmt::print("{}\n", file);
         return 0;
       }
+    std::optional<DirectoryLock> lock;
+    if (!line.check_only)
+      lock.emplace(parameters.output.directory);
     std::optional<Checkpoint> checkpoint;
     if (line.restart)
       {
@@ -267,6 +309,16 @@ main(int argc, char **argv)
     {
       code      = static_cast<int>(ExitCode::input_error);
       complaint = fmt::format("Error: {}\n", error.what());
+    }
+  catch (const Interrupted &end)
+    {
+      code      = interruption::exit_code();
+      complaint = fmt::format("{}{}\n", processes::have_terminal() ? "\n" : "", end.what());
+    }
+  catch (const WriteFailure &failure)
+    {
+      code      = static_cast<int>(ExitCode::not_written);
+      complaint = fmt::format("Error: {}\n", failure.what());
     }
   catch (const processes::Separated &)
     {

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
 #include <fuga/contact/path_choice.h>
 #include <fuga/io/stiffness_need.h>
@@ -49,6 +50,7 @@ namespace fuga
       bodies.set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
     timer.set_apart(bodies.phases());
     timer.finish("elements and loads");
+    interruption::check("while the model was set up");
   }
 
   template <int dim>
@@ -93,6 +95,7 @@ namespace fuga
   LoadProgram
   Model<dim>::make_loads(const PhaseEnd *before)
   {
+    interruption::check("while the model was set up");
     check_cones();
     check_body_solver();
     check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
+#include <fuga/bodies/processes.h>
 #include <fuga/contact/matrix_free_path.h>
 #include <fuga/io/summary.h>
 #include <fuga/simulation.h>
@@ -90,6 +92,16 @@ namespace fuga
         outcome.code    = ExitCode::numerical_failure;
         outcome.message = failure.what();
         outcome.path.t  = last_state.t;
+      }
+    catch (const Interrupted &)
+      {
+        end_early();
+      }
+    catch (const processes::Separated &)
+      {
+        if (interruption::signal_number() == 0)
+          throw;
+        end_early(); // the others noticed the signal before this process did
       }
     finish(outcome);
     return outcome.code;

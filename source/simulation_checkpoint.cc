@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/interruption.h>
 #include <fuga/simulation.h>
 
 #include <fmt/format.h>
@@ -100,6 +101,28 @@ namespace fuga
     checkpoint.tables       = history.memory();
     checkpoint.fields       = fields.memory();
     checkpoint.log          = log.memory();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::end_early()
+  {
+    Outcome outcome;
+    outcome.verdict              = "interrupted";
+    outcome.code                 = static_cast<ExitCode>(interruption::exit_code());
+    outcome.path                 = path->last_cut().result;
+    outcome.path.t               = last_state.t;
+    const auto [stage, fraction] = stage_of(last_state.t, model.stage_names.size());
+    outcome.message = fmt::format("Interrupted at {:.9g} of stage '{}' (t = {:.12g}, {} events{}).",
+                                  fraction,
+                                  model.stage_names[stage],
+                                  last_state.t,
+                                  n_events,
+                                  searching ? ", in the search for a factor of safety" : "");
+    publish(true);
+    write_checkpoint();
+    write_summary(outcome);
+    throw Interrupted(outcome.message);
   }
 
   template <int dim>

@@ -25,7 +25,8 @@ namespace fuga
     input_error          = 1,
     numerical_failure    = 2,
     loss_of_equilibrium  = 3,
-    certificate_violated = 4
+    certificate_violated = 4,
+    not_written          = 5
   };
 
   /**
@@ -157,6 +158,9 @@ namespace fuga
     closed_water(const Vector &factors) const;
     void
     finish(const Outcome &outcome);
+    /** Leaves complete files of what was reached, and a checkpoint. @throws Interrupted always. */
+    [[noreturn]] void
+    end_early();
     std::string
     describe_critical(const PathResult &result) const;
     std::string

@@ -6,6 +6,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/bodies/iterative_system.h>
 
 #include <algorithm>
@@ -106,6 +107,7 @@ namespace fuga
   void
   IterativeSolver::solve_columns(DenseMatrix &loads, const double tolerance)
   {
+    interruption::check("while the bodies were solved");
     processes::meet(processes::Place::solver, loads.n_columns());
     const int n_rows = blocks.n_own_rows(), n = static_cast<int>(loads.n_columns());
     Epetra_MultiVector R(View, system->map, loads.data(), n_rows, n);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/contact/report_counter.h>
 
 namespace fuga
@@ -25,10 +26,14 @@ namespace fuga
     count   = 0;
   }
 
-  bool
-  ReportCounter::is_new()
+  template <typename Report>
+  void
+  ReportCounter::hand_on(const Report &report)
   {
-    return ++count > n_heard;
+    if (++count <= n_heard)
+      return;
+    report();
+    interruption::check("on the way through the loads");
   }
 
   bool
@@ -40,35 +45,30 @@ namespace fuga
   void
   ReportCounter::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
-    if (is_new())
-      observer.advanced(from, to, length);
+    hand_on([&]() { observer.advanced(from, to, length); });
   }
 
   void
   ReportCounter::jumped(const JointState &to)
   {
-    if (is_new())
-      observer.jumped(to);
+    hand_on([&]() { observer.jumped(to); });
   }
 
   void
   ReportCounter::changed(const std::vector<ContactEvent> &events, const JointState &state)
   {
-    if (is_new())
-      observer.changed(events, state);
+    hand_on([&]() { observer.changed(events, state); });
   }
 
   void
   ReportCounter::reached(const std::size_t index, const JointState &state)
   {
-    if (is_new())
-      observer.reached(index, state);
+    hand_on([&]() { observer.reached(index, state); });
   }
 
   void
   ReportCounter::went_beyond(const double length, const JointState &state)
   {
-    if (is_new())
-      observer.went_beyond(length, state);
+    hand_on([&]() { observer.went_beyond(length, state); });
   }
 } // namespace fuga

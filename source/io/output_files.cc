@@ -14,6 +14,40 @@
 
 namespace fuga
 {
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    std::string
+    amount(const double n_bytes)
+    {
+      return n_bytes < 1e6 ? fmt::format("{:.1f} kB", n_bytes / 1e3)
+                           : fmt::format("{:.1f} MB", n_bytes / 1e6);
+    }
+
+    /** What was begun is taken away: on a full disk others need the room. */
+    [[noreturn]] void
+    fail_to_write(const std::string &path, const std::size_t size, const int reason)
+    {
+      std::error_code ignored;
+      fs::remove(path + ".part", ignored);
+      const fs::path directory   = fs::absolute(path).parent_path();
+      const fs::space_info space = fs::space(directory, ignored);
+      const bool is_full         = reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+      throw WriteFailure(fmt::format(
+        "The result file {} ({}) cannot be written: {}. {} free in {}. {}",
+        path,
+        amount(static_cast<double>(size)),
+        std::strerror(reason),
+        ignored ? "It is not known how much is"
+                : amount(static_cast<double>(space.available)) + " are",
+        directory.string(),
+        is_full ? "Make room there (or ask for a larger quota or limit of the size of files), "
+                  "or write less: Output/Fields = end, fewer levels."
+                : "Look whether the directory is still there and whether you may write to it."));
+    }
+  } // namespace
+
   void
   write_complete_file(const std::string &path, const std::string &content)
   {
@@ -25,12 +59,12 @@ namespace fuga
   write_piece(const std::string &path, const std::string &content)
   {
     const std::string temporary = path + ".part";
+    errno                       = 0;
     std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     file.close();
     if (!file || std::rename(temporary.c_str(), path.c_str()) != 0)
-      throw NumericalFailure(
-        fmt::format("The result file {} cannot be written: {}.", path, std::strerror(errno)));
+      fail_to_write(path, content.size(), errno);
   }
 
   std::string
@@ -46,8 +80,6 @@ namespace fuga
 
   namespace
   {
-    namespace fs = std::filesystem;
-
     bool
     ends_with(const std::string &name, const std::string &end)
     {

@@ -5,12 +5,7 @@
 --restart ends in the files of a run that was not killed.
 
 usage: killed.py FUGA
-
-Every .csv is RFC 4180 with CR LF after the last row and as many fields in every row, every .json can be parsed, every
-.vtu and .pvd is well-formed XML, every file that a .pvd names is there. Temporary files end in .part and do not count.
 """
-import csv
-import io
 import json
 import pathlib
 import random
@@ -18,64 +13,12 @@ import subprocess
 import sys
 import tempfile
 import time
-import xml.etree.ElementTree as xml
+
+from result_files import check_directory, results
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 N_RUNS = 15
 complaints = []
-
-
-def check_csv(path):
-    text = path.read_bytes().decode()
-    if not text.endswith("\r\n"):
-        return "the last row is cut off"
-    if "\n" in text.replace("\r\n", ""):
-        return "bare line feed"
-    lengths = {len(row) for row in csv.reader(io.StringIO(text, newline=""), strict=True)}
-    return None if len(lengths) == 1 else f"rows of {sorted(lengths)} fields"
-
-
-def check_pvd(path):
-    for entry in xml.parse(path).getroot().findall("./Collection/DataSet"):
-        if not (path.parent / entry.get("file")).is_file():
-            return f"names {entry.get('file')}, which is not there"
-    return None
-
-
-CHECKS = {".csv": check_csv, ".pvd": check_pvd,
-          ".json": lambda path: json.loads(path.read_text()) and None,
-          ".vtu": lambda path: xml.parse(path) and None}
-
-
-def check_directory(directory):
-    n_files = 0
-    for path in sorted(directory.iterdir()):
-        if path.suffix == ".part":
-            continue
-        n_files += 1
-        try:
-            complaint = CHECKS.get(path.suffix, lambda path: None)(path)
-        except Exception as error:  # any failure to read is what is looked for
-            complaint = repr(error)
-        if complaint:
-            complaints.append(f"{path.name}: {complaint}")
-    return n_files
-
-
-def results(directory):
-    """Files by name, without times, memory, and what tells of restarts."""
-    files = {}
-    for path in directory.iterdir():
-        content = path.read_bytes()
-        if path.name == "summary.json":
-            summary = json.loads(content)
-            del summary["seconds"], summary["memory_MB"], summary["work"]
-            content = json.dumps(summary)
-        elif path.name == "log.txt":
-            content = [line for line in content.splitlines() if not line.startswith((b"Time ", b"Restarted "))]
-        if path.name != "checkpoint.cbor":
-            files[path.name] = content
-    return files
 
 
 def restart(command, directory, expected, chance):
@@ -86,7 +29,7 @@ def restart(command, directory, expected, chance):
         time.sleep(0.3 * random.random())
         process.kill()
         process.wait()
-        check_directory(directory)
+        check_directory(directory, complaints)
     run = subprocess.run(command + ["--restart"], capture_output=True, text=True)
     if not there:
         if run.returncode != 1 or "no checkpoint" not in run.stderr:
@@ -94,7 +37,7 @@ def restart(command, directory, expected, chance):
         return False
     if run.returncode != 0:
         complaints.append(f"restart: {run.returncode}, {run.stderr}")
-    check_directory(directory)
+    check_directory(directory, complaints)
     found = results(directory)
     differing = [name for name in sorted(set(found) | set(expected)) if found.get(name) != expected.get(name)]
     if differing:
@@ -111,7 +54,7 @@ def main():
         begin = time.monotonic()
         subprocess.run(command + ["--output-dir", name], check=True)
         duration = time.monotonic() - begin
-        n_all = check_directory(pathlib.Path(name))
+        n_all = check_directory(pathlib.Path(name), complaints)
         expected = results(pathlib.Path(name))
         n_restarts = 0
         # The earlier results lie there still: they go, or are replaced, but never mix.
@@ -122,7 +65,7 @@ def main():
             time.sleep(duration * (run + random.random()) / N_RUNS)
             process.kill()
             process.wait()
-            n_seen.append(check_directory(pathlib.Path(name)))
+            n_seen.append(check_directory(pathlib.Path(name), complaints))
             verdict = json.loads((pathlib.Path(name) / "summary.json").read_text())["verdict"]
             if process.returncode != 0 and n_seen[-1] != n_all and verdict == "done":
                 complaints.append(f"killed with {n_seen[-1]} files, but summary.json says done")

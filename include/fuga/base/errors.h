@@ -36,6 +36,16 @@ namespace fuga
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /**
+   * A result file cannot be written: the disk is full, or closed to the user. What was written
+   * before is complete. Ends the program with exit code 5.
+   */
+  class WriteFailure : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
 } // namespace fuga
 
 #endif

@@ -29,6 +29,7 @@ namespace fuga
     /** What processes do together. */
     enum class Place
     {
+      begin,
       sum,
       broadcast,
       gather,

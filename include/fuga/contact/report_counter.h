@@ -10,7 +10,8 @@ namespace fuga
 {
   /**
    * Hands the reports of a path on and counts them. A path that is followed again from a cut
-   * reports the same again; what its observer has heard already is not repeated.
+   * reports the same again; what its observer has heard already is not repeated. After each report
+   * the path can be left in good order: that is where it ends if the user wishes so.
    */
   class ReportCounter : public PathObserver
   {
@@ -36,8 +37,10 @@ namespace fuga
     went_beyond(const double length, const JointState &state) override;
 
   private:
-    bool
-    is_new();
+    /** Makes the report unless it was heard before. @throws Interrupted after it. */
+    template <typename Report>
+    void
+    hand_on(const Report &report);
 
     PathObserver &observer;
     std::size_t n_heard;

@@ -18,7 +18,7 @@ namespace fuga
    * Writes a whole file under a temporary name in the same directory and renames it: whoever looks,
    * and whatever kills the program, the file is either the old one or complete. Of several
    * processes only the first one writes.
-   * @throws NumericalFailure naming the file and the reason of the system.
+   * @throws WriteFailure naming the file, the reason of the system and the space that is left.
    */
   void
   write_complete_file(const std::string &path, const std::string &content);
