@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/errors.h>
 #include <fuga/bodies/elimination_order.h>
 
 #include <algorithm>
+#include <metis.h>
+#include <numeric>
 
 namespace fuga
 {
   namespace
   {
-    /** Sets of nodes that are not divided further. */
-    constexpr std::size_t leaf_size = 12;
-
     /** Lists of different lengths, one after the other. */
     struct Lists
     {
@@ -24,119 +24,75 @@ namespace fuga
       }
     };
 
-    template <int dim>
-    class Dissection
+    /** For each of @p n numbers the lists in which it occurs. */
+    Lists
+    transposed(const Lists &lists, const std::size_t n)
     {
-    public:
-      Dissection(const Discretization<dim> &space, const Lists &nodes_of_cells)
-        : discretization(space), cells(nodes_of_cells), side(space.n_nodes(), separator)
-      {
-      }
+      Lists result;
+      result.start.assign(n + 1, 0);
+      for (const unsigned int entry : lists.entries)
+        ++result.start[entry + 1];
+      std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+      result.entries.resize(lists.entries.size());
+      std::vector<unsigned int> next = result.start;
+      for (unsigned int list = 0; list + 1 < lists.start.size(); ++list)
+        for (unsigned int k = lists.start[list]; k < lists.start[list + 1]; ++k)
+          result.entries[next[lists.entries[k]]++] = list;
+      return result;
+    }
 
-      /** The nodes that occur in cells, in the order of elimination. */
-      std::vector<unsigned int>
-      run()
-      {
-        std::vector<unsigned int> all_cells, all_nodes;
-        for (unsigned int cell = 0; cell + 1 < cells.start.size(); ++cell)
-          if (cells.start[cell] < cells.start[cell + 1])
-            all_cells.push_back(cell);
-        std::vector<bool> seen(discretization.n_nodes(), false);
-        for (const unsigned int node : cells.entries)
-          if (!seen[node])
-            {
-              seen[node] = true;
-              all_nodes.push_back(node);
-            }
-        order.reserve(all_nodes.size());
-        divide(std::move(all_cells), std::move(all_nodes));
-        return std::move(order);
-      }
 
-    private:
-      enum Side : unsigned char
-      {
-        low,
-        high,
-        separator
-      };
-
-      void
-      divide(std::vector<unsigned int> my_cells, std::vector<unsigned int> nodes)
-      {
-        if (nodes.size() <= leaf_size)
-          {
-            order.insert(order.end(), nodes.begin(), nodes.end());
-            for (const unsigned int node : nodes)
-              side[node] = separator;
-            return;
-          }
-        split(nodes);
-        // A cell that reaches across gives its nodes on the low side to the separator.
-        for (const unsigned int cell : my_cells)
-          {
-            bool has[3] = {false, false, false};
-            for (unsigned int k = cells.start[cell]; k < cells.start[cell + 1]; ++k)
-              has[side[cells.entries[k]]] = true;
-            if (has[low] && has[high])
-              for (unsigned int k = cells.start[cell]; k < cells.start[cell + 1]; ++k)
-                if (side[cells.entries[k]] == low)
-                  side[cells.entries[k]] = separator;
-          }
-        std::vector<unsigned int> cells_of[2], nodes_of[3];
-        for (const unsigned int cell : my_cells)
-          for (unsigned int k = cells.start[cell]; k < cells.start[cell + 1]; ++k)
-            if (const Side at = side[cells.entries[k]]; at != separator)
-              {
-                cells_of[at].push_back(cell);
-                break;
-              }
-        for (const unsigned int node : nodes)
-          nodes_of[side[node]].push_back(node);
-        my_cells = {};
-        nodes    = {};
-        // The marks of the other half must not be taken for those of the next level.
-        for (const unsigned int node : nodes_of[high])
-          side[node] = separator;
-        divide(std::move(cells_of[low]), std::move(nodes_of[low]));
-        divide(std::move(cells_of[high]), std::move(nodes_of[high]));
-        order.insert(order.end(), nodes_of[separator].begin(), nodes_of[separator].end());
-      }
-
-      /** Marks the nodes below, above and on the median along the longest side of their box. */
-      void
-      split(const std::vector<unsigned int> &nodes)
-      {
-        dealii::Point<dim> least = discretization.position(nodes[0]), most = least;
-        for (const unsigned int node : nodes)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              least[c] = std::min(least[c], discretization.position(node)[c]);
-              most[c]  = std::max(most[c], discretization.position(node)[c]);
-            }
-        unsigned int longest = 0;
-        for (unsigned int c = 1; c < dim; ++c)
-          if (most[c] - least[c] > most[longest] - least[longest])
-            longest = c;
-        values.clear();
-        for (const unsigned int node : nodes)
-          values.push_back(discretization.position(node)[longest]);
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        const double tolerance = 1e-9 * (most[longest] - least[longest]);
-        for (const unsigned int node : nodes)
-          {
-            const double offset = discretization.position(node)[longest] - *middle;
-            side[node]          = offset < -tolerance ? low : offset > tolerance ? high : separator;
-          }
-      }
-
-      const Discretization<dim> &discretization;
-      const Lists &cells;
-      std::vector<Side> side;
-      std::vector<double> values;
-      std::vector<unsigned int> order;
+    /** Which nodes share a cell, in the form that METIS reads. */
+    struct Graph
+    {
+      std::vector<idx_t> start = {0}, neighbours;
     };
+
+    Graph
+    neighbours(const Lists &cells, const std::size_t n_nodes)
+    {
+      const Lists cells_of = transposed(cells, n_nodes);
+      Graph graph;
+      std::vector<unsigned int> seen(n_nodes, static_cast<unsigned int>(-1));
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        {
+          seen[node] = node;
+          for (unsigned int c = cells_of.start[node]; c < cells_of.start[node + 1]; ++c)
+            for (unsigned int k = cells.start[cells_of.entries[c]];
+                 k < cells.start[cells_of.entries[c] + 1];
+                 ++k)
+              if (const unsigned int other = cells.entries[k]; seen[other] != node)
+                {
+                  seen[other] = node;
+                  graph.neighbours.push_back(static_cast<idx_t>(other));
+                }
+          graph.start.push_back(static_cast<idx_t>(graph.neighbours.size()));
+        }
+      return graph;
+    }
+
+
+    /** The nodes in the order of elimination. The seed is fixed: every run has the same order. */
+    std::vector<idx_t>
+    nested_dissection(Graph graph)
+    {
+      idx_t n = static_cast<idx_t>(graph.start.size()) - 1;
+      std::vector<idx_t> node_at(graph.start.size() - 1), place_of(node_at.size());
+      if (n == 0)
+        return node_at;
+      idx_t options[METIS_NOPTIONS];
+      METIS_SetDefaultOptions(options);
+      options[METIS_OPTION_SEED] = 1;
+      if (METIS_NodeND(&n,
+                       graph.start.data(),
+                       graph.neighbours.data(),
+                       nullptr,
+                       options,
+                       node_at.data(),
+                       place_of.data()) != METIS_OK)
+        throw NumericalFailure("METIS found no order of elimination for the bodies.");
+      return node_at;
+    }
   } // namespace
 
 
@@ -200,16 +156,16 @@ namespace fuga
         cells.finish_list();
       }
 
-    const std::vector<unsigned int> nodes = Dissection<dim>(discretization, cells).run();
+    const std::vector<idx_t> nodes = nested_dissection(neighbours(cells, discretization.n_nodes()));
     std::vector<unsigned int> first(discretization.n_nodes() + 1, 0);
     for (const unsigned int node : owner)
       ++first[node + 1];
     std::vector<unsigned int> count(first.begin() + 1, first.end());
     unsigned int place = 0;
-    for (const unsigned int node : nodes)
+    for (const idx_t node : nodes)
       {
-        first[node] = place;
-        place += count[node];
+        first[static_cast<std::size_t>(node)] = place;
+        place += count[static_cast<std::size_t>(node)];
       }
     std::vector<int> order(coordinates.size());
     for (unsigned int i = 0; i < order.size(); ++i)

@@ -20,9 +20,7 @@ namespace fuga
    * coordinates come last.
    *
    * MUMPS orders by minimum degree when it is to return a Schur complement, whatever ICNTL(7) says.
-   * Nested dissection by the positions of the nodes is better: halve the set of nodes again and
-   * again along the longer side of its box, and eliminate the nodes between the halves after both
-   * halves.
+   * Nested dissection of the graph of nodes by METIS is better.
    */
   template <int dim>
   std::vector<int>
