@@ -12,6 +12,7 @@
 #include <fuga/io/report.h>
 #include <fuga/io/threads.h>
 #include <fuga/io/version.h>
+#include <fuga/model_check.h>
 #include <fuga/phases.h>
 #include <fuga/sweep.h>
 
@@ -103,8 +104,9 @@ namespace
       ->take_all();
     app.add_option("--output-dir", line.output_directory, "Directory of the results")
       ->type_name("DIR");
-    app.add_flag(
-      "--check", line.check_only, "Read and check everything, compute and write nothing");
+    app.add_flag("--check",
+                 line.check_only,
+                 "Read and check everything, say what it adds up to, compute and write nothing");
     app.add_flag("--plot-law",
                  line.plot_laws,
                  "Write the laws of all joints as tables and pictures, law_JOINT.csv and .svg; "
@@ -206,12 +208,34 @@ namespace
       }
   }
 
+  void
+  report_check(const CheckedModel &checked, const CommandLine &line)
+  {
+    if (line.quiet)
+      return;
+    for (const std::string &text : checked.echo)
+      fmt::print("{}\n", text);
+    for (const std::string &text : checked.warnings)
+      fmt::print("Warning: {}\n", text);
+    const std::size_t n = checked.warnings.size();
+    fmt::print("{}: no errors found{}.\n",
+               line.file,
+               n == 0   ? ""
+               : n == 1 ? ", one warning"
+                        : fmt::format(", {} warnings", n));
+  }
+
   template <int dim>
   int
   compute(const CommandLine &line,
           const Parameters &parameters,
           const std::optional<Checkpoint> &checkpoint)
   {
+    if (line.check_only)
+      {
+        report_check(check_model<dim>(parameters), line);
+        return 0;
+      }
     interruption::listen();
     std::signal(SIGXFSZ, SIG_IGN); // a limit of the size of files is noticed where they are written
     auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
@@ -219,11 +243,6 @@ namespace
     auto model   = std::make_unique<const Model<dim>>(
       parameters, checkpoint ? checkpoint->construction : ConstructionState());
     waiting.reset();
-    if (line.check_only)
-      {
-        fmt::print("{}: no errors found.\n", line.file);
-        return 0;
-      }
     const auto run = [&] {
       if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
         return AdaptiveRun<dim>(std::move(model)).run();

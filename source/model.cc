@@ -15,30 +15,33 @@
 namespace fuga
 {
   template <int dim>
-  Model<dim>::Model(const Parameters &run_parameters, const ConstructionState &state)
-    : Model(run_parameters, state, nullptr)
+  Model<dim>::Model(const Parameters &run_parameters,
+                    const ConstructionState &state,
+                    const Condensation condensation)
+    : Model(run_parameters, state, nullptr, condensation)
   {
   }
 
   template <int dim>
   Model<dim>::Model(const Parameters &run_parameters, const PhaseEnd &before)
-    : Model(run_parameters, {before.stage, {}, {}, {}, {}}, &before)
+    : Model(run_parameters, {before.stage, {}, {}, {}, {}}, &before, Condensation::with_loads)
   {
   }
 
   template <int dim>
   Model<dim>::Model(const Parameters &run_parameters,
                     const ConstructionState &state,
-                    const PhaseEnd *before)
+                    const PhaseEnd *before,
+                    const Condensation condensation)
     : parameters(run_parameters)
     , timer(before ? before->timer : PhaseTimer())
     , shared_mesh(before ? before->mesh : read_mesh())
     , mesh(*shared_mesh)
-    , bodies(mesh, parameters.model, frictionless_joints(), Condensation::with_loads, state.stage)
+    , bodies(mesh, parameters.model, frictionless_joints(), condensation, state.stage)
     , construction(state)
     , monitor_points(find_monitor_points())
-    , loads(make_loads(before))
-    , monitors(make_monitors())
+    , loads(make_loads(before, condensation))
+    , monitors(make_monitors(condensation))
     , joint_names(find_joint_names())
     , stage_names(find_stage_names())
     , frames(find_frames())
@@ -93,7 +96,7 @@ namespace fuga
   // All that can be wrong in joints and loads is found before the bodies are condensed.
   template <int dim>
   LoadProgram
-  Model<dim>::make_loads(const PhaseEnd *before)
+  Model<dim>::make_loads(const PhaseEnd *before, const Condensation condensation)
   {
     interruption::check("while the model was set up");
     check_cones();
@@ -109,7 +112,10 @@ namespace fuga
       }
     if (construction.stage > 0)
       begin_phase(program, before);
-    bodies.set_load_patterns(std::move(program.patterns));
+    if (condensation == Condensation::never)
+      bodies.check_load_patterns(program.patterns);
+    else
+      bodies.set_load_patterns(std::move(program.patterns));
     return program;
   }
 
@@ -125,9 +131,11 @@ namespace fuga
 
   template <int dim>
   std::vector<Monitor>
-  Model<dim>::make_monitors() const
+  Model<dim>::make_monitors(const Condensation condensation) const
   {
     std::vector<Monitor> result;
+    if (condensation == Condensation::never)
+      return result;
     for (std::size_t i = 0; i < monitor_points.size(); ++i)
       result.emplace_back(
         parameters.model.monitors[i], monitor_points[i], parameters.model, bodies);

@@ -67,6 +67,7 @@ namespace fuga
     log.line(model.change_of_construction());
     for (const std::string &line : joint.report)
       log.line(line);
+    log_model();
     return follow([&]() { return path->go_on(checkpoint.cut, model.loads.levels, *this); });
   }
 

@@ -5,6 +5,8 @@
 #include <fuga/base/process_info.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/io/model_echo.h>
+#include <fuga/io/model_warnings.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
 #include <fuga/simulation.h>
@@ -55,6 +57,26 @@ namespace fuga
       log.line(line);
     for (const std::string &line : model.loads.report)
       log.line(line);
+    log_model();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_model()
+  {
+    const ModelEcho<dim> echo(parameters,
+                              model.bodies,
+                              model.loads.load_factors,
+                              model.construction.stage,
+                              model.next_stage());
+    for (const std::string &line : echo.in_brief())
+      log.line(line);
+    for (const std::string &text : model_warnings(parameters,
+                                                  model.bodies,
+                                                  model.loads.load_factors,
+                                                  model.construction.stage,
+                                                  model.next_stage()))
+      log.warning(text);
   }
 
   namespace
@@ -86,7 +108,7 @@ namespace fuga
   }
 
   // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
-  // model.bodies.
+  // bodies.
   template <int dim>
   void
   Simulation<dim>::log_layers()
@@ -118,15 +140,6 @@ namespace fuga
                               data.normal_layer_modulus(),
                               parameters.output.units.stress());
         log.line(text);
-        if (data.normal_layer_modulus() > softest_body)
-          log.warning(fmt::format(
-            "joint '{}': the layer modulus thickness/compliance = {:.4g} {} is above the modulus "
-            "{:.4g} of the softest body. The layer hardly deforms; check the unit of the "
-            "compliance.",
-            data.definition.name,
-            data.normal_layer_modulus(),
-            parameters.output.units.stress(),
-            softest_body));
       }
   }
 

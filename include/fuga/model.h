@@ -27,9 +27,13 @@ namespace fuga
     /**
      * The first phase of construction, or the one with the state @p construction that a checkpoint
      * remembers.
+     * @p condensation never: for checks of the input; there are no monitors then, and the bodies
+     * cannot be solved.
      * @throws InputError, NumericalFailure
      */
-    explicit Model(const Parameters &parameters, const ConstructionState &construction = {});
+    explicit Model(const Parameters &parameters,
+                   const ConstructionState &construction = {},
+                   const Condensation condensation       = Condensation::with_loads);
 
     /** The phase behind @p before. */
     Model(const Parameters &parameters, const PhaseEnd &before);
@@ -84,7 +88,8 @@ namespace fuga
   private:
     Model(const Parameters &parameters,
           const ConstructionState &construction,
-          const PhaseEnd *before);
+          const PhaseEnd *before,
+          const Condensation condensation);
 
     void
     check_later_phases() const;
@@ -103,9 +108,9 @@ namespace fuga
     std::vector<MonitorPoint<dim>>
     find_monitor_points() const;
     LoadProgram
-    make_loads(const PhaseEnd *before);
+    make_loads(const PhaseEnd *before, const Condensation condensation);
     std::vector<Monitor>
-    make_monitors() const;
+    make_monitors(const Condensation condensation) const;
     std::vector<std::string>
     find_joint_names() const;
     std::vector<std::string>

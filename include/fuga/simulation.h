@@ -142,6 +142,10 @@ namespace fuga
     log_header();
     void
     log_layers();
+    /** What the bodies and the loads of this phase add up to, and what seems to be wrong in them.
+     */
+    void
+    log_model();
     std::string
     shear_description(const unsigned int j) const;
     void

@@ -66,18 +66,25 @@ namespace fuga
 
   template <int dim>
   void
+  CondensedSystem<dim>::check_load_patterns(const std::vector<LoadPattern> &loads) const
+  {
+    for (const LoadPattern &pattern : loads)
+      if (!pattern.prescribed.empty())
+        check_settlement(pattern.prescribed);
+  }
+
+  template <int dim>
+  void
   CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
   {
+    check_load_patterns(new_patterns);
     timer.restart();
     if (!solver)
       condense();
     patterns = std::move(new_patterns);
     for (LoadPattern &pattern : patterns)
       if (!pattern.prescribed.empty())
-        {
-          check_settlement(pattern.prescribed);
-          coordinates->extend_prescribed(pattern.prescribed);
-        }
+        coordinates->extend_prescribed(pattern.prescribed);
     motion_loads = DenseMatrix(pieces->n_free_motions(), patterns.size());
     for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)
       {
@@ -185,6 +192,8 @@ namespace fuga
   CondensedSystem<2>::assemble_load(const std::size_t, const double) const;
   template std::vector<double>
   CondensedSystem<2>::levels_of_kinks(const std::size_t) const;
+  template void
+  CondensedSystem<2>::check_load_patterns(const std::vector<LoadPattern> &) const;
   template void CondensedSystem<2>::set_load_patterns(std::vector<LoadPattern>);
   template Vector
   CondensedSystem<2>::out_of_balance(const Vector &, const Vector &) const;
@@ -196,6 +205,8 @@ namespace fuga
   CondensedSystem<3>::assemble_load(const std::size_t, const double) const;
   template std::vector<double>
   CondensedSystem<3>::levels_of_kinks(const std::size_t) const;
+  template void
+  CondensedSystem<3>::check_load_patterns(const std::vector<LoadPattern> &) const;
   template void CondensedSystem<3>::set_load_patterns(std::vector<LoadPattern>);
   template Vector
   CondensedSystem<3>::out_of_balance(const Vector &, const Vector &) const;

@@ -46,7 +46,7 @@ namespace fuga
         {"seismic",
          LoadKind::weight,
          {},
-         {"Bodies", "Horizontal coefficient", "Vertical coefficient"}},
+         {"Bodies", "Horizontal coefficient", "Horizontal direction", "Vertical coefficient"}},
         {"temperature", LoadKind::temperature, {"Value"}, {"Bodies"}},
         {"pressure", LoadKind::pressure, {"Boundaries", "Value"}, {}},
         {"hydrostatic", LoadKind::depth_pressure, {"Boundaries", "Level", "Unit weight"}, {}},
@@ -201,26 +201,6 @@ namespace fuga
       if (all_empty)
         section.fail("Value", "all components are empty. Prescribe one at least.");
       return expressions;
-    }
-
-
-    /** Seismic coefficients are the direction, and size, of a weight. */
-    std::vector<std::string>
-    read_seismic_coefficients(const ParameterSection &section, const unsigned int dimension)
-    {
-      std::vector<std::string> direction;
-      bool any = false;
-      for (const char *const entry : {"Horizontal coefficient", "Vertical coefficient"})
-        {
-          if (dimension == 3 && direction.size() == 1)
-            direction.emplace_back("0"); // y, in space
-          direction.push_back(section.given(entry) ? section.text(entry) : "0");
-          any = any || (section.given(entry) && section.number(entry) != 0.);
-        }
-      if (!any)
-        section.fail("no coefficient is given, or all are 0, so that this load does nothing. Set "
-                     "'Horizontal coefficient' or 'Vertical coefficient'.");
-      return direction;
     }
 
 

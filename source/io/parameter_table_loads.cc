@@ -33,9 +33,16 @@ namespace fuga
                  "entry."),
         optional("Horizontal coefficient",
                  any_number(),
-                 "For seismic: force per weight of the bodies in x, negative against x. For "
+                 "For seismic: force per weight of the bodies in x, negative against x, or, in "
+                 "space, in 'Horizontal direction'. For "
                  "westergaard: the pressure is 7/8 of this times unit weight times sqrt(depth of "
                  "the water at its bottom times depth), positive towards the body."),
+        optional("Horizontal direction",
+                 text(),
+                 "For seismic in space: the direction of 'Horizontal coefficient', two numbers "
+                 "'x; y' whose common length does not count; x without this entry. The pressure "
+                 "of westergaard has no direction of its own: it acts along the normal of its "
+                 "boundaries."),
         optional("Vertical coefficient",
                  any_number(),
                  "For seismic: force per weight of the bodies in y (in space z), upwards "

@@ -173,7 +173,9 @@ namespace fuga
                       : log == "levels" ? LogDetail::levels
                                         : LogDetail::quiet;
       output.report = section.text("Report") == "true";
-      output.units  = {section.text("Force unit"), section.text("Length unit")};
+      output.units  = {section.text("Force unit"),
+                       section.text("Length unit"),
+                       section.given("Force unit") || section.given("Length unit")};
       return output;
     }
   } // namespace

@@ -3,8 +3,20 @@
 
 #include <fuga/io/units.h>
 
+#include <map>
+
 namespace fuga
 {
+  namespace
+  {
+    std::optional<double>
+    find(const std::map<std::string, double> &sizes, const std::string &name)
+    {
+      const auto known = sizes.find(name);
+      return known == sizes.end() ? std::nullopt : std::optional<double>(known->second);
+    }
+  } // namespace
+
   std::string
   Units::stress() const
   {
@@ -23,5 +35,55 @@ namespace fuga
   Units::energy() const
   {
     return force + length;
+  }
+
+  std::string
+  Units::area() const
+  {
+    return length + "2";
+  }
+
+  std::string
+  Units::volume() const
+  {
+    return length + "3";
+  }
+
+  std::optional<double>
+  Units::newtons() const
+  {
+    constexpr double g = 9.80665, pound = 4.4482216152605;
+    return find({{"N", 1.},
+                 {"daN", 1e1},
+                 {"kN", 1e3},
+                 {"MN", 1e6},
+                 {"GN", 1e9},
+                 {"kgf", g},
+                 {"kp", g},
+                 {"tf", 1e3 * g},
+                 {"lbf", pound},
+                 {"kip", 1e3 * pound},
+                 {"Н", 1.},
+                 {"кН", 1e3},
+                 {"МН", 1e6},
+                 {"кгс", g},
+                 {"тс", 1e3 * g}},
+                force);
+  }
+
+  std::optional<double>
+  Units::metres() const
+  {
+    return find({{"m", 1.},
+                 {"dm", 1e-1},
+                 {"cm", 1e-2},
+                 {"mm", 1e-3},
+                 {"km", 1e3},
+                 {"ft", 0.3048},
+                 {"in", 0.0254},
+                 {"м", 1.},
+                 {"см", 1e-2},
+                 {"мм", 1e-3}},
+                length);
   }
 } // namespace fuga

@@ -48,7 +48,9 @@ namespace fuga
     at_once,
     /** By set_load_patterns(): a mistake in loads or joints is found before anything is computed.
      */
-    with_loads
+    with_loads,
+    /** Not at all: the input is checked and nothing is computed. */
+    never
   };
 
   /**
@@ -165,9 +167,20 @@ namespace fuga
     std::vector<double>
     levels_of_kinks(const std::size_t number) const;
 
+    const JointGeometry<dim> &
+    joint_geometry() const
+    {
+      return *geometry;
+    }
+
     /** The pattern of load @p number of the model at load time @p t. */
     LoadPattern
     assemble_load(const std::size_t number, const double t) const;
+
+    /** What set_load_patterns() checks before it begins. @throws InputError for a settlement that
+     * tears the two sides of a joint apart. */
+    void
+    check_load_patterns(const std::vector<LoadPattern> &patterns) const;
 
     /** Condenses the patterns; they stay here for recover() and equilibrium_error(). */
     void

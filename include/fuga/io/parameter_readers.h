@@ -44,6 +44,11 @@ namespace fuga
   Uplift
   read_uplift(const ParameterSection &section);
 
+  /** The coefficients of a seismic load as the force per weight along every axis, expressions of a
+   * weight. @throws InputError */
+  std::vector<std::string>
+  read_seismic_coefficients(const ParameterSection &section, const unsigned int dimension);
+
   /** Section Loads, each load for itself. @throws InputError */
   std::vector<LoadDefinition>
   read_loads(const ParameterValues &values, const ModelDefinition &model);

@@ -4,6 +4,7 @@
 #ifndef fuga_io_units_h
 #define fuga_io_units_h
 
+#include <optional>
 #include <string>
 
 namespace fuga
@@ -14,12 +15,25 @@ namespace fuga
   {
     std::string force  = "MN";
     std::string length = "m";
+    /** Whether the user named at least one of them, so that sizes of data can be judged. */
+    bool named = false;
 
     /** "MPa", "kPa" or "Pa" where that is the name, else force/length². */
     std::string
     stress() const;
     std::string
     energy() const;
+    std::string
+    area() const;
+    std::string
+    volume() const;
+
+    /** Newtons in the unit of force, metres in that of length; nothing for units that are not
+     * known. */
+    std::optional<double>
+    newtons() const;
+    std::optional<double>
+    metres() const;
   };
 } // namespace fuga
 
