@@ -3,11 +3,9 @@
 
 #include "known_answer.h"
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include <cstdlib>
 #include <fstream>
+#include <gtest/gtest.h>
 
 namespace fuga::tests
 {
@@ -28,5 +26,13 @@ namespace fuga::tests
       {"tolerance", tolerance},
       {"test", std::string(test->test_suite_name()) + "." + test->name()}};
     std::ofstream(file, std::ios::app) << row << '\n';
+  }
+
+  const nlohmann::json &
+  independent_answers()
+  {
+    static const nlohmann::json answers = nlohmann::json::parse(
+      std::ifstream(FUGA_SOURCE_DIR "/tests/scenes/reference/independent.json"));
+    return answers;
   }
 } // namespace fuga::tests

@@ -4,6 +4,8 @@
 #ifndef fuga_tests_known_answer_h
 #define fuga_tests_known_answer_h
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace fuga::tests
@@ -27,6 +29,16 @@ namespace fuga::tests
    */
   void
   expect_answer(const KnownAnswer &known, const double ours, const double tolerance);
+
+  /** The source of the answers below, for KnownAnswer::source. */
+  constexpr const char *independent_code = "independent code";
+
+  /**
+   * What tests/scenes/reference/independent.py has computed: a code of its own, which anyone can
+   * run (ctest -R independent does). Its README says how, and how many digits are kept.
+   */
+  const nlohmann::json &
+  independent_answers();
 } // namespace fuga::tests
 
 #endif

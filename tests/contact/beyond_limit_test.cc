@@ -66,7 +66,7 @@ TEST(BeyondLimit, PlateauOfSlidingBlock)
   for (std::size_t k = 0; k <= 8; ++k)
     {
       T += record.beyond[0].forces[2 * k + 1];
-      // The last bar to slip had the jump 8/33 (verification.md: d = 0.10303 + 8 x 0.02424 =
+      // The last bar to slip had the jump 8/33 (V4: d = 0.10303 + 8 x 0.02424 =
       // 0.297).
       EXPECT_GT(record.beyond[0].slips[k], 5. - rounding);
     }

@@ -51,7 +51,7 @@ TEST(Cycles, JenkinsElement)
 
 // V6, rocking block on two bars: N0(1 ± β) alternates, Q constant. D = Q - 2 f N0 (1 - β) > 0: the
 // block advances 2D/k_t per cycle and loses 2QD/k_t, for ever; Q = 0.9, N0 = 1, β = 0.5, f = 0.6,
-// k_t = 2: 0.3 and 0.27 (verification.md). Bars at ±1/2, so the moment that moves N by βN0 is βN0.
+// k_t = 2: 0.3 and 0.27. Bars at ±1/2, so the moment that moves N by βN0 is βN0.
 TEST(Cycles, RatchetOfRockingBlock)
 {
   const std::size_t n_cycles = 40;

@@ -64,7 +64,7 @@ TEST(EventPath, OneBarWithGapSlipAndReversal)
   expect_jump("u_t(2)", 0.125, jump(4, 1));
 }
 
-// V4: H(d) of bars that slip one after the other, verification.md; printed to nine digits there and
+// V4: H(d) of bars that slip one after the other, by hand to nine digits and
 // exact as fractions: d_k = (f k_n / k_t) w_k, H = Σ min(C_t d, f N_k).
 TEST(EventPath, ProgressiveSlipOfRigidBlock)
 {
@@ -103,7 +103,7 @@ TEST(EventPath, ProgressiveSlipOfRigidBlock)
                   1e-9);
 }
 
-// V3: opening under a growing eccentricity, nine bars; the list of verification.md, exact as
+// V3: opening under a growing eccentricity, nine bars; the list by hand, exact as
 // fractions (contact of m bars ends where the edge bar of the trapezoidal distribution is
 // unloaded).
 TEST(EventPath, EccentricLoadOnRigidBlock)

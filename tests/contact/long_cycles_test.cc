@@ -17,7 +17,7 @@ namespace
   constexpr std::size_t n_cycles = 10000;
 } // namespace
 
-// V5, n = 100. The loss of the chain: verification.md, 7.6e-4 (two digits) above the closed form.
+// V5, n = 100. The loss of the chain: independent.json, 7.6e-4 (two digits) above the closed form.
 TEST(LargeCycles, PullOut)
 {
   const PullOutBar bar(100, 200.);

@@ -87,7 +87,7 @@ TEST(NonlinearLayer, OpeningSlidingReversal)
 }
 
 // The paper's iteration finds the same path, and diverges beyond w = 0.0604 ζ0 under force control
-// (design.md, trap c: C_tan = 2 A/ρ0 at q = 0.3924).
+// (doc/theory.md, section 6: C_tan = 2 A/ρ0 at q = 0.3924).
 TEST(NonlinearLayer, ConstantStiffnessIteration)
 {
   PathOptions constant;

@@ -79,10 +79,10 @@ namespace
 {
   // First loading to P0 = 3 P_e, then one cycle ±P0, L = 200 (nearly infinite: the far end moves by
   // e^{-10}). Closed forms: u0 = P²/(2 EA q) + q/(2k), a = P/q - 1/λ, W; first loading loses W/4.
-  // The chain differs from the continuous bar by the errors of W that an independent prototype of
-  // the chain had (7.6e-4, 3.3e-4, 5.8e-5, 2.2e-5: half a unit of the last digit); u0 by terms of
-  // order (λh)²/8 of q/2k and the position of the front within its element, again quadratic: (λh)²;
-  // a by the distance of the nodes.
+  // The chain differs from the continuous bar by the errors of W that an independent code finds for
+  // the chain (tests/scenes/reference; 7.6e-4, 3.3e-4, 5.8e-5, 2.2e-5: half a unit of the last
+  // digit); u0 by terms of order (λh)²/8 of q/2k and the position of the front within its element,
+  // again quadratic: (λh)²; a by the distance of the nodes.
   void
   expect_losses(const std::size_t n, const double printed_error)
   {

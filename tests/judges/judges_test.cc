@@ -47,7 +47,7 @@ namespace
 
 TEST(Judges, V1OneBarWithGapSlipAndReversal)
 {
-  // verification.md V1 (Code_Aster SSND116A): event times and displacements; steps from event to
+  // Code_Aster SSND116A: event times and displacements; steps from event to
   // event.
   JudgeProblem problem      = one_element(1., 0., 1.);
   JudgeElement &element     = problem.elements[0];
@@ -88,7 +88,7 @@ TEST(Judges, V1OneBarWithGapSlipAndReversal)
 
 TEST(Judges, V3EccentricBlockOpensBarByBar)
 {
-  // verification.md V3: opening events of nine bars at these e/b, overturning at 0.5.
+  // Closed form: opening events of nine bars at these e/b, overturning at 0.5.
   const double events[] = {
     .171875, .214285714285714, .256944444444444, .3, .34375, .388888888888889, .4375};
   JudgeProblem problem = rigid_block(8, 10., 1., 0.);
@@ -107,7 +107,7 @@ TEST(Judges, V3EccentricBlockOpensBarByBar)
 
 TEST(Judges, V4ProgressiveSlipOfTheRigidBlock)
 {
-  // verification.md V4: n = 8, e = b/12, N = b = 1, f = 0.2, k_t = 1: bars slip in order at
+  // Closed form: n = 8, e = b/12, N = b = 1, f = 0.2, k_t = 1: bars slip in order at
   // d = 0.103030303 + 0.024242424(k-1), H/(fN) as listed; limit load sliding at 1.
   const double H[]     = {.515151515151515,
                           .628787878787879,
@@ -136,7 +136,7 @@ TEST(Judges, V4ProgressiveSlipOfTheRigidBlock)
 
 TEST(Judges, V6ShakedownOfTheJenkinsElement)
 {
-  // verification.md V6: U = (F0 - fN)/k and W = 4fN(U - fN/k_t) per cycle if F0 > fN(1 + k/k_t).
+  // Closed form: U = (F0 - fN)/k and W = 4fN(U - fN/k_t) per cycle if F0 > fN(1 + k/k_t).
   // k = 1, k_t = 2, fN = 0.3: the bound is 0.45. N comes from a normal spring of its own.
   JudgeProblem problem                  = one_element(1., 0., 1.);
   problem.elements[0].normal_compliance = 1.;
@@ -163,7 +163,7 @@ TEST(Judges, V6ShakedownOfTheJenkinsElement)
 
 TEST(Judges, V6RatchetOfTheRockingBlock)
 {
-  // verification.md V6: Q = 0.9, N0 = 1, β = 0.5, f = 0.6, k_t = 2 advances 2D/k_t = 0.3 per cycle,
+  // Closed form: Q = 0.9, N0 = 1, β = 0.5, f = 0.6, k_t = 2 advances 2D/k_t = 0.3 per cycle,
   // D = Q - 2fN0(1-β). Two bars of area 1/2 each at x = ±1/2: k_t = 4 makes the bar stiffness 2.
   JudgeProblem problem = rigid_block(1, 4., 4., .6);
   Vector slip          = judged(problem, no_slip(problem), {0., -2., 0.}).slip;
@@ -185,7 +185,7 @@ TEST(Judges, V6RatchetOfTheRockingBlock)
 
 TEST(Judges, V11LawNineAndItsNewtonStep)
 {
-  // verification.md V11: q = 0.1, 0.2, 0.5, 0.6 give σρ/ζ = 1/900, 0.01, 0.25, 0.54 and
+  // Law (9): q = 0.1, 0.2, 0.5, 0.6 give σρ/ζ = 1/900, 0.01, 0.25, 0.54 and
   // C_tan ρ = 1.1522634, 1.3541667, 8/3, 3.75.
   const double rho = 1.25e-4, zeta = 2e-3;
   const double rows[][3] = {

@@ -15,7 +15,7 @@ using namespace fuga::judges;
 
 TEST(Judges, V10CoupledNodeBeyondCriticalFriction)
 {
-  // verification.md V10: a = d = 1, b = -0.6, f = 2 is unique iff C_n < 3.2, from
+  // a = d = 1, b = -0.6, f = 2 is unique iff C_n < 3.2, from
   // f_c = a/|b| + (ad - b²)/(C_n|b|); beyond it dF_t + f dF_n < 0 gives two solutions, > 0 none.
   // (a belongs to the tangential coordinate; F_n < 0 presses.)
   for (const double C_n : {.5, 1., 3.19, 3.21, 10., 1e6, -1.})

@@ -27,7 +27,7 @@ namespace
     double q, stress, secant, tangent;
   };
 
-  // verification.md, V11; the tangents (1 - 2q/3)/(1 - q)² as fractions.
+  // Closed forms of law (9); the tangents (1 - 2q/3)/(1 - q)² as fractions.
   const Row rows[] = {{0.1, 1. / 900., 10. / 9., 28. / 24.3},
                       {0.2, 0.01, 1.25, 65. / 48.},
                       {0.5, 0.25, 2., 8. / 3.},

@@ -183,7 +183,7 @@ TEST(Adaptive, LineContact)
 
 
 // V9: u_x at the left end of the base is 28.594, 28.604, 28.602 µm on 32, 64, 128 squares per side,
-// by a prototype, for a joint with a share of 1e-5 in the flexibility: known to 1e-4, about. The
+// by an independent code (reference/README.md), for a joint with a share of 1e-5 in the flexibility: known to 1e-4, about. The
 // tolerance adds the target. A force at a lip, with elements that stick, slip and open around it.
 TEST(Adaptive, RaousBlock)
 {

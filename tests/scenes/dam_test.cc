@@ -139,7 +139,7 @@ namespace
     return {force, -slope * force, 4. * slope * force - (1. + slope * slope) * first_moment};
   }
 
-  /** N, T and M of the joint against loads by equilibrium, see notation.md. */
+  /** N, T and M of the joint against loads by equilibrium, see doc/notation.md. */
   void
   expect_equilibrium(const SceneRun &run, const double t, const Resultant &a, const Resultant &b)
   {

@@ -12,7 +12,7 @@
 using namespace fuga;
 using namespace fuga::tests;
 
-// What the answer may not depend on (verification.md, "General checks"). No outside number: the two
+// What the answer may not depend on: numbering, units, levels, place. No outside number: the two
 // runs are each other's reference. Tolerances: 1e-9 for linear and rigid layers (direct solvers,
 // 1e-14 times the condition of bodies and contact), 1e-8 for the nonlinear one, whose iteration
 // ends at 1e-12 per step.

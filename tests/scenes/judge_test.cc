@@ -62,8 +62,8 @@ namespace
   };
 } // namespace
 
-// verification.md: "variants 1 and 2 equal an independent iterative solution of the same discrete
-// problem"; the nonlinear variant and scene G as well. Between two events slip does not turn, so an
+// The paper compares variants 1 and 2 with an iterative solution of the same discrete problem; so
+// here, and the nonlinear variant and scene G as well. Between two events slip does not turn, so an
 // implicit step from event to event is exact for rigid and linear layers and for law (9). The judge
 // shares nothing with the solver but S, F and the data. Its residual is below 1e-11; times the
 // condition of the contact problem (some 10) that gives 1e-9 (law (9) 1e-8).
@@ -80,7 +80,7 @@ TEST_P(IndependentSolution, StepsFromEventToEvent)
   follow(model, run, times, c.tolerance);
 }
 
-// baselines.md, "An honest fact": on a monotone path one implicit step per stage has the same end.
+// On a monotone path one implicit step per stage has the same end.
 // Only forces and jumps are compared, and only for scenes whose slip does not turn within a stage.
 TEST_P(IndependentSolution, OneStepPerStage)
 {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Kills runs with SIGKILL at random moments: whatever can be seen then must be complete (design.md, section 4), and
+"""Kills runs with SIGKILL at random moments: whatever can be seen then must be complete, and
 --restart ends in the files of a run that was not killed.
 
 usage: killed.py FUGA

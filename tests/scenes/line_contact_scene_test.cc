@@ -82,7 +82,7 @@ namespace
 } // namespace
 
 // The NAFEMS roller: E = 210000 on 70000, ν = 0.3, R = 50, half load 17500 N/mm, half model without
-// friction. Closed forms of Hertz, printed in verification.md: E* = 57692.3, a = 6.2146, p0 =
+// friction. Closed forms of Hertz, with their numbers: E* = 57692.3, a = 6.2146, p0 =
 // 3585.36. Quadratic elements: both are of second order in h/a (the position of the rim between two
 // nodes), p0 with a quarter of the error for half of h; the factors 0.01 and 0.07 of (h/a)² are no
 // theory but bounds for the size of a smooth second-order error. Cubic elements at h = a/16: three

@@ -34,7 +34,7 @@ namespace
   }
 } // namespace
 
-// Exit codes of design.md, section 4: 0 done, 3 at a limit load, 4 with a bound that nothing meets,
+// Exit codes (doc/results.md): 0 done, 3 at a limit load, 4 with a bound that nothing meets,
 // 1 for wrong input (with a message on the error stream); the summary says the same code.
 TEST(Program, ExitCodes)
 {

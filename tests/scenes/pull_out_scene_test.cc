@@ -23,7 +23,7 @@ namespace
 // The chain of tests/contact/pull_out_test.cc as one row of linear elements 0.002 high (ν = 0,
 // plane stress), pressed by a uniform pressure and pulled in the direction -x. The shear at the
 // base acts 0.001 below the middle of the bar, which moves pressure by λ·height = 1.3e-4 of it at
-// most; with that the errors of W and u0 are those of the chain (verification.md, and (λh)²).
+// most; with that the errors of W and u0 are those of the chain (reference/README.md, and (λh)²).
 TEST(PullOutScene, LossPerCycle)
 {
   const double height = 0.002, lambda = std::sqrt(k / EA);

@@ -5,7 +5,7 @@
 
 usage: read_vtu.py FUGA
 
-Expected: the arrays of the contract (design.md, section 4); as many cells as summary.json says; joint values
+Expected: the arrays of doc/results.md; as many cells as summary.json says; joint values
 equal to joint_history.csv within single precision (the files' type, 6e-8 of the largest); displacement zero
 where the model is held; principal and von Mises stresses by their definition from the tensor.
 """

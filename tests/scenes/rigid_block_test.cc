@@ -144,7 +144,7 @@ TEST_P(RigidBlock, EccentricLoad)
 // V3 on an incline: weight 1 and a horizontal share tan α of it at mid-height. First opening at
 // tan α = b(1 + 2/n²)/(3h), toppling at b/h = 1/2, sliding at f; f = b/h is a double event, whose
 // mechanism is not determined. Limits follow from equilibrium, whatever E: 1e-9.
-// E ≥ 1e5 k_n b is degeneracies.md, 15: very soft joints near collapse.
+// E ≥ 1e5 k_n b: very soft joints near collapse, where a rigid rotation loses the last digits.
 TEST_P(RigidBlock, OnAnIncline)
 {
   const std::string loads = "subsection down\nset Type = weight\nset Value = 0; -1\nend\n"

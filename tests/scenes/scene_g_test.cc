@@ -249,7 +249,7 @@ TEST(SceneGLimits, SlidingLimit)
         }
 }
 
-// The limit λ = 1.834862385 of overturning (baselines.md; λ·9.81·40³/6 = 19200·10) at f = 1: the
+// The limit λ = 1.834862385 of overturning (λ·9.81·40³/6 = 19200·10) at f = 1: the
 // discrete block topples about its last node, at x = 20. Tolerance as above, but nine digits given.
 TEST(SceneGLimits, OverturningLimit)
 {

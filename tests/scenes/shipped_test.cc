@@ -42,8 +42,8 @@ namespace
   };
 } // namespace
 
-// The contract of design.md, section 4: every example runs to its end; the certificate of every
-// event, level and of the whole is below 1e-9; the columns are those of the contract, in its order,
+// The contract: every example runs to its end; the certificate of every
+// event, level and of the whole is below 1e-9; the columns are those of doc/results.md,
 // and those of space and of water in joints behind them.
 TEST_P(Shipped, RunsAndIsCertified)
 {
@@ -182,7 +182,7 @@ TEST_P(Shipped, TablesAreComplete)
     }
 }
 
-// What the columns of joint_history.csv mean (design.md, section 1): pressure = -N/A ≥ 0, shear =
+// What the columns of joint_history.csv mean (doc/results.md): pressure = -N/A ≥ 0, shear =
 // T/A, gap only where open, no force there. The numbers have 17 digits: 1e-15 relative.
 TEST_P(Shipped, ColumnsAgree)
 {
@@ -211,7 +211,7 @@ TEST_P(Shipped, ColumnsAgree)
     }
 }
 
-// design.md, section 4: what summary.json must contain.
+// What summary.json must contain.
 TEST_P(Shipped, SummaryIsComplete)
 {
   const nlohmann::json summary = run_scene(GetParam()).summary;
