@@ -17,6 +17,7 @@ import matplotlib
 import numpy
 
 from adaptivity_scenes import Block, Hertz, Punch, Run, Sphere
+from remarks import remarks
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -91,8 +92,6 @@ class Case:
                              + (f"{100 * row.estimate:.3g} % | {row.effectivity:.2f} |" if known else "too large a mesh | |"))
         adapted, uniform = self.first_within(self.adapted, target), self.first_within(self.uniform, target)
         if not self.uniform:
-            lines.append("\nUniform meshes are left out: the sum of their shear forces is right to 1e-5 and less by chance, which the "
-                         "reference cannot judge.")
             return "\n".join(lines) + "\n"
         most = self.uniform[-1]
         if uniform:
@@ -118,9 +117,7 @@ def effectivity_words(cases):
     text = (f"\nEffectivity of {len(rows)} estimates: {min(all_values):.2f} to {max(all_values):.2f}, {len(rows) - len(outside)} of "
             "them between 0.5 and 3.")
     if outside:
-        text += (f" Outside: {'; '.join(outside)}. An error can be small by chance: where it changes its sign from one mesh to the "
-                 "next, or where so few elements are closed that equilibrium nearly fixes their pressures. The mesh refined once more is "
-                 "then no better; the estimate does not know that, and is on the safe side.")
+        text += f" Outside: {'; '.join(outside)}."
     return text + "\n"
 
 
@@ -155,7 +152,7 @@ def figure(cases, path):
 def write_page(cases, targets, head, name):
     figure(cases, name + ".png")
     everything = [value for case in cases for value in case.effectivities()]
-    text = head + effectivity_words(cases) + "".join(case.text(target) for case, target in zip(cases, targets))
+    text = head + effectivity_words(cases) + "".join(case.text(target) for case, target in zip(cases, targets)) + "\n" + remarks("adaptivity")
     with open(name + ".md", "w", encoding="utf-8") as file:
         file.write(text)
     print(f"Effectivity {min(everything):.2f} to {max(everything):.2f}")

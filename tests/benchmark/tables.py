@@ -43,7 +43,7 @@ def grouped(one):
 def requirement_tables(figures):
     parts, count = [], {"yes": 0, "no": 0, "in part": 0, "-": 0}
     for title, rows in requirements.by_title(figures):
-        parts += ["### %s\n" % title, table(["figure", "required", "measured", "reached", "reason"], rows)]
+        parts += ["### %s\n" % title, table(["figure", "required", "measured", "reached", "reason (written by hand, `tests/benchmark/reasons.py`)"], rows)]
         for row in rows:
             count[row[3]] += 1
     return "\n".join(["%d rows reached, %d not, %d in part, %d not measured.\n" % tuple(count.values())] + parts)

@@ -105,7 +105,7 @@ def failure_table(scenes, causes):
     failed = scenes[scenes.failed]
     if not len(failed):
         return "None.\n"
-    return table(["scene", "seed", "verdict", "what", "cause"],
+    return table(["scene", "seed", "verdict", "what", "cause (written by hand, `tests/stress/causes.csv`)"],
                  [[row.scene, row.seed, row.verdict, row.failure, causes.get((row.scene, int(row.seed)), "unknown")]
                   for row in failed.itertuples()])
 
