@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """The pages of doc/ speak of what exists: messages of doc/errors.md are in the sources, entries of doc/names.md and
-doc/errors.md are in doc/input.md, links lead to files and headings; the README is short, and the top of the repository tidy.
+doc/errors.md are in doc/input.md, links lead to files and headings; pages, sections and equations that any file mentions
+are there, and so are the sources that a page mentions; generated pages have the remarks that are written by hand; the
+README is short, and the top of the repository tidy.
 
 usage: documents.py SOURCE_DIR
 """
@@ -73,6 +75,52 @@ def check_links(path):
             complaints.append(f"{path.relative_to(ROOT)}: no heading {target}")
 
 
+def check_mentions():
+    """Every page that any file names is a path from the file's folder, from the root, or, in a page or its generator, from doc/; with the
+    section or equation that follows it. Every `NAME.cc`, `NAME.h` in a page is a source."""
+    theory = (ROOT / "doc/theory.md").read_text(encoding="utf-8")
+    places = {"section": set(re.findall(r"^## (\d+)\.", theory, re.M)), "eq.": set(re.findall(r"\\tag\{(\w+)\}", theory))}
+    sources = {path.name for folder in ("include", "source", "tests") for path in (ROOT / folder).rglob("*.*")}
+    n_mentions = 0
+    for path in mentioning():
+        text = path.read_text(encoding="utf-8")
+        name = path.relative_to(ROOT)
+        folders = [path.parent, ROOT] + ([ROOT / "doc"] if path.suffix in (".md", ".py") else [])
+        for page in re.finditer(r"[\w./-]*\w\.md\b", text):
+            n_mentions += 1
+            if not any((folder / page.group()).is_file() for folder in folders):
+                complaints.append(f"{name}: there is no page {page.group()}")
+        # Comments break lines; the markers of the next line do not count.
+        words = re.sub(r"\n\s*(?://|\*|#)?\s*", " ", text)
+        for kind, number in re.findall(r"theory(?:\.md\)?|\]\(theory\.md\))?,? (section|eq\.) (\w+)", words):
+            if number not in places[kind]:
+                complaints.append(f"{name}: the theory has no {kind} {number}")
+        if path.suffix == ".md":
+            for source in re.findall(r"`(?:[\w.]+/)*(\w+\.(?:cc|h))`", text):
+                if source not in sources:
+                    complaints.append(f"{name}: there is no source {source}")
+    return n_mentions
+
+
+def check_remarks():
+    """A generated page has the hand-written remarks as they are now."""
+    for path in sorted((ROOT / "doc/remarks").glob("*.md")):
+        pages = [page for page in (ROOT / "doc").glob("*.md") if f"remarks/{path.name}" in page.read_text(encoding="utf-8")]
+        if not pages:
+            complaints.append(f"no page has doc/remarks/{path.name}")
+        for page in pages:
+            if path.read_text(encoding="utf-8") not in page.read_text(encoding="utf-8"):
+                complaints.append(f"{page.relative_to(ROOT)} has other remarks than {path.name}: write the page again")
+
+
+def mentioning():
+    """The hand-written and generated texts of the repository."""
+    kinds = {".cc", ".h", ".in", ".py", ".md", ".prm", ".geo", ".sh", ".txt"}
+    files = [path for folder in ("include", "source", "tests", "doc", "meshes", "parameters")
+             for path in sorted((ROOT / folder).rglob("*")) if path.suffix in kinds]
+    return [*files, *sorted(ROOT.glob("*.md")), ROOT / "CMakeLists.txt", ROOT / "check", ROOT / "run", *sorted((ROOT / ".ci").iterdir())]
+
+
 def check_top():
     names = {path.name for path in ROOT.iterdir()}
     for name in sorted(names - TOP_LEVEL - UNTRACKED):
@@ -88,11 +136,13 @@ def main():
     n_messages = check_messages(errors)
     n_entries = check_entries("doc/errors.md", errors) + check_entries("doc/names.md", names)
     check_top()
+    check_remarks()
+    n_mentions = check_mentions()
     for path in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "meshes").glob("*.md")), *sorted((ROOT / "doc").rglob("*.md"))]:
         check_links(path)
-    if n_messages < 40 or n_entries < 30:
-        complaints.append(f"only {n_messages} messages and {n_entries} entries found")
-    print("\n".join(complaints) or f"{n_messages} messages, {n_entries} entries")
+    if n_messages < 40 or n_entries < 30 or n_mentions < 200:
+        complaints.append(f"only {n_messages} messages, {n_entries} entries and {n_mentions} pages found")
+    print("\n".join(complaints) or f"{n_messages} messages, {n_entries} entries, {n_mentions} pages")
     sys.exit(1 if complaints else 0)
 
 

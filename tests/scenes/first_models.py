@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""The first models of README.md as a newcomer would make them: their files are written, their commands typed, what they print
-is compared.
+"""The first models of README.md and doc/ru.md as a newcomer would make them: their files are written, their commands typed, what
+they print is compared.
 
 usage: first_models.py FUGA
 """
+import math
 import pathlib
 import re
 import sys
@@ -31,9 +32,22 @@ def readme(folder):
     compare(printed, output)
 
 
+def russian(folder):
+    """By hand: N = 840 kN, T = 405 kN, so K = 0.7 840/405; with f = 0.4 it slides where 5 h² = 0.4 (1200 - 40 h)."""
+    text = (ROOT / "doc/ru.md").read_text(encoding="utf-8")
+    text = text[text.index("## 3. "):text.index("## 4. ")]
+    shell = Shell(folder, FUGA, "plotina")
+    written = follow(text, shell)
+    check(written == {"plotina.geo", "plotina.prm"}, f"files of ru.md: {written}")
+    height = -1.6 + math.sqrt(1.6**2 + 96)
+    check(f"{0.7 * 840 / 405:.4f}".replace(".", ",") in text, "the safety by hand is another one")
+    check(f"h = {height:.4f} м".replace(".", ",") in text, f"the level by hand is {height}")
+
+
 def main():
-    with tempfile.TemporaryDirectory() as folder:
-        readme(pathlib.Path(folder))
+    for page in (readme, russian):
+        with tempfile.TemporaryDirectory() as folder:
+            page(pathlib.Path(folder))
     sys.exit(check.exit_code())
 
 
