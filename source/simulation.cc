@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/matrix_free_path.h>
 #include <fuga/io/summary.h>
@@ -178,6 +179,7 @@ namespace fuga
   void
   Simulation<dim>::write_state(const JointState &state, const bool with_fields)
   {
+    const work::Scope phase(work::Phase::results);
     model.timer.finish("path");
     Certificate certificate = judge.judge(state);
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);

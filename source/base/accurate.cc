@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/accurate.h>
+#include <fuga/base/work_counter.h>
 
 #include <cmath>
 #include <numeric>
@@ -58,6 +59,7 @@ namespace fuga
   void
   add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y)
   {
+    work::now().accurate_operations += A.n_rows() * A.n_columns();
     static const bool fused = is_fused();
     if (!fused)
       {
@@ -85,6 +87,7 @@ namespace fuga
                          const Accurate &x,
                          Accurate &y)
   {
+    work::now().accurate_operations += A.n_rows() * A.n_columns();
     for (std::size_t j = 0; j < A.n_columns(); ++j)
       {
         long double sum = 0.L;

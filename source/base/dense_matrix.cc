@@ -23,6 +23,27 @@ namespace fuga
       return std::max(1, to_int(A.n_rows()));
     }
 
+    /** n³ */
+    std::size_t
+    cube(const DenseMatrix &A)
+    {
+      return A.n_rows() * A.n_rows() * A.n_rows();
+    }
+
+    void
+    count_factorisation(const std::size_t n_operations)
+    {
+      ++work::now().dense_factorisations;
+      work::now().dense_operations += n_operations;
+    }
+
+    void
+    count_solution(const DenseMatrix &A, const std::size_t n_columns)
+    {
+      work::now().dense_solutions += n_columns;
+      work::now().dense_operations += A.n_rows() * A.n_rows() * n_columns;
+    }
+
     void
     expect_success(const lapack_int info, const char *routine)
     {
@@ -114,6 +135,8 @@ namespace fuga
   {
     if (A.empty())
       return true;
+    count_factorisation(cube(A) / 6);
+    count_solution(A, B.n_columns());
     const lapack_int info = LAPACKE_dposv(LAPACK_COL_MAJOR,
                                           'L',
                                           to_int(A.n_rows()),
@@ -138,6 +161,7 @@ namespace fuga
         return;
       }
     equilibrate();
+    count_factorisation(cube(factors) / 3);
     const int n = to_int(factors.n_rows());
     const double norm =
       LAPACKE_dlange(LAPACK_COL_MAJOR, '1', n, n, factors.data(), leading(factors));
@@ -207,6 +231,7 @@ namespace fuga
     for (std::size_t j = 0; j < B.n_columns(); ++j)
       for (std::size_t i = 0; i < B.n_rows(); ++i)
         B(i, j) *= row_scale[i];
+    count_solution(factors, B.n_columns());
     // Not the one that looks through all factors for NaN first: that would cost half a solution.
     expect_success(LAPACKE_dgetrs_work(LAPACK_COL_MAJOR,
                                        'N',
@@ -226,6 +251,7 @@ namespace fuga
   DenseMatrix
   LuFactors::release_inverse()
   {
+    count_solution(factors, factors.n_rows());
     if (!factors.empty())
       expect_success(LAPACKE_dgetri(LAPACK_COL_MAJOR,
                                     to_int(factors.n_rows()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/work_counter.h>
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/contact_bars.h>
 #include <fuga/bodies/elimination_order.h>
@@ -18,6 +19,7 @@ namespace fuga
   void
   CondensedSystem<dim>::choose_solver(SymmetricTriplets &matrix)
   {
+    const work::Scope phase(work::Phase::elimination);
     BodySolver choice = model.body_solver;
     if (choice == BodySolver::automatic || choice == BodySolver::direct)
       {

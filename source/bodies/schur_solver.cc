@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/schur_solver.h>
 
@@ -97,6 +98,7 @@ namespace fuga
   DirectEstimate
   SchurSolver::analyse(SymmetricTriplets &matrix, const unsigned int kept)
   {
+    const work::Scope phase(work::Phase::elimination);
     auto &data           = mumps->data;
     n_kept               = kept;
     nothing_to_eliminate = static_cast<int>(n_kept) == matrix.size;
@@ -127,6 +129,7 @@ namespace fuga
   DenseMatrix
   SchurSolver::eliminate(SymmetricTriplets &matrix, const unsigned int kept)
   {
+    const work::Scope phase(work::Phase::elimination);
     if (!is_analysed)
       analyse(matrix, kept);
     DenseMatrix S(n_kept, n_kept);
@@ -160,6 +163,7 @@ namespace fuga
           mumps->control(14) = 2 * mumps->control(14) + 50; // estimates were too low: more room
         }
     ++its_work.n_factorisations;
+    work::now().sparse_operations += static_cast<std::uint64_t>(data.rinfog[2]);
 
     data.irn = data.jcn = data.irn_loc = data.jcn_loc = nullptr;
     data.a = data.a_loc = nullptr;
@@ -189,6 +193,7 @@ namespace fuga
   DenseMatrix
   SchurSolver::condense(DenseMatrix &loads)
   {
+    const work::Scope phase(work::Phase::loads);
     const std::size_t n_columns = loads.n_columns();
     if (nothing_to_eliminate)
       return loads;
@@ -200,6 +205,7 @@ namespace fuga
     run_solution(1, loads, "condensation of the loads");
     processes::broadcast(reduced.data(), n_kept * n_columns);
     its_work.n_condensed_loads += n_columns;
+    work::now().sparse_columns += n_columns;
     return reduced;
   }
 
@@ -215,6 +221,7 @@ namespace fuga
     run_solution(0, loads, "solution");
     processes::broadcast(loads.data(), loads.n_rows() * loads.n_columns());
     its_work.n_solutions += loads.n_columns();
+    work::now().sparse_columns += loads.n_columns();
   }
 
 

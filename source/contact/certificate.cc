@@ -256,6 +256,7 @@ namespace fuga
   Certificate
   Judge::judge(const JointState &state)
   {
+    const work::Scope phase(work::Phase::judge);
     const Vector delta = jumps(state.dislocations, state.forces);
     const Vector x     = coordinates(delta, state.t);
     Vector f           = loads(state.t);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/work_counter.h>
 #include <fuga/contact/certificate.h>
 
 #include <limits>
@@ -12,6 +13,7 @@ namespace fuga
   void
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
+    const work::Scope phase(work::Phase::judge);
     const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces), from.state.t);
     const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), to.state.t);
     // Imposed jumps have one rate along the piece, which the difference of both rates does not

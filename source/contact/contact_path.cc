@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/contact/change_of_state.h>
 #include <fuga/contact/contact_path.h>
 #include <fuga/contact/joint_water.h>
@@ -58,6 +59,7 @@ namespace fuga
                       const std::vector<double> &levels,
                       PathObserver &observer)
   {
+    const work::Scope phase(work::Phase::path);
     cut = from;
     restore_scheme(cut.scheme);
     next_level      = cut.next_level;

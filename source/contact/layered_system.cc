@@ -71,6 +71,7 @@ namespace fuga
       DenseMatrix change(n, B.n_columns());
       for (int sweep = 0; sweep < 3; ++sweep)
         {
+          work::now().accurate_operations += n * n * B.n_columns();
           for (std::size_t column = 0; column < B.n_columns(); ++column)
             {
               std::copy_n(rhs.column(column), n, residual.begin());
@@ -96,6 +97,7 @@ namespace fuga
                                const std::vector<ContactElement> &elements)
     : bodies(system)
   {
+    const work::Scope phase(work::Phase::layered_system);
     std::size_t n_bars = 0;
     for (const ContactElement &element : elements)
       n_bars += element.n_bars();

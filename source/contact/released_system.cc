@@ -39,6 +39,8 @@ namespace fuga
     if (n == 0)
       return true;
     const int size = blas::to_int(n);
+    ++work::now().dense_factorisations;
+    work::now().dense_operations += factor.n_rows() * factor.n_rows() * factor.n_rows() / 6;
     if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', size, factor.data(), size) != 0)
       return false;
     for (std::size_t i = 0; i < n; ++i)
@@ -53,6 +55,8 @@ namespace fuga
     const int n = blas::to_int(bars.size());
     for (std::size_t i = 0; i < bars.size(); ++i)
       x[i] /= roots[i];
+    ++work::now().dense_solutions;
+    work::now().dense_operations += bars.size() * bars.size();
     if (n > 0)
       LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'L', n, 1, factor.data(), n, x.data(), n);
     for (std::size_t i = 0; i < bars.size(); ++i)
@@ -76,6 +80,8 @@ namespace fuga
       for (std::size_t i = 0; i < bars.size(); ++i)
         Z(i, j) = W(bars[i], of_bars[j]) / roots[i];
     const int n = blas::to_int(bars.size()), m = blas::to_int(of_bars.size());
+    work::now().dense_solutions += of_bars.size();
+    work::now().dense_operations += bars.size() * bars.size() * of_bars.size() / 2;
     LAPACKE_dtrtrs_work(LAPACK_COL_MAJOR, 'L', 'N', 'N', n, m, factor.data(), n, Z.data(), n);
     const DenseMatrix change = multiply_transposed(Z, Z);
     for (std::size_t j = 0; j < of_bars.size(); ++j)

@@ -42,6 +42,7 @@ namespace fuga
              const double *column,
              long double *forces)
     {
+      work::now().accurate_operations += n;
       add_scaled(n, -amount, column, forces);
     }
   } // namespace

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/io/output_files.h>
 
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <map>
 
 namespace fuga
 {
@@ -48,6 +50,23 @@ namespace fuga
     }
   } // namespace
 
+  namespace
+  {
+    // How often a table is published while it grows is a matter of the clock: what counts is every
+    // file in its last form; a checkpoint not at all, for it has what is not published yet.
+    void
+    count_bytes(const std::string &path, const std::size_t size)
+    {
+      if (std::filesystem::path(path).filename() == checkpoint_file_name)
+        return;
+      static std::map<std::string, std::size_t> sizes;
+      std::size_t &counted = sizes[path];
+      work::now().bytes_written += size;
+      work::now().bytes_written -= counted;
+      counted = size;
+    }
+  } // namespace
+
   void
   write_complete_file(const std::string &path, const std::string &content)
   {
@@ -58,6 +77,8 @@ namespace fuga
   void
   write_piece(const std::string &path, const std::string &content)
   {
+    const work::Scope phase(work::Phase::results);
+    count_bytes(path, content.size());
     const std::string temporary = path + ".part";
     errno                       = 0;
     std::ofstream file(temporary, std::ios::binary | std::ios::trunc);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/version.h>
@@ -201,6 +202,26 @@ namespace fuga
     }
 
     Json
+    counted_section()
+    {
+      Json json;
+      for (std::size_t i = 0; i < work::n_phases; ++i)
+        {
+          const work::Counts &counts                       = work::all()[i];
+          json[work::name_of(static_cast<work::Phase>(i))] = {
+            {"dense_operations", counts.dense_operations},
+            {"accurate_operations", counts.accurate_operations},
+            {"dense_factorisations", counts.dense_factorisations},
+            {"dense_solutions", counts.dense_solutions},
+            {"sparse_operations", counts.sparse_operations},
+            {"sparse_columns", counts.sparse_columns},
+            {"bytes_written", counts.bytes_written},
+            {"cpu_seconds", counts.cpu_seconds}};
+        }
+      return json;
+    }
+
+    Json
     first_part(const RunSummary &summary, const Parameters &parameters)
     {
       Json json;
@@ -218,6 +239,7 @@ namespace fuga
     with_last_part(Json json, const RunSummary &summary, const Parameters &parameters)
     {
       json["work"]                                = work_section(summary.work);
+      json["work"]["counted"]                     = counted_section();
       json["work"]["bodies"]                      = bodies_section(summary.work.bodies);
       json["work"]["peak_memory_MB_behind_phase"] = object(summary.peaks);
       json["seconds"]                             = object(summary.phases);

@@ -4,6 +4,8 @@
 #ifndef fuga_base_blas_h
 #define fuga_base_blas_h
 
+#include <fuga/base/work_counter.h>
+
 #include <cstddef>
 
 // The Fortran names of BLAS, not cblas_*: deal.II brings the GNU Scientific Library along, whose
@@ -79,6 +81,7 @@ namespace fuga
     inline void
     axpy(const std::size_t n, const double a, const double *x, double *y)
     {
+      work::now().dense_operations += n;
       const int size = to_int(n), one = 1;
       daxpy_(&size, &a, x, &one, y, &one);
     }
@@ -86,6 +89,7 @@ namespace fuga
     inline double
     dot(const std::size_t n, const double *x, const double *y)
     {
+      work::now().dense_operations += n;
       const int size = to_int(n), one = 1;
       return ddot_(&size, x, &one, y, &one);
     }
@@ -100,6 +104,7 @@ namespace fuga
          const double *x,
          double *y)
     {
+      work::now().dense_operations += m * n;
       const int rows = to_int(m), columns = to_int(n), stride = to_int(lda), unit = 1;
       const double one = 1., zero = 0.;
       dgemv_(&op, &rows, &columns, &one, A, &stride, x, &unit, &zero, y, &unit);
@@ -109,6 +114,7 @@ namespace fuga
     inline void
     symv(const std::size_t n, const double *A, const std::size_t lda, const double *x, double *y)
     {
+      work::now().dense_operations += n * n;
       const int order = to_int(n), stride = to_int(lda), unit = 1;
       const char lower = 'L';
       const double one = 1., zero = 0.;
@@ -125,6 +131,7 @@ namespace fuga
         double *A,
         const std::size_t lda)
     {
+      work::now().dense_operations += m * n;
       const int rows = to_int(m), columns = to_int(n), stride = to_int(lda), unit = 1;
       dger_(&rows, &columns, &alpha, x, &unit, y, &unit, A, &stride);
     }
@@ -142,6 +149,7 @@ namespace fuga
          double *C,
          const std::size_t ldc)
     {
+      work::now().dense_operations += m * n * k;
       const int rows = to_int(m), columns = to_int(n), inner = to_int(k);
       const int stride_A = to_int(lda), stride_B = to_int(ldb), stride_C = to_int(ldc);
       const char plain = 'N';
