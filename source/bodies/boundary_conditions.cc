@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/similar_names.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/point_text.h>
@@ -38,6 +39,24 @@ namespace fuga
       return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
     }
 
+    /** All names in a sentence, and the one that may be meant. */
+    std::string
+    with_hint(const std::string &sentence,
+              const std::string &wrong,
+              const std::vector<std::string> &names)
+    {
+      return sentence + did_you_mean(wrong, names, " ");
+    }
+
+    std::vector<std::string>
+    boundaries_and_points(const JointedMesh &mesh)
+    {
+      std::vector<std::string> names        = mesh.label_names;
+      const std::vector<std::string> points = point_names(mesh);
+      names.insert(names.end(), points.begin(), points.end());
+      return names;
+    }
+
     bool
     is_boundary_or_point(const JointedMesh &mesh, const std::string &name)
     {
@@ -54,9 +73,11 @@ namespace fuga
           const unsigned int body = index_of(mesh.body_names, material.body);
           if (body == mesh.body_names.size())
             throw InputError(
-              fmt::format("Material of body '{}': the mesh has no such body. Bodies: {}.",
-                          material.body,
-                          listed(mesh.body_names)));
+              with_hint(fmt::format("Material of body '{}': the mesh has no such body. Bodies: {}.",
+                                    material.body,
+                                    listed(mesh.body_names)),
+                        material.body,
+                        mesh.body_names));
           ++count[body];
           if (!(material.young_modulus > 0.) || !(material.poisson_ratio > -1.) ||
               !(material.poisson_ratio < 0.5))
@@ -84,12 +105,14 @@ namespace fuga
           const auto &fixed = condition->fixed;
           const bool held   = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
           if (!is_boundary_or_point(mesh, condition->boundary))
-            throw InputError(
+            throw InputError(with_hint(
               fmt::format("{}Boundary '{}' is not in the mesh. Boundaries: {}. Points: {}.",
                           where(condition->origin),
                           condition->boundary,
                           listed(mesh.label_names),
-                          listed(point_names(mesh))));
+                          listed(point_names(mesh))),
+              condition->boundary,
+              boundaries_and_points(mesh)));
           if (held == condition->named_free)
             throw InputError(fmt::format(
               held ? "{}Boundary '{}' is both held and named free; remove one of the two."
@@ -125,8 +148,11 @@ namespace fuga
       if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
         {
           if (index_of(mesh.body_names, target) == mesh.body_names.size())
-            throw InputError(fmt::format(
-              "{}there is no body '{}'. Bodies: {}.", start, target, listed(mesh.body_names)));
+            throw InputError(with_hint(
+              fmt::format(
+                "{}there is no body '{}'. Bodies: {}.", start, target, listed(mesh.body_names)),
+              target,
+              mesh.body_names));
           return;
         }
       if (load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap)
@@ -142,15 +168,22 @@ namespace fuga
       if (load.kind == LoadKind::point_force)
         {
           if (vertices_of_point(mesh, target).empty())
-            throw InputError(fmt::format(
-              "{}there is no point '{}'. Points: {}.", start, target, listed(point_names(mesh))));
+            throw InputError(with_hint(
+              fmt::format(
+                "{}there is no point '{}'. Points: {}.", start, target, listed(point_names(mesh))),
+              target,
+              point_names(mesh)));
           return;
         }
       const bool points_too = load.kind == LoadKind::displacement;
       if (index_of(mesh.label_names, target) == mesh.label_names.size() &&
           !(points_too && !vertices_of_point(mesh, target).empty()))
-        throw InputError(fmt::format(
-          "{}there is no boundary '{}'. Boundaries: {}.", start, target, listed(mesh.label_names)));
+        throw InputError(with_hint(fmt::format("{}there is no boundary '{}'. Boundaries: {}.",
+                                               start,
+                                               target,
+                                               listed(mesh.label_names)),
+                                   target,
+                                   mesh.label_names));
       const BoundaryCondition *condition = condition_of(model, target);
       if (condition && condition->named_free)
         throw InputError(

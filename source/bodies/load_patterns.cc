@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fmt/format.h>
-#include <fuga/base/errors.h>
+#include <fuga/bodies/load_jump.h>
 #include <fuga/bodies/load_patterns.h>
 #include <fuga/bodies/straightness.h>
 
@@ -35,26 +35,6 @@ namespace fuga
       return size_of(middle);
     }
   } // namespace
-
-
-  void
-  throw_jump(const ModelDefinition &model, const LoadFactors::Jump &jump)
-  {
-    const StageDefinition &stage            = model.stages[jump.stage];
-    const StageDefinition::History &history = stage.histories[jump.history];
-    throw InputError(fmt::format(
-      "{}: stage '{}': the load '{}' jumps from the factor {:g} to {:g} at the beginning of "
-      "the stage (history '{}' at t = 0). A load must grow from where it is, so that no "
-      "event is passed over: begin the history with {:g}; t is the fraction of the stage "
-      "and goes from 0 to 1.",
-      stage.origin,
-      stage.name,
-      model.loads[history.load].name,
-      jump.from,
-      jump.to,
-      history.expression,
-      jump.from));
-  }
 
 
   template <int dim>

@@ -5,6 +5,7 @@
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/depth_pressure.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/load_jump.h>
 #include <fuga/bodies/load_knots.h>
 #include <fuga/bodies/load_patterns.h>
 #include <fuga/bodies/load_program.h>

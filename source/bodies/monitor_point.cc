@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fuga/base/errors.h>
+#include <fuga/base/similar_names.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/cell_coordinates.h>
 #include <fuga/bodies/monitor_point.h>
@@ -103,10 +104,11 @@ namespace fuga
           names.push_back(named.name);
         if (vertices.empty())
           throw InputError(
-            fmt::format("{}: the mesh has no point '{}'. Points: {}.",
+            fmt::format("{}: the mesh has no point '{}'. Points: {}.{}",
                         title(definition),
                         definition.point_name,
-                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                        did_you_mean(definition.point_name, names, " ")));
         coordinates = mesh.vertices[vertices.front()];
         for (const unsigned int vertex : vertices)
           if (mesh.vertices[vertex] != coordinates)

@@ -3,6 +3,7 @@
 
 // What is checked of a joint's definition: the part of JointResolver that opens nothing.
 
+#include <fuga/base/similar_names.h>
 #include <fuga/mesh/cell_geometry.h>
 #include <fuga/mesh/joint_resolver.h>
 
@@ -77,10 +78,11 @@ namespace fuga
     const auto &names = open_mesh.body_names;
     if (!body.empty() && std::find(names.begin(), names.end(), body) == names.end())
       fail(joint,
-           fmt::format("there is no body '{}' in {}; the bodies there are '{}'; correct the name",
+           fmt::format("there is no body '{}' in {}; the bodies there are '{}'; correct the name{}",
                        body,
                        mesh.file_name,
-                       fmt::join(names, "', '")));
+                       fmt::join(names, "', '"),
+                       did_you_mean(body, names, ". ")));
   }
 
 

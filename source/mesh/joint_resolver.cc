@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/similar_names.h>
 #include <fuga/mesh/cell_geometry.h>
 #include <fuga/mesh/joint_resolver.h>
 
@@ -131,12 +132,13 @@ namespace fuga
       joint,
       fmt::format(
         "there is no group of faces '{}' in {}; the groups there are '{}'; correct the name or add "
-        "Physical {}(\"{}\") to the geometry",
+        "Physical {}(\"{}\") to the geometry{}",
         name,
         mesh.file_name,
         fmt::join(names, "', '"),
         mesh.dimension == 2 ? "Curve" : "Surface",
-        name));
+        name,
+        did_you_mean(name, names, ". ")));
   }
 
 

@@ -260,8 +260,40 @@ TEST(RisingWater, jumps_and_rest)
     }
   catch (const InputError &error)
     {
-      expect_message(error.what(), {"load 'water' jumps", "stage 'filling'"});
+      expect_message(error.what(),
+                     {"load 'water' jumps",
+                      "stage 'filling'",
+                      "At load time 1 its level is 5:",
+                      "begins with '1: LEVEL'"});
     }
+  // A table that begins later: its first level holds before.
+  model.loads[0].depth.level_table = {{{1.5, 3.}}, {{2., 8.}}};
+  try
+    {
+      make_load_program(model, system);
+      ADD_FAILURE() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      expect_message(
+        error.what(),
+        {"load 'water' jumps",
+         "At load time 1 its level is 3, the first one of the table, which begins only "
+         "at 1.5:"});
+    }
+  // A level that stands still, with a history that begins with 1.
+  model.loads[0].depth.level_table.clear();
+  model.loads[0].depth.level = "7";
+  try
+    {
+      make_load_program(model, system);
+      ADD_FAILURE() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      expect_message(error.what(), {"At load time 1 its level is 7:", "for example 'water: t'"});
+    }
+  model.loads[0].depth.level.clear();
   model.loads[0].depth.level_table = {{{1., 0.}}, {{2., 8.}}};
   model.stages.push_back({"rest", {{1, "1"}}, 1, ""});
   const LoadProgram program = make_load_program(model, system);

@@ -27,9 +27,6 @@ namespace fuga
     std::vector<Jump> jumps;
   };
 
-  [[noreturn]] void
-  throw_jump(const ModelDefinition &model, const LoadFactors::Jump &jump);
-
   /**
    * Loads as patterns fixed in space. One that changes with time is one pattern per corner, with a
    * hat function as history.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_load_jump_h
+#define fuga_bodies_load_jump_h
+
+#include <fuga/bodies/load_patterns.h>
+
+namespace fuga
+{
+  /** Throws the InputError for a load that jumps: which load, by which factor, for which level of
+   * water or ground it is not zero there, and what to write. */
+  [[noreturn]] void
+  throw_jump(const ModelDefinition &model, const LoadFactors::Jump &jump);
+} // namespace fuga
+
+#endif
