@@ -32,7 +32,7 @@ namespace fuga
     remedy(const LoadDefinition &load, const double t)
     {
       return fmt::format(
-        "Let the water or the ground rise from below all that it loads: a level table that begins "
+        "let the water or the ground rise from below all that it loads: a level table that begins "
         "with '{:g}: LEVEL', LEVEL being the lowest point that is loaded, or lower{}; or begin the "
         "history with 0, for example '{}: t'.",
         t,

@@ -136,7 +136,7 @@ namespace fuga
   {
     std::vector<BoundaryCondition> conditions;
     for (const ParameterSection &section : values.subsections("Boundaries"))
-      conditions.push_back(read_boundary(section, dimension));
+      values.attempt(section, [&]() { conditions.push_back(read_boundary(section, dimension)); });
     return conditions;
   }
 
@@ -146,16 +146,17 @@ namespace fuga
   {
     const std::vector<ParameterSection> sections = values.subsections("Loads");
     for (std::size_t i = 0; i < sections.size(); ++i)
-      {
+      values.attempt(sections[i], [&]() {
         check_free_boundaries(sections[i], model.loads[i], model);
-        check_displacement(sections[i], model.loads[i], model);
+        if (!values.is_broken("Boundaries"))
+          check_displacement(sections[i], model.loads[i], model);
         check_joints(sections[i], model.loads[i], values.subsection_names("Joints"));
-        if (!is_used(model, i))
+        if (!values.is_broken("Stages") && !is_used(model, i))
           sections[i].fail(fmt::format(
             "no stage uses this load; the stages are {}. Add '{}: t' to the Loads of one, or "
             "remove the load.",
             quoted_list(values.subsection_names("Stages")),
             model.loads[i].name));
-      }
+      });
   }
 } // namespace fuga

@@ -6,6 +6,7 @@
 #include <fuga/io/parameter_number_pattern.h>
 
 #include <algorithm>
+#include <set>
 
 namespace fuga
 {
@@ -15,9 +16,30 @@ namespace fuga
     const std::vector<std::string> words = choices();
     if (!words.empty())
       return "one of " + quoted_list(words);
-    if (dynamic_cast<const NumberPattern *>(pattern.get()) != nullptr)
+    if (is_number())
       return pattern->description(dealii::Patterns::PatternBase::Text);
     return "text";
+  }
+
+
+  bool
+  EntryDeclaration::is_number() const
+  {
+    return dynamic_cast<const NumberPattern *>(pattern.get()) != nullptr;
+  }
+
+
+  bool
+  EntryDeclaration::holds_numbers() const
+  {
+    static const std::set<std::string> names = {"Point",
+                                                "Level",
+                                                "Tailwater level",
+                                                "Flow direction",
+                                                "Pressure profile",
+                                                "Normal table",
+                                                "Shear table"};
+    return names.count(name) > 0;
   }
 
 

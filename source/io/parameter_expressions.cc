@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -95,6 +97,32 @@ namespace fuga
       if (!reason.empty() && reason.back() == '.')
         reason.pop_back();
       return reason;
+    }
+
+
+    std::string
+    not_understood(const std::string &expression,
+                   const dealii::ExceptionBase &exception,
+                   const std::string &variables,
+                   const std::map<std::string, double> &constants)
+    {
+      std::vector<std::string> known = split_pieces(variables, ',');
+      std::string list               = variables;
+      for (const auto &[name, value] : constants)
+        {
+          known.push_back(name);
+          list += (list.empty() ? "" : ", ") + name;
+        }
+      std::string hint;
+      for (const std::string &name : names_in_expression(expression))
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          if (const std::string close = name_hint(name, known, ""); close.rfind("Did", 0) == 0)
+            hint = " " + close;
+      return fmt::format("the expression '{}' cannot be understood: {}. Known here: {}.{}",
+                         expression,
+                         parser_message(exception),
+                         list,
+                         hint);
     }
 
 
@@ -194,14 +222,59 @@ namespace fuga
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        std::string names;
-        for (const auto &[name, value] : constants)
-          names += ", " + name;
-        return fmt::format("the expression '{}' cannot be understood: {}. Known here: {}{}.",
-                           expression,
-                           parser_message(exception),
-                           variable_names(arguments),
-                           names);
+        return not_understood(expression, exception, variable_names(arguments), constants);
       }
+  }
+
+
+  std::vector<std::string>
+  names_in_expression(const std::string &expression)
+  {
+    const auto is_letter = [](const char c) {
+      return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    const auto is_digit = [](const char c) {
+      return std::isdigit(static_cast<unsigned char>(c)) != 0;
+    };
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < expression.size();)
+      {
+        const std::size_t begin = i;
+        while (i < expression.size() && (is_letter(expression[i]) || is_digit(expression[i])))
+          ++i;
+        if (i == begin)
+          ++i;
+        else if (const std::size_t next = expression.find_first_not_of(' ', i);
+                 is_letter(expression[begin]) &&
+                 (next == std::string::npos || expression[next] != '('))
+          names.push_back(expression.substr(begin, i - begin));
+      }
+    return names;
+  }
+
+
+  std::string
+  evaluate_constant(const std::string &expression,
+                    const std::map<std::string, double> &constants,
+                    double &value)
+  {
+    if (const std::string trap = silent_trap(expression); !trap.empty())
+      return fmt::format("in the expression '{}' {}", expression, trap);
+    const SilentErrorStream guard;
+    try
+      {
+        dealii::FunctionParser<1> function(1);
+        function.initialize("no_variable_", std::vector<std::string>{expression}, constants);
+        value = function.value(dealii::Point<1>());
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        return not_understood(expression, exception, "", constants);
+      }
+    return std::isfinite(value)
+             ? ""
+             : fmt::format("the expression '{}' is {}, not a finite number. Correct it.",
+                           expression,
+                           std::isnan(value) ? "NaN" : "infinite");
   }
 } // namespace fuga

@@ -174,7 +174,10 @@ namespace fuga
   {
     std::vector<JointParameters> joints;
     for (const ParameterSection &section : values.subsections("Joints"))
-      joints.push_back(read_joint(section, values, model));
+      values.attempt(section, [&]() {
+        if (!values.is_broken("Bodies"))
+          joints.push_back(read_joint(section, values, model));
+      });
     return joints;
   }
 } // namespace fuga

@@ -289,7 +289,12 @@ namespace fuga
   {
     std::vector<LoadDefinition> loads;
     for (const ParameterSection &section : values.subsections("Loads"))
-      loads.push_back(read_load(section, model));
+      {
+        loads.emplace_back();
+        loads.back().name = section.name();
+        if (!values.is_broken("Bodies"))
+          values.attempt(section, [&]() { loads.back() = read_load(section, model); });
+      }
     return loads;
   }
 
@@ -299,7 +304,10 @@ namespace fuga
   {
     std::vector<StageDefinition> stages;
     for (const ParameterSection &section : values.subsections("Stages"))
-      stages.push_back(read_stage(section, model));
+      {
+        stages.emplace_back();
+        values.attempt(section, [&]() { stages.back() = read_stage(section, model); });
+      }
     return stages;
   }
 } // namespace fuga

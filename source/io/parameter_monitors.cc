@@ -56,7 +56,7 @@ namespace fuga
     const std::vector<std::string> bodies = values.subsection_names("Bodies");
     std::vector<MonitorDefinition> monitors;
     for (const ParameterSection &section : values.subsections("Monitors"))
-      {
+      values.attempt(section, [&]() {
         const PointReference point = read_point(section, dimension);
         MonitorDefinition monitor;
         monitor.name        = section.name();
@@ -73,7 +73,7 @@ namespace fuga
                                    monitor.body,
                                    name_hint(monitor.body, bodies, "bodies")));
         monitors.push_back(std::move(monitor));
-      }
+      });
     return monitors;
   }
 } // namespace fuga

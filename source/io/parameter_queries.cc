@@ -4,8 +4,25 @@
 #include <fuga/io/parameter_declarations.h>
 #include <fuga/io/parameter_values.h>
 
+#include <algorithm>
+
 namespace fuga
 {
+  // Messages speak of the units that the user named.
+  void
+  ParameterValues::find_units(const ParameterScan &scan)
+  {
+    for (const ScannedEntry &entry : scan.entries)
+      if (entry.path == SectionPath{"Output"} && !entry.value.empty())
+        {
+          if (entry.name == "Force unit")
+            units.force = entry.value;
+          if (entry.name == "Length unit")
+            units.length = entry.value;
+        }
+  }
+
+
   std::vector<std::string>
   ParameterValues::subsection_names(const std::string &name) const
   {
@@ -31,6 +48,39 @@ namespace fuga
       for (const SectionPath &path : found->second)
         result.emplace_back(*this, path);
     return result;
+  }
+
+
+  void
+  ParameterValues::attempt(const SectionPath &path, const std::function<void()> &action) const
+  {
+    if (!errors.attempt(action))
+      broken.insert(path);
+  }
+
+
+  void
+  ParameterValues::attempt(const ParameterSection &section,
+                           const std::function<void()> &action) const
+  {
+    if (!is_broken(section))
+      attempt(section.path, action);
+  }
+
+
+  bool
+  ParameterValues::is_broken(const ParameterSection &section) const
+  {
+    return broken.count(section.path) > 0;
+  }
+
+
+  bool
+  ParameterValues::is_broken(const std::string &name) const
+  {
+    return std::any_of(broken.begin(), broken.end(), [&](const SectionPath &path) {
+      return name.empty() ? path.empty() : !path.empty() && path.front() == name;
+    });
   }
 
 

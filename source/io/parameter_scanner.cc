@@ -216,6 +216,14 @@ namespace fuga
   }
 
 
+  void
+  ScannedEntry::fail(const std::string &problem_and_remedy) const
+  {
+    throw InputError(
+      fmt::format("{}: {} = '{}': {}", origin, full_name(), value, problem_and_remedy));
+  }
+
+
   ParameterScan
   scan_prm(const std::string &file, const std::string &text)
   {

@@ -78,14 +78,18 @@ namespace fuga
   ParameterSection::fail(const std::string &entry, const std::string &problem_and_remedy) const
   {
     const ScannedEntry wanted{path, entry, "", ""};
-    throw InputError(fmt::format(
-      "{}: {} = '{}': {}", origin(entry), wanted.full_name(), text(entry), problem_and_remedy));
+    throw InputError(fmt::format("{}: {} = '{}': {}",
+                                 origin(entry),
+                                 wanted.full_name(),
+                                 text(entry),
+                                 in_units(problem_and_remedy, values->units)));
   }
 
 
   void
   ParameterSection::fail(const std::string &problem_and_remedy) const
   {
-    throw InputError(fmt::format("{}: {}: {}", origin(), path_name(path), problem_and_remedy));
+    throw InputError(fmt::format(
+      "{}: {}: {}", origin(), path_name(path), in_units(problem_and_remedy, values->units)));
   }
 } // namespace fuga

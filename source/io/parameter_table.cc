@@ -210,7 +210,11 @@ namespace fuga
     constants_section()
     {
       return {"Constants",
-              "Named numbers for all expressions: set NAME = NUMBER. The name pi is known.",
+              "Named numbers: set NAME = NUMBER, or an expression of the constants above it. Where "
+              "a number "
+              "stands in this file, also in tables and coordinates, an expression of constants may "
+              "stand, "
+              "for example 0.9*H; the name pi is known.",
               {},
               {},
               true};

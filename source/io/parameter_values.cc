@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/io/parameter_declarations.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_values.h>
@@ -15,13 +15,6 @@ namespace fuga
 {
   namespace
   {
-    [[noreturn]] void
-    fail_at(const ScannedEntry &entry, const std::string &problem_and_remedy)
-    {
-      throw InputError(fmt::format(
-        "{}: {} = '{}': {}", entry.origin, entry.full_name(), entry.value, problem_and_remedy));
-    }
-
     /** Names of the sections of the top level. */
     std::vector<std::string>
     section_names()
@@ -87,7 +80,8 @@ namespace fuga
   } // namespace
 
 
-  ParameterValues::ParameterValues(const ParameterScan &scan) : file_name(scan.file)
+  ParameterValues::ParameterValues(const ParameterScan &scan, InputErrors &collected)
+    : file_name(scan.file), errors(collected)
   {
     for (const SectionDeclaration &section : parameter_declarations())
       if (section.name.empty())
@@ -95,11 +89,23 @@ namespace fuga
       else if (!section.has_named_subsections())
         declare({section.name});
     for (const ScannedSection &section : scan.sections)
-      add_section(section);
-    for (const ScannedEntry &entry : scan.entries)
-      add_entry(entry);
+      if (broken.count({section.path.begin(), section.path.end() - 1}) > 0)
+        broken.insert(section.path);
+      else
+        attempt(section.path, [&]() { add_section(section); });
+    // What stands in sections that are not known is not looked at.
+    errors.throw_if_any();
+    find_units(scan);
+    const auto is_constant = [](const ScannedEntry &entry) {
+      return entry.path == SectionPath{"Constants"};
+    };
+    for (const bool constants_now : {true, false})
+      for (const ScannedEntry &entry : scan.entries)
+        if (is_constant(entry) == constants_now)
+          attempt(entry.path, [&]() { add_entry(entry); });
     for (const SectionPath &path : all_paths())
-      require_entries(path);
+      if (broken.count(path) == 0)
+        attempt(path, [&]() { require_entries(path); });
   }
 
 
@@ -163,19 +169,21 @@ namespace fuga
     const SectionDeclaration &section = declaration_of(entry.path);
     const auto [earlier, is_new]      = entry_origins.emplace(entry.full_name(), entry.origin);
     if (!is_new)
-      fail_at(entry,
-              fmt::format("this entry is already set, see {}. Keep one of the two lines.",
-                          earlier->second));
+      entry.fail(fmt::format("this entry is already set, see {}. Keep one of the two lines.",
+                             earlier->second));
     if (section.free_entries)
-      add_constant(entry);
-    else if (entry.value.empty() && !section.find(entry.name)->accepts_empty)
-      fail_at(entry,
-              fmt::format("there is no value. Allowed: {}. {}",
-                          section.find(entry.name)->allowed(),
-                          section.find(entry.name)->presence == Presence::required
-                            ? section.find(entry.name)->documentation
-                            : "Leave the line out if you do not need it."));
-    set(entry);
+      {
+        add_constant(entry);
+        return;
+      }
+    const EntryDeclaration &declaration = *section.find(entry.name);
+    if (entry.value.empty() && !declaration.accepts_empty)
+      entry.fail(fmt::format("there is no value. Allowed: {}. {}",
+                             declaration.allowed(),
+                             declaration.presence == Presence::required
+                               ? in_units(declaration.documentation, units)
+                               : "Leave the line out if you do not need it."));
+    set(with_numbers(entry, declaration), declaration);
   }
 
 
@@ -185,32 +193,28 @@ namespace fuga
     const std::string where = entry.path.empty() ? "the top level" : path_name(entry.path);
     const auto *section     = find_section(entry.path.empty() ? "" : entry.path.front());
     if (section == nullptr)
-      fail_at(entry,
-              fmt::format("unknown section '{}'. {}",
-                          entry.path.front(),
-                          name_hint(entry.path.front(), section_names(), "sections")));
+      entry.fail(fmt::format("unknown section '{}'. {}",
+                             entry.path.front(),
+                             name_hint(entry.path.front(), section_names(), "sections")));
     if (section->has_named_subsections() && entry.path.size() == 1)
-      fail_at(
-        entry,
+      entry.fail(
         fmt::format("the entries of {} stand in subsections. Write 'subsection NAME' and 'end' "
                     "around this one.",
                     where));
     if (section->has_named_subsections() && section_origins.count(entry.path) == 0)
-      fail_at(entry,
-              fmt::format("there is no subsection '{}' in {}. {}",
-                          entry.path.back(),
-                          file_name,
-                          name_hint(entry.path.back(),
-                                    subsection_names(entry.path.front()),
-                                    "subsections of " + entry.path.front())));
+      entry.fail(fmt::format("there is no subsection '{}' in {}. {}",
+                             entry.path.back(),
+                             file_name,
+                             name_hint(entry.path.back(),
+                                       subsection_names(entry.path.front()),
+                                       "subsections of " + entry.path.front())));
     if (entry.path.size() > (section->has_named_subsections() ? 2u : 1u))
-      fail_at(entry, fmt::format("section '{}' has no such subsection.", entry.path.front()));
+      entry.fail(fmt::format("section '{}' has no such subsection.", entry.path.front()));
     if (section->free_entries || section->find(entry.name) != nullptr)
       return;
     const std::string hint = name_hint(entry.name, section->entry_names(), "entries of " + where);
     const std::string elsewhere = hint.rfind("Did", 0) == 0 ? "" : elsewhere_hint(entry.name);
-    fail_at(
-      entry,
+    entry.fail(
       fmt::format("unknown entry '{}'. {}", entry.name, elsewhere.empty() ? hint : elsewhere));
   }
 
@@ -219,58 +223,75 @@ namespace fuga
   ParameterValues::add_constant(const ScannedEntry &entry)
   {
     static const std::set<std::string> reserved = {"x", "y", "z", "t", "pi"};
+    static const EntryDeclaration constant =
+      parameter_entries::required("",
+                                  parameter_entries::any_number(),
+                                  "A constant is a number or an expression of constants above it.",
+                                  {});
+    expressions.add_unknown(entry.name);
     if (!is_identifier(entry.name) || reserved.count(entry.name) > 0)
-      fail_at(
-        entry,
+      entry.fail(
         "a constant cannot have this name. Use letters, digits and _, a letter first, and none "
         "of x, y, z, t, pi.");
     if (entry.value.empty())
-      fail_at(entry, "there is no value. Allowed: a finite number.");
+      entry.fail("there is no value. Allowed: a finite number.");
     handler.enter_subsection(entry.path.front());
-    handler.declare_entry(
-      entry.name,
-      "0",
-      NumberPattern(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false),
-      "A constant.");
+    handler.declare_entry(entry.name, "0", *constant.pattern, "A constant.");
     handler.leave_subsection();
     constant_names.push_back(entry.name);
+    const ScannedEntry evaluated = with_numbers(entry, constant);
+    if (evaluated.value.empty())
+      return; // another constant has an error
+    set(evaluated, constant);
+    expressions.add(entry.name, handler.get_double(entry.path, entry.name));
+  }
+
+
+  // What depends on a constant that has an error of its own is not complained of.
+  ScannedEntry
+  ParameterValues::with_numbers(const ScannedEntry &entry,
+                                const EntryDeclaration &declaration) const
+  {
+    ConstantExpressions::Result result;
+    if (declaration.is_number())
+      result = expressions.number(entry.value);
+    else if (declaration.holds_numbers())
+      result = expressions.numbers(entry.value);
+    else
+      return entry;
+    if (!result.problem.empty())
+      entry.fail(result.problem);
+    ScannedEntry evaluated = entry;
+    evaluated.value        = result.is_unknown ? declaration.default_value : result.text;
+    return evaluated;
   }
 
 
   void
-  ParameterValues::set(const ScannedEntry &entry)
+  ParameterValues::set(const ScannedEntry &entry, const EntryDeclaration &declaration)
   {
-    static const EntryDeclaration constant = {
-      "",
-      Presence::required,
-      "",
-      std::make_shared<NumberPattern>(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false),
-      "Constants are plain numbers.",
-      {}};
-    const SectionDeclaration &section = declaration_of(entry.path);
-    const EntryDeclaration &declaration =
-      section.free_entries ? constant : *section.find(entry.name);
     for (const std::string &name : entry.path)
       handler.enter_subsection(name);
+    bool is_accepted = true;
     try
       {
         handler.set(entry.name, entry.value);
       }
     catch (const dealii::ExceptionBase &)
       {
-        const auto *number = dynamic_cast<const NumberPattern *>(declaration.pattern.get());
-        const auto words   = declaration.choices();
-        fail_at(
-          entry,
-          fmt::format("{}. Allowed: {}. {}",
-                      number == nullptr ? "this word is unknown" : number->problem(entry.value),
-                      declaration.allowed(),
-                      words.empty() ? declaration.documentation : close_word(entry.value, words)));
+        is_accepted = false;
       }
     for (std::size_t i = 0; i < entry.path.size(); ++i)
       handler.leave_subsection();
+    if (is_accepted)
+      return;
+    const auto *number = dynamic_cast<const NumberPattern *>(declaration.pattern.get());
+    const auto words   = declaration.choices();
+    entry.fail(fmt::format(
+      "{}. Allowed: {}. {}",
+      number == nullptr ? "this word is unknown" : number->problem(entry.value),
+      declaration.allowed(),
+      words.empty() ? in_units(declaration.documentation, units) : close_word(entry.value, words)));
   }
 
 
@@ -285,7 +306,7 @@ namespace fuga
                                        ParameterSection(*this, path).origin(),
                                        wanted.full_name(),
                                        entry.allowed(),
-                                       entry.documentation));
+                                       in_units(entry.documentation, units)));
       }
   }
 

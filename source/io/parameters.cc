@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
+#include <fuga/io/input_errors.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/parameter_values.h>
@@ -89,12 +89,9 @@ namespace fuga
     }
 
 
-    ModelDefinition
-    read_model(const ParameterValues &values)
+    void
+    read_mesh_settings(const ParameterSection &mesh, ModelDefinition &model)
     {
-      const ParameterSection mesh = values.section("Mesh");
-      ModelDefinition model;
-      model.dimension = values.section("").integer("Dimension");
       check_space(mesh, model.dimension);
       model.polynomial_degree      = mesh.integer("Polynomial degree");
       model.refinements            = mesh.integer("Refinements");
@@ -107,17 +104,27 @@ namespace fuga
                   fmt::format("an axisymmetric model ({}) has no thickness: areas and forces are "
                               "those of the full circle. Remove this entry.",
                               mesh.origin("Assumption")));
-      model.thickness       = mesh.number("Thickness");
+      model.thickness = mesh.number("Thickness");
+    }
+
+
+    ModelDefinition
+    read_model(const ParameterValues &values)
+    {
+      ModelDefinition model;
+      model.dimension       = values.section("").integer("Dimension");
       model.load_knots      = values.section("Solver").integer("Load knots");
       model.body_solver     = read_body_solver(values.section("Solver"));
       model.constants       = values.constants();
       model.constants["pi"] = std::acos(-1.);
 
-      model.materials           = read_materials(values);
+      const ParameterSection mesh = values.section("Mesh");
+      values.attempt(mesh, [&]() { read_mesh_settings(mesh, model); });
+      if (!values.is_broken("Bodies"))
+        model.materials = read_materials(values);
       model.boundary_conditions = read_boundaries(values, model.dimension);
       model.loads               = read_loads(values, model);
       model.stages              = read_stages(values, model);
-      read_construction(values, model);
       if (model.stages.empty())
         throw InputError(fmt::format("{}: there are no stages, so that nothing would happen. Add a "
                                      "section Stages with one subsection per load stage.",
@@ -186,20 +193,35 @@ namespace fuga
   {
     ParameterScan scan = scan_parameter_file(file);
     apply_overrides(scan, overrides);
-    const ParameterValues values(scan);
+    InputErrors errors(file);
+    const ParameterValues values(scan, errors);
+    // All else depends on the dimension, and expressions on the constants.
+    if (values.is_broken("") || values.is_broken("Constants") || values.is_broken("Solver"))
+      errors.throw_if_any();
 
     Parameters parameters;
     parameters.parameter_file = file;
     parameters.title          = values.section("").text("Title");
-    parameters.model          = read_model(values);
-    parameters.joints         = read_joints(values, parameters.model);
-    parameters.variants       = read_variants(values, parameters.joints, parameters.model);
-    read_safety(values, parameters);
-    check_sweep_of_construction(values, parameters);
-    parameters.solver = read_solver(values.section("Solver"));
-    parameters.output = read_output(values, file);
-    read_accuracy(values, parameters);
-    parameters.mesh_file                = read_mesh_file(values.section("Mesh"), file);
+    if (!errors.attempt([&]() { parameters.model = read_model(values); }))
+      errors.throw_if_any();
+    parameters.joints = read_joints(values, parameters.model);
+    for (const char *const name : {"Solver", "Output", "Sweep", "Safety", "Target accuracy"})
+      if (values.is_broken(name))
+        errors.throw_if_any();
+    parameters.solver           = read_solver(values.section("Solver"));
+    parameters.output           = read_output(values, file);
+    const ParameterSection mesh = values.section("Mesh");
+    values.attempt(mesh, [&]() { parameters.mesh_file = read_mesh_file(mesh, file); });
+    errors.throw_if_any(); // what follows needs all that is above
+
+    errors.attempt([&]() { read_construction(values, parameters.model); });
+    errors.attempt([&]() {
+      parameters.variants = read_variants(values, parameters.joints, parameters.model);
+      check_sweep_of_construction(values, parameters);
+    });
+    errors.attempt([&]() { read_safety(values, parameters); });
+    errors.attempt([&]() { read_accuracy(values, parameters); });
+    errors.throw_if_any();
     parameters.echo                     = values.echo();
     parameters.model.may_be_matrix_free = what_needs_stiffness(parameters).empty();
     return parameters;

@@ -36,7 +36,9 @@ are in MPa; with kN and m in kPa; with N and mm in MPa. `Output/Force unit` and 
 them in the headers of the results.
 
 Expressions are those of the muParser library: `+ - * / ^`, `sin`, `exp`, `max`, `if(a, b, c)` and so on, with the
-variables named below, the numbers of section `Constants`, and `pi`.
+variables named below, the numbers of section `Constants`, and `pi`. Wherever a number stands, also in a table
+(`Level = 1: 0; 2: 0.9*H`) or in coordinates, an expression of constants may stand, in the file and in `--set`. It is
+evaluated once; `summary.json` keeps the numbers.
 """
 
 

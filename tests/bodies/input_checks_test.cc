@@ -37,6 +37,8 @@ TEST(InputChecks, boundaries)
   expect_message(message_of(mesh.mesh, model), {"'free'", "no condition", "name it free"});
   hold(model, "nowhere", "x");
   expect_message(message_of(mesh.mesh, model), {"'nowhere'", "Boundaries: base, J-, side, J+"});
+  model.boundary_conditions.back().boundary = "bsae";
+  expect_message(message_of(mesh.mesh, model), {"'bsae'", "Did you mean 'base'?"});
   model = two_block_model();
   hold(model, "J+", "x");
   expect_message(message_of(mesh.mesh, model), {"'J+' is a lip"});

@@ -70,7 +70,6 @@ namespace fuga
        {{"set q =", "set my q ="}},
        {},
        {".prm:3", "my q", "letters, digits and _"}},
-      {"ConstantIsExpression", {{"= 0.0144", "= 2*3"}}, {}, {".prm:3", "'2*3'", "plain numbers"}},
     };
     INSTANTIATE_TEST_SUITE_P(Names, WrongEntries, testing::ValuesIn(names), name_of);
 

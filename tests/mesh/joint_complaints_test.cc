@@ -18,6 +18,11 @@ TEST(JointSplitter, ComplainsAboutLines)
   expect_joint_complaint(builder,
                          {line_joint("basis", "upper", "lower")},
                          {"no group of faces 'basis'", "'base', 'bottom'"});
+  expect_joint_complaint(builder,
+                         {line_joint("bsae", "upper", "lower")},
+                         {"no group of faces 'bsae'", "Did you mean 'base'?"});
+  expect_joint_complaint(
+    builder, {line_joint("base", "uper", "lower")}, {"no body 'uper'", "Did you mean 'upper'?"});
   expect_joint_complaint(
     builder, {line_joint("base", "upper", "soil")}, {"no body 'soil'", "'lower', 'upper'"});
   expect_joint_complaint(builder,

@@ -40,6 +40,14 @@ namespace fuga
     std::string
     allowed() const;
 
+    /** Whether the value is one number. */
+    bool
+    is_number() const;
+
+    /** Whether the value is a text with numbers in it: a table, coordinates. */
+    bool
+    holds_numbers() const;
+
     /** The words allowed if the entry is a choice between words, else empty. */
     std::vector<std::string>
     choices() const;

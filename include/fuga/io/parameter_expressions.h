@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace fuga
 {
@@ -38,6 +39,16 @@ namespace fuga
   expression_problem(const std::string &expression,
                      const ExpressionArguments arguments,
                      const std::map<std::string, double> &constants);
+
+  /** The names of variables and constants in an expression, in its order; functions are none. */
+  std::vector<std::string>
+  names_in_expression(const std::string &expression);
+
+  /** Puts the value of an expression of constants alone into @p value. @returns "" or what is wrong. */
+  std::string
+  evaluate_constant(const std::string &expression,
+                    const std::map<std::string, double> &constants,
+                    double &value);
 } // namespace fuga
 
 #endif

@@ -32,6 +32,10 @@ namespace fuga
     /** "Joints/base/Friction coefficient". */
     std::string
     full_name() const;
+
+    /** Throws the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
+    [[noreturn]] void
+    fail(const std::string &problem_and_remedy) const;
   };
 
   /** One opening of a subsection. */

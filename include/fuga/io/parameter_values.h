@@ -4,10 +4,14 @@
 #ifndef fuga_io_parameter_values_h
 #define fuga_io_parameter_values_h
 
+#include <fuga/io/constant_expressions.h>
+#include <fuga/io/input_errors.h>
 #include <fuga/io/parameter_scanner.h>
+#include <fuga/io/unit_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -62,6 +66,8 @@ namespace fuga
     fail(const std::string &problem_and_remedy) const;
 
   private:
+    friend class ParameterValues;
+
     const ParameterValues *values;
     SectionPath path;
   };
@@ -69,12 +75,30 @@ namespace fuga
   /**
    * The values of a scanned file within what is declared. The constructor refuses unknown,
    * repeated, missing and ill-formed entries; what it accepts sits in a dealii::ParameterHandler.
+   * Expressions of constants are numbers from then on.
+   *
+   * Errors are collected. A section with an error is broken: whatever else would be found in it, or
+   * in what depends on it, may follow from the first error and is not looked at.
    */
   class ParameterValues
   {
   public:
-    /** @throws InputError */
-    explicit ParameterValues(const ParameterScan &scan);
+    /** Errors of entries go to @p errors. @throws InputError for sections that are not known. */
+    ParameterValues(const ParameterScan &scan, InputErrors &errors);
+
+    /**
+     * Runs @p action, which reads @p section, unless the section is broken; it is from then on if
+     * the action throws an InputError, which is collected.
+     */
+    void
+    attempt(const ParameterSection &section, const std::function<void()> &action) const;
+
+    bool
+    is_broken(const ParameterSection &section) const;
+
+    /** Whether a section, or a subsection of it, is broken. */
+    bool
+    is_broken(const std::string &name) const;
 
     ParameterSection
     section(const std::string &name) const;
@@ -104,6 +128,12 @@ namespace fuga
     friend class ParameterSection;
 
     void
+    attempt(const SectionPath &path, const std::function<void()> &action) const;
+
+    void
+    find_units(const ParameterScan &scan);
+
+    void
     add_section(const ScannedSection &section);
 
     void
@@ -118,8 +148,12 @@ namespace fuga
     void
     refuse_unknown(const ScannedEntry &entry) const;
 
+    /** The entry with expressions of constants evaluated. */
+    ScannedEntry
+    with_numbers(const ScannedEntry &entry, const EntryDeclaration &declaration) const;
+
     void
-    set(const ScannedEntry &entry);
+    set(const ScannedEntry &entry, const EntryDeclaration &declaration);
 
     void
     require_entries(const SectionPath &path) const;
@@ -129,6 +163,10 @@ namespace fuga
     all_paths() const;
 
     std::string file_name;
+    InputErrors &errors;
+    mutable std::set<SectionPath> broken;
+    Units units;
+    ConstantExpressions expressions;
     dealii::ParameterHandler handler;
     std::map<std::string, std::vector<SectionPath>> subsection_paths;
     std::map<SectionPath, std::string> section_origins;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_io_input_errors_h
+#define fuga_io_input_errors_h
+
+#include <fuga/base/errors.h>
+
+#include <vector>
+
+namespace fuga
+{
+  /**
+   * The mistakes of one file, collected so that they can be told at once instead of one per run.
+   */
+  class InputErrors
+  {
+  public:
+    explicit InputErrors(std::string file);
+
+    /** Whether @p action ended without an InputError; one that it throws is kept. */
+    template <typename Action>
+    bool
+    attempt(const Action &action)
+    {
+      try
+        {
+          action();
+          return true;
+        }
+      catch (const InputError &error)
+        {
+          messages.emplace_back(error.what());
+          return false;
+        }
+    }
+
+    /**
+     * Does nothing if there were no errors.
+     * @throws InputError: the only one as it is; or up to twenty of them, one per line, in the
+     * order of the lines of the file (what belongs to no line comes last), and how many there are.
+     */
+    void
+    throw_if_any() const;
+
+    bool
+    any() const
+    {
+      return !messages.empty();
+    }
+
+  private:
+    /** The line of the file that a message begins with; the largest number if there is none. */
+    unsigned long
+    line_of(const std::string &message) const;
+
+    const std::string file;
+    std::vector<std::string> messages;
+  };
+} // namespace fuga
+
+#endif
