@@ -161,6 +161,7 @@ namespace fuga
                                   "joint_history.csv",
                                   "resultants.csv",
                                   "monitors.csv",
+                                  "boundaries.csv",
                                   "log.txt",
                                   checkpoint_file_name};
     for_each_field(checkpoint.fields, [&kept](const std::string &name, const auto &collection) {

@@ -5,6 +5,7 @@
 #include <fuga/base/process_info.h>
 #include <fuga/bodies/discretization.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/io/boundary_table.h>
 #include <fuga/io/model_echo.h>
 #include <fuga/io/model_warnings.h>
 #include <fuga/io/summary.h>
@@ -26,6 +27,7 @@ namespace fuga
       unfinished.verdict = "unfinished";
       write_summary(unfinished);
     });
+    write_boundary_table(parameters.output.directory, model.mesh, parameters.output.units);
     if (!accuracy.rounds.empty())
       write_refinement_table(parameters.output.directory, accuracy);
     publish(true);

@@ -119,6 +119,7 @@ namespace fuga
                                 "summary.json",
                                 "sweep.csv",
                                 "refinement.csv",
+                                "boundaries.csv",
                                 "report.html",
                                 "report_short.html",
                                 paraview_script_name,

@@ -116,7 +116,7 @@ def main(arguments):
     path = options.output or os.path.join(options.directory, "fields.png")
     if results.in_space:
         figure = plt.figure(figsize=(9.0, 6.4))
-        caption = figure_in_space(results, options.array, figure, options.t)
+        caption = figure_in_space(results, read_grid(results.field_file("bodies", options.t)), options.array, figure)
         figure.suptitle(f"{results.title} \u2013 {results.describe_time(results.profile(None, options.t).t)}\n{caption}",
                         fontsize=9)
         figure.savefig(path, dpi=140)

@@ -23,9 +23,9 @@ import xml.etree.ElementTree as xml
 FUGA = sys.argv[1]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VOID = {"meta", "br", "hr", "img", "link", "input"}
-RUN_SECTIONS = ["stresses", "joints", "resultants", "safety", "load", "shear", "levels", "displacements", "pictures",
+RUN_SECTIONS = ["stresses", "model", "joints", "resultants", "safety", "load", "shear", "levels", "displacements", "pictures",
                 "states", "paths", "energy", "certificate", "remarks", "sizes", "parameters", "events", "files"]
-SHORT_SECTIONS = ["stresses", "joints", "safety", "load", "pictures", "remarks"]
+SHORT_SECTIONS = ["stresses", "model", "joints", "safety", "load", "pictures", "remarks"]
 SHOWN = 0.5e-3  # half a unit of the fourth digit, at worst that of 1.000
 SUPERSCRIPTS = str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")
 complaints = []
@@ -148,7 +148,8 @@ def check_tables(page, directory):
     overview = {row[0]: dict(zip(page.tables["joints-table"][0], row)) for row in page.tables["joints-table"][1:]}
     check(sorted(overview) == sorted(joints), f"joints {overview}")
     for joint, cells in overview.items():
-        last = [row for row in resultants if row["joint"] == joint and float(row["path_length"]) == 0.0][-1]
+        last = [row for row in resultants if row["joint"] == joint and float(row["path_length"]) == 0.0
+                and float(row["t"]) <= len(summary["parameters"]["Stages"])][-1]
         same(next(text for name, text in cells.items() if name.startswith("N [")), float(last["N"]), f"{joint}: N")
         same(cells["sliding safety"], float(last["sliding_safety"]), f"{joint}: sliding safety")
         same(cells["open [%]"], 100.0 * float(last["share_open"]), f"{joint}: open", 5e-3)
@@ -209,6 +210,9 @@ def run_with_pictures(directory):
     brief = read_page(directory, SHORT_SECTIONS, "report_short.html")
     for one in (page, brief):
         check(re.search(r"Figure 1\.\s*Joint \u201cbase\u201d: normal stress", one.words) is not None, "the first figure")
+        check(re.search(r"Figure 2\.\s*The model and its loads", one.words) is not None, "the second figure")
+        for words in ("weight: weight", "push: pressure", "held in all directions", "held in x only"):
+            check(words in one.words, f"the sketch lacks '{words}'")
     check("Done" in page.words and "3060" in page.words, "verdict and parameters of a run that is done")
 
 
@@ -227,6 +231,46 @@ def limit_load(directory):
     check("limit load, mechanism sliding" in page.words, "the mechanism in the verdict")
     check("Beyond the limit load" in page.words, "the path beyond the limit load")
     check("wrote no fields" in page.words, "that there are no fields is not said")
+
+
+def strength_reduction(directory):
+    """A block that slides: F = f N / T. The state found is named by it, in words and in the tables."""
+    run = fuga(ROOT / "parameters/scene_g_f06.prm", "--quiet", "--output-dir", directory, "--set", "Output/Fields=never",
+               "--set", "Mesh/File=../meshes/scene_g_9.msh", "--set", "Safety/Strength reduction=yes", "--set", "Output/Report=true")
+    check(run.returncode == 0, f"the strength reduction: {run.returncode} {run.stderr}")
+    page = read_page(directory, RUN_SECTIONS)
+    check_tables(page, directory)
+    name = f"F = {0.6 * 24. * 20. * 40. / (9.81 * 40. ** 2 / 2.):.3f}"
+    check(page.tables["resultants-0"][1][-1] == name, f"the state is called {page.tables['resultants-0'][1][-1]}, not {name}")
+    check(page.words.count(name) >= 4 and " % of 'strength" not in page.words, f"{name} stands nowhere")
+
+
+def boundaries(directory):
+    """The oriented faces of the block of 20 m x 40 m go all round it; the joint is 20 m long; names are those of the input."""
+    rows = rows_of(directory / "boundaries.csv")
+    corners = [[float(row[name]) for name in ("x1", "y1", "x2", "y2")] for row in rows]
+    area = sum(0.5 * (x1 * y2 - x2 * y1) for row, (x1, y1, x2, y2) in zip(rows, corners) if row["body"] == "block")
+    check(abs(area - 800.) < 1e-9, f"area of the block {area}")
+    length = sum(math.hypot(x2 - x1, y2 - y1) for row, (x1, y1, x2, y2) in zip(rows, corners) if row["joint"] == "base")
+    check(abs(length - 40.) < 1e-9, f"length of both sides of the joint {length}")
+    parameters = json.loads((directory / "summary.json").read_text(encoding="utf-8"))["parameters"]
+    names = {row["boundary"] for row in rows if not row["joint"]}
+    check(names == set(parameters["Boundaries"]) | {"upstream"}, f"boundaries {names}")
+
+
+def words():
+    """Numbers as an engineer writes them, by hand; levels of water out of the entries."""
+    sys.path.insert(0, str(ROOT / "source/python"))
+    from report.load_states import level_of  # pylint: disable=import-outside-toplevel
+    from report.numbers import rounded  # pylint: disable=import-outside-toplevel
+
+    for value, digits, text in ((7920.0000000000027, 4, "7920"), (-6353.3066, 4, "\u22126353"), (123456., 4, "123500"),
+                                (0.99996, 4, "1.000"), (1.51e-14, 2, "1.5\u00b710\u207b\u00b9\u2074"), (0., 4, "0"),
+                                (12345678., 3, "1.23\u00b710\u2077"), (math.inf, 4, "\u221e"), (37, 4, "37"), (0.000256, 4, "0.0002560")):
+        check(rounded(value, digits) == text, f"{value!r} is written {rounded(value, digits)}, not {text}")
+    for level, t, expected in (("1: 0; 2: 28", 1.5, 14.), ("1: 0; 2: 28", 0.5, 0.), ("1: 0; 2: 28", 3., 28.), ("H*(t - 1)", 1.5, 20.),
+                               ("40", 0., 40.), ("if(t < 1, 2, 3)", 1., None)):
+        check(level_of({"Level": level}, {"H": "40"}, t) == expected, f"level '{level}' at {t}")
 
 
 def sweep(directory):
@@ -283,6 +327,9 @@ def main():
         run_with_pictures(folder / "run")
         scripts(folder / "run")
         limit_load(folder / "limit")
+        strength_reduction(folder / "reduced")
+        boundaries(folder / "reduced")
+        words()
         sweep(folder / "sweep")
         refused(folder / "refused")
         later_run_removes_the_report(folder / "run")

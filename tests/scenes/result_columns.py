@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """The columns that the pages describe are those that the program writes: doc/results.md (events, joint_history, resultants,
-monitors), doc/sweeps.md, doc/accuracy.md against the headers of runs in the plane and in space, with water, monitors with stress,
+monitors, boundaries), doc/sweeps.md, doc/accuracy.md against the headers of runs in the plane and in space, with water, monitors with stress,
 a sweep and an adapted mesh.
 
 usage: result_columns.py FUGA
@@ -20,7 +20,7 @@ MONITOR = "\nsubsection Monitors\n  subsection crest\n    set Point = {}\n    se
 # Parameter file, point of the monitor, further settings.
 RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
-PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
+PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
 
 

@@ -54,7 +54,7 @@ def load_displacement(results):
     length = Length(results.unit("gap"))
     has_monitors = results.monitors is not None and not results.monitors.frame.empty
     curves = list((_monitor_curves if has_monitors else _jump_curves)(results, length))
-    figure = new_figure(4.4)
+    figure = new_figure(3.9)
     axes = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (3.4, 1.0)})
     for (name, curve), look in zip(curves, level_styles(len(curves))):
         axes[0].plot(curve.index, curve.to_numpy(), label=name, markevery=mark_every(len(curve)), **look)
@@ -167,7 +167,7 @@ def timeline(results):
 def safety(results):
     """Safety factors and the compressed share of every joint."""
     frame = results.resultants.frame
-    figure = new_figure(4.6)
+    figure = new_figure(3.9)
     axes = figure.subplots(2, 1, sharex=True)
     columns = [c for c in ("sliding_safety", "overturning_safety") if c in frame]
     joints = results.joints[:CURVES // len(columns)]

@@ -14,11 +14,11 @@ _FUNCTIONS.update({"abs": abs, "min": min, "max": max})
 _ARITHMETIC = re.compile(r"[\w\s.+\-*/^(),]+")
 
 
-def value_of(text, constants, t):
-    """An entry that is a number or a simple expression of the load time; None for others."""
+def value_of(text, constants, t, **places):
+    """An entry that is a number or a simple expression of the load time and of `places`; None for others."""
     if not _ARITHMETIC.fullmatch(text) or "__" in text:
         return None
-    names = {**_FUNCTIONS, **{name: float(number) for name, number in constants.items()}, "t": t}
+    names = {**_FUNCTIONS, **{name: float(number) for name, number in constants.items()}, "t": t, **places}
     try:
         return float(eval(text.replace("^", "**"), {"__builtins__": {}}, names))
     except (ArithmeticError, NameError, SyntaxError, TypeError, ValueError):

@@ -12,7 +12,7 @@ from fuga_results import STATE_COLOURS, STATE_MARKERS, STATE_OF_CODE
 from report.figures import MARKED_ELEMENTS, WIDTH, mark_every, new_figure, to_figure
 from report.load_states import describe, end_of_loads
 
-TALLEST = 3.6  # inches: two on a printed page
+TALLEST = 3.1  # inches: two on a printed page
 SHOWN_DISPLACEMENT = 0.06  # largest drawn displacement, as share of the size of the model
 CELLS_WITH_EDGES = 800  # edges of more would cover a stress
 

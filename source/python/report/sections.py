@@ -40,6 +40,7 @@ FILES = {
     "joint_history.csv": "every contact element at every load level",
     "resultants.csv": "every joint at every load level",
     "monitors.csv": "displacements of the monitored points",
+    "boundaries.csv": "faces of boundaries and joints",
     "sweep.csv": "every variant of the sweep",
     "bodies.pvd": "displacements and stresses, for ParaView",
     "joints.pvd": "fields of the joints, for ParaView",
@@ -138,6 +139,8 @@ def joint_overview(results):
     head += ["open [%]", "slip [%]", f"largest gap [{length.unit}]", f"largest slip [{length.unit}]", "sliding safety"]
     head += ["overturning safety"] if "overturning_safety" in units else []
     ordered = [rows[k] for k in sorted(range(len(rows)), key=lambda k: keys[k])]
+    if "overturning_safety" in units and all(math.isnan(row[-1]) for row in rows):
+        head, ordered = head[:-1], [row[:-1] for row in ordered]
     return Table(ordered, head, "joints-table")
 
 

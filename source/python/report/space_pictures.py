@@ -2,23 +2,51 @@
 # Copyright (C) 2026 by the Fuga authors
 """Pictures of a model in space: the bodies, and maps of each joint in its plane."""
 
+import os
+
 import matplotlib
 import numpy
 from matplotlib.collections import PolyCollection
+from matplotlib.ticker import MaxNLocator
 
 from fuga_results import STATE_COLOURS, STATE_OF_CODE
+from report.boundaries import Boundaries, supports
 from report.figures import WIDTH, new_figure, to_figure
 from report.load_states import describe
 from report.numbers import Length
+
+
+def _standing(results, bodies):
+    """Numbers of the bodies that stand on others, and their names; None, and no names, if that are all."""
+    import field_rendering
+
+    path = os.path.join(results.directory, "boundaries.csv")
+    if not os.path.exists(path):
+        return None, []
+    faces = Boundaries(results.directory)
+    names = faces.standing([name for name, _ in supports(results.summary["parameters"])])
+    if len(names) == len(faces.bodies):
+        return None, []
+    points, body = field_rendering.points_of(bodies), field_rendering.array_of(bodies, "body").astype(int)
+    size = numpy.abs(points).max()
+    keys = [tuple(place) for place in (points / size).round(6)]
+    numbers = set()
+    for name in names:
+        corners = {tuple(place) for place in (faces.body(name).reshape(-1, 3) / size).round(6)}
+        # A neighbour has the corners on the joint only.
+        numbers.add(int(numpy.bincount([number for key, number in set(zip(keys, body)) if key in corners]).argmax()))
+    return numbers, names
 
 
 def space_pictures(results, fields):
     """By name: figures of the bodies."""
     from space_rendering import figure_in_space
 
-    figure = new_figure(4.6)
-    caption = figure_in_space(results, "von_mises_stress", figure, fields.t)
-    return {"bodies": to_figure(figure, f"Von Mises stress of the bodies, {describe(results, fields.t)}. {caption}")}
+    shown, names = _standing(results, fields.bodies)
+    figure = new_figure(3.9)
+    caption = figure_in_space(results, fields.bodies, "von_mises_stress", figure, shown)
+    what = "Von Mises stress of " + (", ".join(names) if names else "the bodies")
+    return {"bodies": to_figure(figure, f"{what}, {describe(results, fields.t)}. {caption}")}
 
 
 def _frame(results, joint):
@@ -59,6 +87,7 @@ def joint_maps(results, joint, fields):
     figure = new_figure(min(max(height, 2.6), 7.6))
     figure.set_layout_engine("constrained")
     panels = figure.subplots(*((3, 1) if stacked else (1, 3)), sharex=True, sharey=True)
+    where = "right" if stacked else "top"
     length = Length(results.unit("gap"))
     arrays = field_rendering.array_of
     slip = length.factor * numpy.hypot(arrays(fields.joints, "slip"), arrays(fields.joints, "slip2"))
@@ -68,18 +97,19 @@ def joint_maps(results, joint, fields):
         for some in cells:
             axes.add_collection(PolyCollection(flat[some], facecolors=scale.to_rgba(value[some].mean(axis=1)),
                                                edgecolors="white", linewidths=0.2))
-        figure.colorbar(scale, ax=axes, location="right" if stacked else "top", shrink=0.9).set_label(label)
+        figure.colorbar(scale, ax=axes, location=where, shrink=0.9, ticks=MaxNLocator(4)).set_label(label)
     codes = arrays(fields.joints, "state").round().astype(int)
     for some in cells:
         panels[1].add_collection(PolyCollection(flat[some], facecolors="#f4f4f4", edgecolors="#cccccc", linewidths=0.3))
         for code in range(len(STATE_OF_CODE)):
             nodes = numpy.unique(some[codes[some] == code])
-            if len(nodes):
-                panels[1].plot(*flat[nodes].T, "s", color=STATE_COLOURS[STATE_OF_CODE[code]], markersize=4.5,
-                               label=STATE_OF_CODE[code])
-    handles = dict(zip(*panels[1].get_legend_handles_labels()[::-1]))
-    panels[1].legend(handles.values(), handles, ncols=1 if stacked else 2, fontsize=7, loc="lower left",
-                     bbox_to_anchor=(1.0, 0.3) if stacked else (0.0, 1.0))
+            panels[1].plot(*flat[nodes].T, "s", color=STATE_COLOURS[STATE_OF_CODE[code]], markersize=4.5)
+    there = sorted({int(code) for some in cells for code in codes[some].ravel()})
+    colours = matplotlib.colors.ListedColormap([STATE_COLOURS[STATE_OF_CODE[code]] for code in there])
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0.0, len(there)), colours)
+    bar = figure.colorbar(scale, ax=panels[1], location=where, shrink=0.9, ticks=[k + 0.5 for k in range(len(there))])
+    bar.set_ticklabels([STATE_OF_CODE[code] if STATE_OF_CODE[code] != "bonded" else "no element" for code in there])
+    bar.set_label("state")
     for axes in panels:
         axes.set_xlim(low[0] - 0.02 * size[0], high[0] + 0.02 * size[0])
         axes.set_ylim(low[1] - 0.02 * size[1], high[1] + 0.02 * size[1])

@@ -70,7 +70,7 @@ def joint_stresses(results, joint):
     times = panel_times(results, joint)
     small = times[1:]
     rows = -(-len(small) // 2)
-    figure = new_figure(3.0 + 1.6 * rows)
+    figure = new_figure(2.7 + 1.35 * rows)
     grid = figure.add_gridspec(1 + rows, 2, height_ratios=[2.2] + [1.0] * rows)
     profiles = [results.profile(joint, t) for t in times]
     panels = [figure.add_subplot(grid[0, :])]
