@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Reports of small runs: a run with pictures, a limit load without fields, a sweep; what is refused.
+"""Reports of small runs: a run with pictures, a limit load without fields, many joints, a block in space, a strength reduction, a
+sweep; what is refused.
 
 usage: report.py FUGA
 
@@ -13,7 +14,9 @@ import csv
 import html.parser
 import json
 import math
+import os
 import pathlib
+import pty
 import re
 import subprocess
 import sys
@@ -25,7 +28,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 RUN_SECTIONS = ["stresses", "model", "joints", "resultants", "safety", "load", "shear", "levels", "displacements", "pictures",
                 "states", "paths", "energy", "certificate", "remarks", "sizes", "parameters", "events", "files"]
-SHORT_SECTIONS = ["stresses", "model", "joints", "safety", "load", "pictures", "remarks"]
+SHORT_SECTIONS = ["stresses", "model", "joints", "safety", "load", "pictures"]
+SPACE_SECTIONS = [name for name in RUN_SECTIONS if name not in ("shear", "levels", "displacements", "paths")]
 SHOWN = 0.5e-3  # half a unit of the fourth digit, at worst that of 1.000
 SUPERSCRIPTS = str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")
 complaints = []
@@ -153,6 +157,9 @@ def check_tables(page, directory):
         same(next(text for name, text in cells.items() if name.startswith("N [")), float(last["N"]), f"{joint}: N")
         same(cells["sliding safety"], float(last["sliding_safety"]), f"{joint}: sliding safety")
         same(cells["open [%]"], 100.0 * float(last["share_open"]), f"{joint}: open", 5e-3)
+    least = [min([number_of(cells[name]) for name in ("sliding safety", "overturning safety")
+                  if name in cells and number_of(cells[name]) >= 0.0], default=math.inf) for cells in overview.values()]
+    check(least == sorted(least), f"the joints are not in the order of their safeties: {least}")
     for (name, _, value, within), (key, expected) in zip(page.tables["certificate-table"][1:],
                                                          summary["certificate"]["entries"].items()):
         check(name == key and within == "yes", f"certificate: {name}")
@@ -174,12 +181,12 @@ def fuga(*arguments):
     return subprocess.run([FUGA, *map(str, arguments)], capture_output=True, text=True)
 
 
-def with_monitors(folder):
-    """A copy of a parameter file with two points, one of them with stress."""
-    text = (ROOT / "parameters/paper_2_linear.prm").read_text(encoding="utf-8").replace("../meshes", str(ROOT / "meshes"))
+def with_monitors(folder, name="paper_2_linear", crest="0, 12", heel=None):
+    """A copy of a parameter file with a point, and with another one that has stress."""
+    text = (ROOT / f"parameters/{name}.prm").read_text(encoding="utf-8").replace("../meshes", str(ROOT / "meshes"))
     copy = folder / "monitored.prm"
-    copy.write_text(text + "\nsubsection Monitors\nsubsection crest\nset Point = 0, 12\nend\n"
-                    "subsection heel\nset Point = 0.5, 0.5\nset Stress = true\nend\nend\n", encoding="utf-8")
+    copy.write_text(text + f"\nsubsection Monitors\nsubsection crest\nset Point = {crest}\nend\n"
+                    + (f"subsection heel\nset Point = {heel}\nset Stress = true\nend\n" if heel else "") + "end\n", encoding="utf-8")
     return copy
 
 
@@ -199,7 +206,7 @@ def check_monitors(page, directory):
 
 
 def run_with_pictures(directory):
-    run = fuga(with_monitors(directory.parent), "--quiet", "--output-dir", directory,
+    run = fuga(with_monitors(directory.parent, heel="0.5, 0.5"), "--quiet", "--output-dir", directory,
                "--set", "Output/Report=true", "--set", "Output/Fields=end", "--set", "Title=a < b & \"c\"")
     check(run.returncode == 0 and run.stdout == "", f"the run: {run.returncode} {run.stdout} {run.stderr}")
     sections = RUN_SECTIONS.copy()
@@ -231,6 +238,42 @@ def limit_load(directory):
     check("limit load, mechanism sliding" in page.words, "the mechanism in the verdict")
     check("Beyond the limit load" in page.words, "the path beyond the limit load")
     check("wrote no fields" in page.words, "that there are no fields is not said")
+
+
+def many_joints(directory):
+    """Six joints: the tables have all of them, the least safe first, diagrams the first four. A screen sees what is done."""
+    run = fuga(ROOT / "parameters/pier.prm", "--quiet", "--output-dir", directory, "--set", "Output/Fields=never")
+    check(run.returncode == 0, f"the pier: {run.returncode} {run.stderr}")
+    screen, writing = pty.openpty()
+    report = subprocess.Popen([FUGA, "report", directory], stdout=writing)
+    os.close(writing)
+    said = b""
+    try:
+        while part := os.read(screen, 4096):
+            said += part
+    except OSError:  # the other end is closed
+        pass
+    check(report.wait() == 0 and b"drawing joint 'joint_" in said and said.rstrip().endswith(b"report_short.html"), f"said {said}")
+    page = read_page(directory, RUN_SECTIONS)
+    check_tables(page, directory)
+    check("The 4 least safe of 6 joints." in page.words, "that not all joints are drawn")
+    check(len(re.findall(r"Joint \u201cjoint_\d\u201d: normal stress", page.words)) == 4, "four joints are drawn")
+
+
+def in_space(directory):
+    run = fuga(with_monitors(directory.parent, "dam_block_3d", "1, 1, 5"), "--quiet", "--output-dir", directory,
+               "--set", "Output/Fields=end", "--set", "Output/Report=true")
+    check(run.returncode == 0, f"the block in space: {run.returncode} {run.stderr}")
+    page = read_page(directory, SPACE_SECTIONS)
+    check_tables(page, directory)
+    head, *listed = page.tables["event-table"]
+    heights = [row[[name.split(" ")[0] for name in head].index("z")] for row in listed]
+    for text, event in zip(heights, rows_of(directory / "events.csv")):
+        same(text, float(event["z"]), "z of an event")
+    check("Monitor \u201ccrest\u201d at (1.000, 1.000, 5.000)" in page.words, "a monitor has no z")
+    check("uz" in [row[0] for row in page.tables["monitor-0"]], "a monitor has no uz")
+    check("Joint \u201cbase\u201d in its plane" in page.words, "the map of the joint")
+    check("Von Mises stress of dam," in page.words, "the dam without the rock")
 
 
 def strength_reduction(directory):
@@ -327,6 +370,8 @@ def main():
         run_with_pictures(folder / "run")
         scripts(folder / "run")
         limit_load(folder / "limit")
+        many_joints(folder / "joints")
+        in_space(folder / "space")
         strength_reduction(folder / "reduced")
         boundaries(folder / "reduced")
         words()

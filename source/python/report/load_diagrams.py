@@ -34,9 +34,9 @@ def _event_rows(axes, events):
     axes.tick_params(left=False)
 
 
-def _jump_curves(results, length):
-    """(name, t, value) of the largest opening and the largest shear jump of every joint."""
-    for joint in results.joints[:CURVES // 2]:
+def _jump_curves(results, length, joints):
+    """(name, t, value) of the largest opening and the largest shear jump of the first joints."""
+    for joint in joints[:CURVES // 2]:
         levels = results.joint_frame(joint).groupby("t")
         yield f"{joint}: largest gap", levels["gap"].max() * length.factor
         yield f"{joint}: largest |shear jump|", levels["jump_t1"].agg(lambda jumps: jumps.abs().max()) * length.factor
@@ -50,10 +50,11 @@ def _monitor_curves(results, length):
             yield f"{name}: {component}", rows.set_index("t")[component] * length.factor
 
 
-def load_displacement(results):
+def load_displacement(results, joints):
+    """Displacements of the monitors, or of the joints if there are none; `joints`: all, those that matter most first."""
     length = Length(results.unit("gap"))
     has_monitors = results.monitors is not None and not results.monitors.frame.empty
-    curves = list((_monitor_curves if has_monitors else _jump_curves)(results, length))
+    curves = list(_monitor_curves(results, length) if has_monitors else _jump_curves(results, length, joints))
     figure = new_figure(3.9)
     axes = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (3.4, 1.0)})
     for (name, curve), look in zip(curves, level_styles(len(curves))):
@@ -67,7 +68,7 @@ def load_displacement(results):
     what = ("displacements of the monitors" if has_monitors
             else "largest opening and largest shear jump of each joint (there are no monitors)")
     if not has_monitors and len(results.joints) > CURVES // 2:
-        what = f"largest opening and shear jump of the first {CURVES // 2} of {len(results.joints)} joints"
+        what = f"largest opening and shear jump of the {CURVES // 2} least safe of {len(results.joints)} joints"
     return to_figure(figure, f"Load\u2013displacement: {what} at the load levels. Below, a tick for every event: an "
                              "element opens, begins to slip, or sticks again.")
 
@@ -164,13 +165,13 @@ def timeline(results):
                              f"{known}. Elements are numbered along the joint.")
 
 
-def safety(results):
-    """Safety factors and the compressed share of every joint."""
+def safety(results, all_joints):
+    """Safety factors and the compressed share of the joints; of all of them, those that matter most first."""
     frame = results.resultants.frame
     figure = new_figure(3.9)
     axes = figure.subplots(2, 1, sharex=True)
     columns = [c for c in ("sliding_safety", "overturning_safety") if c in frame]
-    joints = results.joints[:CURVES // len(columns)]
+    joints = all_joints[:CURVES // len(columns)]
     curves = [(joint, column) for joint in joints for column in columns]
     rows = {joint: part.sort_values("t") for joint, part in frame.groupby("joint", sort=False)}
     finite = []
@@ -194,7 +195,7 @@ def safety(results):
     load_time_axis(axes, results)
     figure.align_ylabels(axes)
     legend_on_top(figure, axes[0].get_legend_handles_labels()[0], 2)
-    of_joints = f" of the first {len(joints)} of {len(results.joints)} joints" if len(joints) < len(results.joints) else ""
+    of_joints = f" of the {len(joints)} least safe of {len(results.joints)} joints" if len(joints) < len(results.joints) else ""
     return to_figure(figure, f"Safety factors{of_joints} and share of the joint's area in compression. Sliding: "
                              "\u03a3(f|N| + cA)/|\u03a3T| over the closed elements; it may be above 1 at a limit load whose "
                              f"mechanism is another. Values above {SAFETY_DRAWN:g}, such as those without any shear, are "

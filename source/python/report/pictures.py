@@ -12,7 +12,7 @@ from fuga_results import STATE_COLOURS, STATE_MARKERS, STATE_OF_CODE
 from report.figures import MARKED_ELEMENTS, WIDTH, mark_every, new_figure, to_figure
 from report.load_states import describe, end_of_loads
 
-TALLEST = 3.1  # inches: two on a printed page
+TALLEST, LOWEST = 3.1, 1.7  # inches: two on a printed page; room for a scale of colours
 SHOWN_DISPLACEMENT = 0.06  # largest drawn displacement, as share of the size of the model
 CELLS_WITH_EDGES = 800  # edges of more would cover a stress
 
@@ -25,7 +25,7 @@ def plane_axes(view, results, right=0.1, top=0.1):
     """Axes of the shape of a part of the plane; `right` and `top`: inches beside them."""
     left, bottom = 0.65, 0.5
     scale = min((WIDTH - left - right) / view.width, TALLEST / view.height)
-    figure = new_figure(scale * view.height + bottom + top)
+    figure = new_figure(max(scale * view.height + bottom + top, LOWEST))
     size = figure.get_size_inches()
     axes = figure.add_axes((left / size[0], bottom / size[1], scale * view.width / size[0], scale * view.height / size[1]))
     axes.grid(False)
@@ -74,7 +74,8 @@ class _PlanePictures:
             self._render.draw_contour(axes, self._bodies, "sum_of_principal", 0.0, self._factor)
         self._render.draw_joints(axes, self._bodies, self._joints, self._factor, self._whole.height)
         scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*limits), colours)
-        bar = figure.colorbar(scale, extend="both", cax=figure.add_axes((box[0] + box[2] + 0.02, box[1], 0.02, box[3])))
+        bar = figure.colorbar(scale, extend="both",
+                              cax=figure.add_axes((box[0] + box[2] + 0.02, box[1], 0.02, 0.96 - box[1])))
         bar.set_label(f"{name} [{self._results.unit('pressure')}]")
         bar.outline.set_visible(False)
         return to_figure(figure, f"{text}, {self._where}. Displacements are drawn {self._factor:g} times. Colours of the "

@@ -11,8 +11,8 @@ from report.space_pictures import joint_maps, space_pictures
 
 # Detailed diagrams are drawn of so many joints, the least safe first; the short version has the first figure of
 DRAWN_JOINTS, SHORT_JOINTS = 4, 2
-# as many rows of its table, and as many lines of warnings
-SHORT_ROWS, SHORT_REMARKS = 12, 6
+# as many rows of its table, and as many warnings
+SHORT_ROWS, SHORT_WARNINGS = 12, 6
 
 
 class RunParts:
@@ -31,8 +31,8 @@ class RunParts:
 
     @functools.cached_property
     def joints(self):
-        """The joints that are drawn, the least safe first."""
-        return [row[0] for row in self.overview.rows[:DRAWN_JOINTS]]
+        """All joints, the least safe first."""
+        return [row[0] for row in self.overview.rows]
 
     @property
     def choice(self):
@@ -43,7 +43,7 @@ class RunParts:
     def each(self, draw, *arguments):
         """A diagram per drawn joint."""
         figures = []
-        for joint in self.joints:
+        for joint in self.joints[:DRAWN_JOINTS]:
             self.progress(f"Report: drawing joint '{joint}' ...")
             figures.append(draw(self.results, joint, *arguments))
         return figures
@@ -79,11 +79,11 @@ class RunParts:
     @functools.cached_property
     def load(self):
         self.progress("Report: drawing the loads ...")
-        return load_diagrams.load_displacement(self.results)
+        return load_diagrams.load_displacement(self.results, self.joints)
 
     @functools.cached_property
     def safety(self):
-        return load_diagrams.safety(self.results)
+        return load_diagrams.safety(self.results, self.joints)
 
 
 def _page(results, title):
@@ -143,5 +143,5 @@ def short_page(parts):
     page.section("safety", "Safety", [parts.safety])
     page.section("load", "Load and displacement", [parts.load])
     page.section("pictures", "Bodies", [parts.pictures.get(name) for name in ("", "principal", "joints", "bodies")])
-    page.section("remarks", "Joints and warnings", sections.remarks(parts.summary)[:SHORT_REMARKS])
+    page.section("remarks", "Warnings", sections.warnings(parts.summary)[:SHORT_WARNINGS])
     return page

@@ -119,7 +119,7 @@ def verdict(summary):
 
 
 def joint_overview(results):
-    """A row per joint at the end of the loads, the least safe first."""
+    """A row per joint at the end of the loads, the least safe first: by the smaller of its safeties."""
     frame, units = results.resultants.frame, results.resultants.units
     length = Length(units["largest_gap"])
     rows, keys = [], []
@@ -133,7 +133,8 @@ def joint_overview(results):
                        length.factor * float(row["largest_gap"]), length.factor * float(row["largest_slip"]),
                        float(row["sliding_safety"])]
                     + ([float(row["overturning_safety"])] if "overturning_safety" in row else []))
-        keys.append((not row["sliding_safety"] >= 0.0, row["sliding_safety"], -row["share_open"], len(keys)))
+        factors = [row[name] for name in ("sliding_safety", "overturning_safety") if name in row and row[name] >= 0.0]
+        keys.append((min(factors, default=math.inf), -row["share_open"], len(keys)))
     head = ["joint", f"N [{units['N']}]", f"{'|T|' if results.in_space else 'T'} [{units['T']}]"]
     head += [f"water [{units['water']}]"] if "water" in units else []
     head += ["open [%]", "slip [%]", f"largest gap [{length.unit}]", f"largest slip [{length.unit}]", "sliding safety"]
@@ -246,9 +247,13 @@ def sizes(summary):
     return parts + [Fold("Seconds by phase", [Table([[name, float(s)] for name, s in seconds.items()], digits=2)])]
 
 
+def warnings(summary):
+    return [Text(text, "warning") for text in summary.get("warnings", [])]
+
+
 def remarks(summary):
     """Warnings and what the program says of each joint."""
-    return [Text(text, "warning") for text in summary.get("warnings", [])] + [Text(text) for text in summary.get("joints", [])]
+    return warnings(summary) + [Text(text) for text in summary.get("joints", [])]
 
 
 def event_list(results):

@@ -24,6 +24,7 @@ JOINT = "#d81b60"
 # In inches: the drawing, the room beside it
 TALLEST, LOWEST, LEGEND, LEFT, BOTTOM = 3.3, 1.6, 2.2, 0.6, 0.45
 TICKS = 24  # on the boundary of a support
+NAMED = 12  # more names would cover the drawing
 
 
 class _Sketch:
@@ -36,6 +37,7 @@ class _Sketch:
         self.loads = LoadArrows(results, self.faces)
         self.size = self.loads.size
         self.handles = []
+        self.letters = 8.0 if len(self.faces.bodies) + len(results.joints) < 8 else 5.5
         if self.faces.in_space:
             import space_rendering
             self.project = lambda points: space_rendering.projected(points)[..., :2]
@@ -89,22 +91,26 @@ class _Sketch:
                                                             linewidths=0.3, rasterized=True, zorder=2))
         if not self.faces.in_space:
             self.axes.add_collection(LineCollection(self.faces.outer[:, :, :2], colors="#333333", linewidths=0.9, zorder=3))
-        for name in self.faces.bodies:
+        for name in self.faces.bodies[:NAMED]:
             place = self.project(centre_of(self.faces, name))
-            self.axes.annotate(short(name), place, xytext=(0, 6), textcoords="offset points", ha="center", fontsize=8,
-                               zorder=8, style="italic")
+            self.axes.annotate(short(name), place, xytext=(0, 6), textcoords="offset points", ha="center", zorder=8,
+                               fontsize=self.letters, style="italic")
 
     def draw_joints(self):
+        n_named = 0
         for name in self.results.joints:
             faces = self.faces.joint(name)
             if len(faces) == 0:
                 continue
+            n_named += 1
             lines = _rim(faces) if self.faces.in_space else faces
             self.axes.add_collection(LineCollection(self.project(lines), colors=JOINT, linewidths=1.8, zorder=6))
+            if n_named > NAMED:
+                continue
             centre = faces.mean(axis=1)
             place = self.project(centre[numpy.linalg.norm(centre - centre.mean(axis=0), axis=1).argmin()])
             self.axes.annotate(short(name), place, xytext=(0, -10), textcoords="offset points", ha="center",
-                               fontsize=8, color=JOINT, zorder=8)
+                               fontsize=self.letters, color=JOINT, zorder=8)
         if self.results.joints:
             self.handles.append(Line2D([], [], color=JOINT, linewidth=1.8, label="joint"))
 

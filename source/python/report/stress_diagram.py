@@ -11,7 +11,7 @@ from report.figures import legend_on_top, new_figure, short, to_figure
 from report.load_states import describe, end_of_loads
 from report.numbers import rounded
 
-SMALL_PANELS = 4  # ends of stages below the last state
+SMALL_PANELS = 3  # ends of stages below the last state
 WATER = "#9ecae1"
 STRIP = 0.045  # height of the strip of states, in axes
 
@@ -69,28 +69,25 @@ def joint_stresses(results, joint):
     """Uplift, effective and total normal stress along a joint in the plane."""
     times = panel_times(results, joint)
     small = times[1:]
-    rows = -(-len(small) // 2)
-    figure = new_figure(2.7 + 1.35 * rows)
-    grid = figure.add_gridspec(1 + rows, 2, height_ratios=[2.2] + [1.0] * rows)
+    figure = new_figure(4.0 if small else 2.9)
+    grid = figure.add_gridspec(2 if small else 1, max(2, len(small)), height_ratios=[2.2, 1.0] if small else [1.0])
     profiles = [results.profile(joint, t) for t in times]
-    panels = [figure.add_subplot(grid[0, :])]
-    panels += [figure.add_subplot(grid[1 + k // 2, k % 2]) for k in range(len(small))]
+    panels = [figure.add_subplot(grid[0, :])] + [figure.add_subplot(grid[1, k]) for k in range(len(small))]
     for axes, profile in zip(panels, profiles):
         _draw(axes, profile)
-        axes.set_title(short(describe(results, profile.t), 90 if axes is panels[0] else 45), fontsize=8, loc="left", pad=3)
+        axes.set_title(short(describe(results, profile.t), 90 if axes is panels[0] else 36), fontsize=8, loc="left", pad=3)
     panels[0].set_ylabel(f"normal stress [{results.unit('pressure')}]\ncompression +")
     for axes in panels[1:]:
         axes.set_ylabel(f"[{results.unit('pressure')}]")
-        axes.tick_params(labelbottom=axes in panels[-2:])
-    for axes in panels[-2:] if len(panels) > 2 else panels:
-        axes.set_xlabel(f"distance along the joint [{results.unit('x')}]")
+    for axes in panels:
+        axes.set_xlabel(f"distance{' along the joint' if axes is panels[0] else ''} [{results.unit('x')}]")
     there = set().union(*(profile["state"] for profile in profiles))
     handles = [Line2D([], [], color="black", linewidth=1.5, label="effective stress")]
     if any(_water(profile).any() for profile in profiles):
         handles += [Patch(facecolor=WATER, label="uplift (water in the joint)"),
                     Line2D([], [], color="#b00020", linewidth=1.2, linestyle=(0, (5, 2)), label="total = effective + uplift")]
     handles += [Patch(facecolor=STATE_COLOURS[state], label=state) for state in STATES if state in there]
-    legend_on_top(figure, handles, 3, hspace=0.42, wspace=0.28)
+    legend_on_top(figure, handles, 3, hspace=0.6, wspace=0.36)
     return to_figure(figure, f"Joint \u201c{joint}\u201d: normal stress across the joint at the end of the loads"
                              f"{' and at other states' if small else ''}. The strip along the bottom is the state of the "
                              "elements; shaded: open. "
