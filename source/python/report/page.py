@@ -43,8 +43,8 @@ class Table:
 
     @property
     def numeric(self):
-        """By column, whether its first cell is a number."""
-        return [isinstance(value, (int, float, Number)) for value in self.rows[0]] if self.rows else [False] * len(self.head or [])
+        """By column, whether it has a number."""
+        return [any(isinstance(row[k], (int, float, Number)) for row in self.rows) for k in range(len(self.head))]
 
 
 @dataclasses.dataclass
@@ -87,10 +87,10 @@ class Number(str):
 
 
 class Page:
-    """A page in the making: sections in their order, figures numbered through."""
+    """A page in the making: sections in their order, figures numbered through. `look`: "short" if pages are few."""
 
-    def __init__(self, title, verdict, footer):
-        self.title, self.verdict, self.footer = title, verdict, footer
+    def __init__(self, title, verdict, footer, look=""):
+        self.title, self.verdict, self.footer, self.look = title, verdict, footer, look
         self.sections = []
 
     def section(self, name, title, parts):

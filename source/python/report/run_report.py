@@ -86,8 +86,8 @@ class RunParts:
         return load_diagrams.safety(self.results, self.joints)
 
 
-def _page(results, title):
-    return Page(title, sections.verdict(results.summary), sections.footer(results.summary))
+def _page(results, title, look=""):
+    return Page(title, sections.verdict(results.summary), sections.footer(results.summary), look)
 
 
 def _empty_page(parts):
@@ -136,7 +136,7 @@ def short_page(parts):
     results = parts.results
     if not results.levels:
         return _empty_page(parts)
-    page = _page(results, f"{results.title or 'fuga'} (short)")
+    page = _page(results, f"{results.title or 'fuga'} (short)", "short")
     page.section("stresses", "Stresses across the joints", parts.stresses[:SHORT_JOINTS])
     page.section("model", "Model", parts.sketch)
     page.section("joints", "Joints at the end of the loads", [sections.shortened(parts.overview, SHORT_ROWS)])
