@@ -43,7 +43,7 @@ namespace fuga
                                          effort.megabytes,
                                          effort.operations,
                                          model.may_be_matrix_free && jump_operator().empty()});
-            // The memory that is left is not the same a moment later on another process.
+            // Another process may run on another machine.
             double of_first = static_cast<double>(estimate->choice);
             processes::broadcast(&of_first, 1);
             choice = estimate->choice     = static_cast<BodySolver>(of_first);

@@ -18,8 +18,9 @@ namespace fuga
     /** Two stages with their schemes and their judgement, loads included. */
     constexpr double solutions_matrix_free = 30., solutions_of_loads = 6.;
     constexpr double bytes_per_megabyte = 1024. * 1024.;
-    /** Of the free memory; the rest is for fields and for what others take meanwhile. */
-    constexpr double usable_share = 0.8;
+    /** Of the machine's memory; the rest is for the system, the fields and other programs. What is
+     * free at the moment does not enter: the same input takes the same solver on a busy day. */
+    constexpr double usable_share = 0.7;
     /** A factor is worth this much more time: every further solution with it costs little. */
     constexpr double worth_of_a_factor = 4.;
   } // namespace
@@ -58,7 +59,7 @@ namespace fuga
     result.iterative_megabytes =
       (bytes_per_entry * entries + (columns ? 8. * m * m : 0.)) / bytes_per_megabyte;
     result.iterative_seconds   = seconds_per_entry * entries * iterations;
-    result.available_megabytes = available_memory_in_megabytes();
+    result.available_megabytes = machine_memory_in_megabytes();
     if (result.direct_megabytes > usable_share * result.available_megabytes ||
         worth_of_a_factor * result.iterative_seconds < result.direct_seconds)
       result.choice = columns ? BodySolver::iterative : BodySolver::matrix_free;
@@ -70,7 +71,7 @@ namespace fuga
   SolverEstimate::text() const
   {
     return fmt::format("bodies: {} (direct: {:.0f} MB, {:.3g} s; iterative: {:.0f} MB, {:.3g} s; "
-                       "memory left: {:.0f} MB)",
+                       "memory of the machine: {:.0f} MB)",
                        name_of(choice),
                        direct_megabytes,
                        direct_seconds,

@@ -29,7 +29,8 @@ namespace fuga
          "with "
          "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
          "without the stiffness of the interface as well, for Follow = stage ends and linear "
-         "layers. Automatic: by an estimate of memory and time."),
+         "layers. Automatic: by an estimate of time, and of memory against that of the machine, "
+         "free or not."),
        defaulted(
          "Non-unique",
          "stop",

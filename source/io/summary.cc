@@ -181,7 +181,7 @@ namespace fuga
                             {"direct_seconds", work.estimate->direct_seconds},
                             {"iterative_memory_MB", work.estimate->iterative_megabytes},
                             {"iterative_seconds", work.estimate->iterative_seconds},
-                            {"available_memory_MB", work.estimate->available_megabytes},
+                            {"machine_memory_MB", work.estimate->available_megabytes},
                             {"choice", name_of(work.estimate->choice)}};
       return json;
     }

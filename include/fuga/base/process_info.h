@@ -4,6 +4,8 @@
 #ifndef fuga_base_process_info_h
 #define fuga_base_process_info_h
 
+#include <string>
+
 namespace fuga
 {
   /** Seconds since the operating system started this process, in its clock ticks (0.01 s). */
@@ -14,9 +16,14 @@ namespace fuga
   double
   peak_memory_in_megabytes();
 
-  /** Memory that this process can still get without swapping, as the kernel estimates it [MB]. */
+  /**
+   * Memory that this machine can give to the program [MB]: its physical memory, or less where a
+   * control group (container, batch system) limits it; infinity if the system says neither. What
+   * other
+   * programs use at the moment does not matter. @p root: where /proc and /sys are looked for.
+   */
   double
-  available_memory_in_megabytes();
+  machine_memory_in_megabytes(const std::string &root = "");
 } // namespace fuga
 
 #endif

@@ -31,7 +31,7 @@ namespace fuga
     /** From the entries of the matrix and the number of right-hand sides. */
     double iterative_megabytes = 0.;
     double iterative_seconds   = 0.;
-    /** What the machine has left. */
+    /** Memory of the machine, free or not. */
     double available_megabytes = 0.;
     BodySolver choice          = BodySolver::direct;
 
@@ -54,8 +54,8 @@ namespace fuga
   };
 
   /**
-   * Estimates both ways. The direct one is chosen where its factor fits into the memory that is
-   * left, unless the iterative one is much faster.
+   * Estimates both ways. The direct one is chosen where its factor fits into the memory of the
+   * machine, whatever others use of it now, unless the iterative one is much faster.
    */
   SolverEstimate
   estimate_solvers(const EliminationSize &size);
