@@ -34,7 +34,8 @@ namespace fuga
               model.monitors,
               parameters.output.units,
               !model.bodies.closed_water().empty(),
-              dim == 3}
+              dim == 3,
+              DrivingQuantities(parameters.model, model.loads.load_factors)}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
     , history(parameters.output.directory, context)

@@ -15,7 +15,7 @@ namespace fuga
   Simulation<dim>::leave_phase()
   {
     for (const std::string &text :
-         tables.warnings(model.joint_names, parameters.output.units.stress()))
+         tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
       log.warning(text);
 
     PhaseEnd end;

@@ -164,7 +164,7 @@ namespace fuga
       log.warning("The path was not followed beyond the limit load: that needs rigid or linear "
                   "layers.");
     for (const std::string &text :
-         tables.warnings(model.joint_names, parameters.output.units.stress()))
+         tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
       log.warning(text);
     log_closing_table(outcome);
     log.close();
@@ -228,6 +228,9 @@ namespace fuga
                                model.stage_names[stage],
                                outcome.path.t,
                                reason_of(outcome.path)));
+          log.line("            " + context.driving.at(outcome.path.t, stage).text());
+          if (const std::string motion = motion_of(outcome.path); !motion.empty())
+            log.line("            " + motion);
           break;
         default:
           log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
@@ -323,11 +326,17 @@ namespace fuga
     const auto [stage, fraction] = stage_of(summary.t, model.stage_names.size());
     summary.stage                = model.stage_names[stage];
     summary.stage_fraction       = fraction;
+    summary.drive                = context.driving.at(summary.t, stage);
+    summary.motion               = motion_of(outcome.path);
     summary.path                 = outcome.path;
     for (const std::size_t k : outcome.path.critical.elements)
-      summary.critical_elements.push_back({model.joint_names[joint.elements[k].joint],
-                                           joint.elements[k].number,
-                                           joint.elements[k].position});
+      {
+        const ContactElement &element = joint.elements[k];
+        summary.critical_elements.push_back(
+          {model.joint_names[element.joint],
+           element.number,
+           {element.position.begin(), element.position.begin() + dim}});
+      }
     summary.safety            = outcome.safety;
     summary.accuracy          = accuracy;
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/mechanism_text.h>
 #include <fuga/simulation.h>
 
 #include <algorithm>
@@ -82,6 +83,7 @@ namespace fuga
     safety.mechanism    = result.mechanism;
     if (result.mechanism != MechanismKind::none)
       safety.moving_joints = moving_joints(result.mechanism_jumps);
+    safety.motion = motion_of(result);
     return safety;
   }
 
@@ -131,6 +133,18 @@ namespace fuga
   }
 
   template <int dim>
+  std::string
+  Simulation<dim>::motion_of(const PathResult &result) const
+  {
+    if (result.mechanism == MechanismKind::none || result.mechanism_jumps.empty())
+      return "";
+    return mechanism_text(
+      joint_motions(
+        model.joint_names.size(), joint.elements, model.frames, result.mechanism_jumps, dim == 3),
+      model.joint_names);
+  }
+
+  template <int dim>
   void
   Simulation<dim>::log_safety(const SafetyFactor &safety)
   {
@@ -148,6 +162,8 @@ namespace fuga
       text += fmt::format(
         ", mechanism: {} of {}", mechanism_name(safety.mechanism), listed(safety.moving_joints));
     log.line(text);
+    if (!safety.motion.empty())
+      log.line("            " + safety.motion);
   }
 
   template class Simulation<2>;

@@ -5,6 +5,8 @@
 #include <fuga/base/process_info.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/io/joint_resultant.h>
+#include <fuga/io/mechanism_text.h>
+#include <fuga/io/version.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
 
@@ -17,8 +19,6 @@ namespace fuga
 {
   namespace
   {
-    constexpr double never = std::numeric_limits<double>::quiet_NaN();
-
     /** Notes what the table needs and has every event judged. */
     class Observer : public PathObserver
     {
@@ -66,27 +66,34 @@ namespace fuga
       TableRange tables;
       JointState last_state;
       Certificate worst;
-      double first_opening = never, first_slip = never;
+      double first_opening = std::numeric_limits<double>::quiet_NaN();
+      double first_slip    = std::numeric_limits<double>::quiet_NaN();
     };
   } // namespace
 
   template <int dim>
-  struct Sweep<dim>::Row
+  Sweep<dim>::Sweep(const Model<dim> &shared_model)
+    : model(shared_model), log(model.parameters.output.directory + "/log.txt")
   {
-    std::string verdict;
-    PathResult path;
-    std::vector<JointResultant> resultants;
-    std::vector<std::array<double, 3>> displacements;
-    double first_opening = never, first_slip = never;
-    double certificate = 0.;
-    double seconds     = 0.;
-    bool failed        = false;
-    std::vector<std::string> warnings;
-  };
+  }
 
   template <int dim>
-  Sweep<dim>::Sweep(const Model<dim> &shared_model) : model(shared_model)
+  bool
+  Sweep<dim>::has_stages_of_model(const Variant &variant) const
   {
+    return variant.stages.size() == model.parameters.model.stages.size() &&
+           std::is_sorted(variant.stages.begin(), variant.stages.end());
+  }
+
+  template <int dim>
+  ModelDefinition
+  Sweep<dim>::definition_of(const Variant &variant) const
+  {
+    ModelDefinition definition = model.parameters.model;
+    definition.stages.clear();
+    for (const unsigned int stage : variant.stages)
+      definition.stages.push_back(model.parameters.model.stages[stage]);
+    return definition;
   }
 
   // The load patterns are those of the model; another order of stages only changes their factors.
@@ -94,14 +101,8 @@ namespace fuga
   LoadHistory
   Sweep<dim>::history_of(const Variant &variant) const
   {
-    if (variant.stages.size() == model.parameters.model.stages.size() &&
-        std::is_sorted(variant.stages.begin(), variant.stages.end()))
-      return model.loads.history;
-    ModelDefinition definition = model.parameters.model;
-    definition.stages.clear();
-    for (const unsigned int stage : variant.stages)
-      definition.stages.push_back(model.parameters.model.stages[stage]);
-    return make_load_history<dim>(definition);
+    return has_stages_of_model(variant) ? model.loads.history
+                                        : make_load_history<dim>(definition_of(variant));
   }
 
   // Only the compliances of the bars enter; friction and cohesion do not.
@@ -127,7 +128,7 @@ namespace fuga
   }
 
   template <int dim>
-  typename Sweep<dim>::Row
+  SweepRow
   Sweep<dim>::run_variant(const Variant &variant)
   {
     const auto begin = std::chrono::steady_clock::now();
@@ -139,7 +140,9 @@ namespace fuga
     Observer observer(judge, joint.elements);
     const auto path = make_contact_path(joint.elements, system, history, model.path_options());
 
-    Row row;
+    SweepRow row;
+    for (const auto &setting : variant.settings)
+      row.settings.push_back(setting.second);
     try
       {
         row.path    = path->run({}, observer);
@@ -162,21 +165,43 @@ namespace fuga
         for (const Monitor &monitor : model.monitors)
           row.displacements.push_back(monitor.displacement(x, a));
       }
+    describe_end(variant, joint, history, row);
     row.resultants.resize(variant.joints.size());
     row.displacements.resize(model.monitors.size());
     row.first_opening = observer.first_opening;
     row.first_slip    = observer.first_slip;
     row.certificate   = observer.worst.worst();
-    row.warnings =
-      observer.tables.warnings(model.joint_names, model.parameters.output.units.stress());
+    row.warnings      = observer.tables.template warnings<dim>(model.joint_names,
+                                                          model.parameters.output.units.stress());
     count(row, *path);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
   }
 
+  // Loads that change in time are several patterns; they keep the order of their stages.
   template <int dim>
   void
-  Sweep<dim>::count(const Row &row, const ContactPath &path)
+  Sweep<dim>::describe_end(const Variant &variant,
+                           const JointModel &joint,
+                           const LoadHistory &history,
+                           SweepRow &row) const
+  {
+    const ModelDefinition definition = definition_of(variant);
+    const DrivingQuantities driving(
+      definition, has_stages_of_model(variant) ? model.loads.load_factors : history);
+    row.drive = driving.at(row.path.t, stage_of(row.path.t, variant.stages.size()).first);
+    if (row.path.mechanism != MechanismKind::none)
+      row.motion = mechanism_text(joint_motions(model.joint_names.size(),
+                                                joint.elements,
+                                                model.frames,
+                                                row.path.mechanism_jumps,
+                                                dim == 3),
+                                  model.joint_names);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::count(const SweepRow &row, const ContactPath &path)
   {
     ++summary.n_variants;
     ++summary.verdicts[row.verdict];
@@ -213,65 +238,47 @@ namespace fuga
   }
 
   template <int dim>
-  std::vector<std::string>
-  Sweep<dim>::columns() const
+  void
+  Sweep<dim>::say(const std::string &text)
   {
-    const Units &u                   = model.parameters.output.units;
-    std::vector<std::string> columns = {"variant"};
-    for (const auto &setting : model.parameters.variants.front().settings)
-      columns.push_back(setting.first);
-    columns.insert(columns.end(),
-                   {"verdict", "mechanism", "t", "first_opening_t", "first_slip_t", "events"});
-    for (const std::string &joint : model.joint_names)
-      for (const std::string &quantity : {fmt::format("N[{}]", u.force),
-                                          fmt::format("T[{}]", u.force),
-                                          fmt::format("M[{}]", u.energy()),
-                                          std::string("share_open"),
-                                          std::string("share_slip"),
-                                          fmt::format("largest_pressure[{}]", u.stress()),
-                                          std::string("sliding_safety"),
-                                          std::string("overturning_safety"),
-                                          fmt::format("cracked_length[{}]", u.length)})
-        columns.push_back(joint + " " + quantity);
-    for (const Monitor &monitor : model.monitors)
-      for (const char *component : {"ux", "uy"})
-        columns.push_back(fmt::format("{} {}[{}]", monitor.name(), component, u.length));
-    columns.insert(columns.end(), {"certificate", "seconds"});
-    return columns;
+    log.append(text + "\n");
+    if (model.parameters.output.log != LogDetail::quiet)
+      fmt::print("{}\n", text);
   }
 
   template <int dim>
   void
-  Sweep<dim>::write(CsvFile &table,
-                    const std::size_t number,
-                    const Variant &variant,
-                    const Row &row) const
+  Sweep<dim>::say_header()
   {
-    table.add(number);
-    for (const auto &setting : variant.settings)
-      table.add(setting.second);
-    table.add(row.verdict);
-    table.add(mechanism_name(row.path.mechanism));
-    for (const double value : {row.path.t, row.first_opening, row.first_slip})
-      table.add(value);
-    table.add(row.path.n_events);
-    for (const JointResultant &r : row.resultants)
-      for (const double value : {r.N,
-                                 r.T,
-                                 r.M,
-                                 r.share_open,
-                                 r.share_slip,
-                                 r.largest_pressure,
-                                 r.sliding_safety,
-                                 r.overturning_safety,
-                                 r.cracked_length})
-        table.add(value);
-    for (const auto &u : row.displacements)
-      for (unsigned int c = 0; c < dim; ++c)
-        table.add(u[c]);
-    table.add(row.certificate);
-    table.add(row.seconds);
-    table.end_row();
+    say(fmt::format("fuga {}  {}", version, model.parameters.title));
+    for (const auto &lines : {model.mesh.report, model.bodies.report(), model.loads.report})
+      for (const std::string &line : lines)
+        say(line);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::say_row(const Variant &variant, const SweepRow &row)
+  {
+    std::string settings;
+    for (const auto &[name, value] : variant.settings)
+      settings += fmt::format("{}{} = {}", settings.empty() ? "" : ", ", name, value);
+    say(fmt::format("{:>5}  {:<60} {:<15} {:<12} t = {:<12.9g} {}  certificate {:.1e}",
+                    row.number,
+                    settings,
+                    row.verdict,
+                    mechanism_name(row.path.mechanism),
+                    row.path.t,
+                    row.drive.text(),
+                    row.certificate));
+    if (!row.motion.empty())
+      say("       " + row.motion);
+    for (const std::string &warning : row.warnings)
+      {
+        say("       Warning: " + warning);
+        summary.warnings.push_back(fmt::format("variant {}: {}", row.number, warning));
+      }
+    log.publish(false);
   }
 
   template <int dim>
@@ -281,31 +288,18 @@ namespace fuga
     const Parameters &parameters = model.parameters;
     begin_results(parameters.output.directory,
                   [this]() { write_summary("unfinished", ExitCode::done); });
-    CsvFile table(parameters.output.directory + "/sweep.csv", columns());
+    Table<SweepRow> table(parameters.output.directory + "/sweep.csv", sweep_columns(model));
     table.publish(true);
-    const bool quiet = parameters.output.log == LogDetail::quiet;
-    bool any_failed  = false;
+    say_header();
+    bool any_failed = false;
     for (std::size_t i = 0; i < parameters.variants.size(); ++i)
       {
-        const Variant &variant = parameters.variants[i];
-        const Row row          = run_variant(variant);
-        write(table, i + 1, variant, row);
+        SweepRow row = run_variant(parameters.variants[i]);
+        row.number   = i + 1;
+        table.add(row);
         table.publish(false);
+        say_row(parameters.variants[i], row);
         any_failed = any_failed || row.failed;
-        if (quiet)
-          continue;
-        std::string settings;
-        for (const auto &[name, value] : variant.settings)
-          settings += fmt::format("{}{} = {}", settings.empty() ? "" : ", ", name, value);
-        fmt::print("{:>5}  {:<60} {:<15} {:<12} t = {:<12.9g} certificate {:.1e}\n",
-                   i + 1,
-                   settings,
-                   row.verdict,
-                   mechanism_name(row.path.mechanism),
-                   row.path.t,
-                   row.certificate);
-        for (const std::string &warning : row.warnings)
-          fmt::print("       Warning: {}\n", warning);
       }
     table.publish(true);
     model.timer.finish("variants");
@@ -313,13 +307,13 @@ namespace fuga
                           : summary.worst_certificate <= parameters.solver.certificate_bound
                             ? ExitCode::done
                             : ExitCode::certificate_violated;
+    say(
+      fmt::format("{} variants on one condensation, worst certificate {:.1e}. Results {}/sweep.csv",
+                  parameters.variants.size(),
+                  summary.worst_certificate,
+                  parameters.output.directory));
+    log.publish(true);
     write_summary(any_failed ? "numerical failure" : "done", code);
-    if (!quiet)
-      fmt::print(
-        "{} variants on one condensation, worst certificate {:.1e}. Results {}/sweep.csv\n",
-        parameters.variants.size(),
-        summary.worst_certificate,
-        parameters.output.directory);
     return code;
   }
 

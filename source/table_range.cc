@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/point_text.h>
 #include <fuga/table_range.h>
+
+#include <deal.II/base/point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +44,7 @@ namespace fuga
       }
   }
 
+  template <int dim>
   std::vector<std::string>
   TableRange::warnings(const std::vector<std::string> &joint_names,
                        const std::string &stress_unit) const
@@ -57,8 +61,11 @@ namespace fuga
           if (worst == nullptr)
             continue;
           const ContactElement &element = elements[worst->element];
+          dealii::Point<dim> place;
+          for (unsigned int c = 0; c < dim; ++c)
+            place[c] = element.position[c];
           result.push_back(fmt::format(
-            "joint '{}': the {} table ends at {:g} {}, but element {} at ({:.6g}, {:.6g}) reaches "
+            "joint '{}': the {} table ends at {:g} {}, but element {} at {} reaches "
             "{:.6g} at t = {:.6g}. Beyond its last point the table is continued by a straight "
             "line: "
             "add points.",
@@ -67,11 +74,15 @@ namespace fuga
             worst->data_end,
             stress_unit,
             element.number,
-            element.position[0],
-            element.position[1],
+            text_of(place),
             worst->largest,
             worst->t));
         }
     return result;
   }
+
+  template std::vector<std::string>
+  TableRange::warnings<2>(const std::vector<std::string> &, const std::string &) const;
+  template std::vector<std::string>
+  TableRange::warnings<3>(const std::vector<std::string> &, const std::string &) const;
 } // namespace fuga

@@ -169,6 +169,9 @@ namespace fuga
     describe_critical(const PathResult &result) const;
     std::string
     reason_of(const PathResult &result) const;
+    /** The mechanism in words, empty without one. */
+    std::string
+    motion_of(const PathResult &result) const;
     void
     log_closing_table(const Outcome &outcome);
     /** Those of the last state. */

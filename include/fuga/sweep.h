@@ -4,19 +4,19 @@
 #ifndef fuga_sweep_h
 #define fuga_sweep_h
 
-#include <fuga/io/history_writer.h>
-#include <fuga/io/output_files.h>
 #include <fuga/io/summary.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
 #include <fuga/simulation.h>
+#include <fuga/sweep_row.h>
 
 namespace fuga
 {
   /**
    * Runs all variants of section Sweep on one condensation of the bodies and writes one row each to
-   * sweep.csv: limit load and mechanism, first opening, first slip, resultants at the end,
-   * certificate. Variants that differ in strength only also share the layered system.
+   * sweep.csv, one line each to log.txt: limit load and mechanism, first opening, first slip,
+   * resultants at the end, certificate. Variants that differ in strength only also share the
+   * layered system.
    */
   template <int dim>
   class Sweep
@@ -30,25 +30,39 @@ namespace fuga
     run();
 
   private:
-    struct Row;
-
-    Row
+    SweepRow
     run_variant(const Variant &variant);
+    bool
+    has_stages_of_model(const Variant &variant) const;
+    /** The model with the stages of a variant. */
+    ModelDefinition
+    definition_of(const Variant &variant) const;
     LoadHistory
     history_of(const Variant &variant) const;
+    /** What drives the last stage, and the mechanism. */
+    void
+    describe_end(const Variant &variant,
+                 const JointModel &joint,
+                 const LoadHistory &history,
+                 SweepRow &row) const;
     const LayeredSystem &
     layered_system_of(const JointModel &joint);
     /** Adds a variant to the summary. */
     void
-    count(const Row &row, const ContactPath &path);
+    count(const SweepRow &row, const ContactPath &path);
     void
     write_summary(const std::string &verdict, const ExitCode code);
+
+    /** A line for the log, and for the screen unless the run is quiet. */
     void
-    write(CsvFile &table, const std::size_t number, const Variant &variant, const Row &row) const;
-    std::vector<std::string>
-    columns() const;
+    say(const std::string &text);
+    void
+    say_header();
+    void
+    say_row(const Variant &variant, const SweepRow &row);
 
     const Model<dim> &model;
+    TextFile log;
     std::unique_ptr<LayeredSystem> layered;
     SweepSummary summary;
   };

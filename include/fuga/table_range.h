@@ -22,6 +22,7 @@ namespace fuga
     watch(const JointState &state);
 
     /** One sentence per joint and direction that went beyond its table. */
+    template <int dim>
     std::vector<std::string>
     warnings(const std::vector<std::string> &joint_names, const std::string &stress_unit) const;
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/accuracy_report.h>
-#include <fuga/io/output_files.h>
+#include <fuga/io/table.h>
 
 #include <cmath>
 #include <fmt/format.h>
@@ -49,26 +49,25 @@ namespace fuga
   void
   write_refinement_table(const std::string &directory, const AccuracyReport &report)
   {
-    CsvFile table(directory + "/refinement.csv",
-                  {"round",
-                   "cells",
-                   "degrees_of_freedom",
-                   "contact_elements",
-                   "degrees_of_freedom_compared",
-                   "quantity",
-                   "target",
-                   "estimated_error",
-                   "seconds"});
-    for (std::size_t i = 0; i < report.rounds.size(); ++i)
+    using Round        = AccuracyReport::Round;
+    std::size_t number = 0;
+    Table<Round> table(
+      directory + "/refinement.csv",
+      {{"round", "", [&](const Round &) { return number; }},
+       {"cells", "", [](const Round &round) { return round.cells; }},
+       {"degrees_of_freedom", "", [](const Round &round) { return round.unknowns; }},
+       {"contact_elements", "", [](const Round &round) { return round.contact_elements; }},
+       {"degrees_of_freedom_compared",
+        "",
+        [](const Round &round) { return round.unknowns_compared; }},
+       {"quantity", "", [&](const Round &) { return report.quantity; }},
+       {"target", "", [&](const Round &) { return report.target; }},
+       {"estimated_error", "", [](const Round &round) { return round.estimate; }},
+       {"seconds", "", [](const Round &round) { return round.seconds; }}});
+    for (const Round &round : report.rounds)
       {
-        const AccuracyReport::Round &round = report.rounds[i];
-        for (const std::size_t number :
-             {i + 1, round.cells, round.unknowns, round.contact_elements, round.unknowns_compared})
-          table.add(number);
-        table.add(report.quantity);
-        for (const double value : {report.target, round.estimate, round.seconds})
-          table.add(value);
-        table.end_row();
+        ++number;
+        table.add(round);
       }
     table.publish(true);
   }

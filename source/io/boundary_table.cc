@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/boundary_table.h>
-#include <fuga/io/output_files.h>
+#include <fuga/io/table.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,14 +38,27 @@ namespace fuga
       return bodies;
     }
 
-    std::vector<std::string>
-    header(const unsigned int n_corners, const Units &units)
+    struct Row
     {
-      std::vector<std::string> names = {"boundary", "joint", "body"};
-      for (unsigned int k = 1; k <= n_corners; ++k)
-        for (const char c : {'x', 'y', 'z'})
-          names.push_back(fmt::format("{}{}[{}]", c, k, units.length));
-      return names;
+      const std::string &boundary, &joint, &body;
+      const JointedMesh::Face &face;
+    };
+
+    Columns<Row>
+    boundary_columns(const JointedMesh &mesh, const Units &units)
+    {
+      Columns<Row> columns = {{"boundary", "", [](const Row &row) { return row.boundary; }},
+                              {"joint", "", [](const Row &row) { return row.joint; }},
+                              {"body", "", [](const Row &row) { return row.body; }}};
+      for (unsigned int k = 0; k < (mesh.dimension == 2 ? 2 : 4); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          append(
+            columns,
+            {{fmt::format("{}{}", "xyz"[c], k + 1), units.length, [&mesh, k, c](const Row &row) {
+                const unsigned int corner = std::min(k, n_vertices(row.face.shape) - 1);
+                return mesh.vertices[row.face.vertices[corner]][c];
+              }}});
+      return columns;
     }
   } // namespace
 
@@ -57,20 +70,13 @@ namespace fuga
       for (const unsigned int label : {joint.plus_label, joint.minus_label})
         if (label != JointedMesh::no_label)
           joints[label] = joint.name;
-    const unsigned int n_corners           = mesh.dimension == 2 ? 2 : 4;
     const std::vector<unsigned int> bodies = bodies_of_faces(mesh);
-    CsvFile table(directory + "/boundaries.csv", header(n_corners, units));
+    Table<Row> table(directory + "/boundaries.csv", boundary_columns(mesh, units));
     for (std::size_t i = 0; i < mesh.faces.size(); ++i)
       {
         const JointedMesh::Face &face = mesh.faces[i];
-        table.add(mesh.label_names[face.label]);
-        table.add(joints[face.label]);
-        table.add(mesh.body_names[bodies[i]]);
-        for (unsigned int k = 0; k < n_corners; ++k)
-          for (const double x :
-               mesh.vertices[face.vertices[std::min(k, n_vertices(face.shape) - 1)]])
-            table.add(x);
-        table.end_row();
+        table.add(
+          {mesh.label_names[face.label], joints[face.label], mesh.body_names[bodies[i]], face});
       }
     table.publish(true);
   }

@@ -3,8 +3,8 @@
 
 #include <fuga/io/law_plot.h>
 #include <fuga/io/layer_law.h>
-#include <fuga/io/output_files.h>
 #include <fuga/io/svg_chart.h>
+#include <fuga/io/table.h>
 #include <fuga/laws/law_check.h>
 
 #include <algorithm>
@@ -65,26 +65,28 @@ namespace fuga
     write_table(const std::string &path, const std::vector<ShownLaw> &laws, const Units &units)
     {
       const std::string stress = units.stress(), stiffness = stress + "/" + units.length;
-      CsvFile table(path,
-                    {"direction",
-                     fmt::format("deformation[{}]", units.length),
-                     fmt::format("stress[{}]", stress),
-                     fmt::format("tangent[{}]", stiffness),
-                     fmt::format("secant[{}]", stiffness),
-                     fmt::format("energy[{} {}]", stress, units.length)});
+      struct Row
+      {
+        const ShownLaw &shown;
+        double w;
+      };
+      Table<Row> table(
+        path,
+        {{"direction",
+          "",
+          [](const Row &row) {
+            return std::string(row.shown.direction == LayerDirection::normal ? "normal" : "shear");
+          }},
+         {"deformation", units.length, [](const Row &row) { return row.w; }},
+         {"stress", stress, [](const Row &row) { return row.shown.law->stress(row.w); }},
+         {"tangent", stiffness, [](const Row &row) { return row.shown.law->tangent(row.w); }},
+         {"secant", stiffness, [](const Row &row) { return row.shown.law->secant(row.w); }},
+         {"energy", stress + " " + units.length, [](const Row &row) {
+            return row.shown.law->energy(row.w);
+          }}});
       for (const ShownLaw &shown : laws)
         for (std::size_t i = 0; i <= n_points && shown.range > 0.; ++i)
-          {
-            const double w = shown.range * static_cast<double>(i) / static_cast<double>(n_points);
-            table.add(std::string(shown.direction == LayerDirection::normal ? "normal" : "shear"));
-            for (const double value : {w,
-                                       shown.law->stress(w),
-                                       shown.law->tangent(w),
-                                       shown.law->secant(w),
-                                       shown.law->energy(w)})
-              table.add(value);
-            table.end_row();
-          }
+          table.add({shown, shown.range * static_cast<double>(i) / static_cast<double>(n_points)});
       table.publish(true);
     }
 

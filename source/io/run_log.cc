@@ -48,11 +48,12 @@ namespace fuga
       {
         const ContactElement &element = context.elements[event.element];
         const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
-        line(fmt::format("  t = {:<12.9g} {:>9.5f} of {:<12} {} {:>4}  at ({:.6g})  {:>5} "
+        line(fmt::format("  t = {:<12.9g} {:>9.5f} of {:<12} {}  {} {:>4}  at ({:.6g})  {:>5} "
                          "-> {:<5}  certificate {:.1e}",
                          event.t,
                          fraction,
                          context.stage_names[stage],
+                         context.driving.at(event.t, stage).text(),
                          context.joint_names[element.joint],
                          element.number,
                          fmt::join(element.position.begin(),
@@ -75,16 +76,18 @@ namespace fuga
         pressure = std::max(pressure, result.pressure);
       }
     const auto [stage, fraction] = stage_of(t, context.stage_names.size());
-    line(fmt::format("Level {:>6.1f} % of {:<12} open {} stick {} slip {}  largest pressure {:.4g} "
-                     "{}  certificate {:.1e}",
-                     100. * fraction,
-                     context.stage_names[stage],
-                     count[0],
-                     count[1],
-                     count[2],
-                     pressure,
-                     context.units.stress(),
-                     certificate));
+    line(fmt::format(
+      "Level {:>6.1f} % of {:<12} {}  open {} stick {} slip {}  largest pressure {:.4g} "
+      "{}  certificate {:.1e}",
+      100. * fraction,
+      context.stage_names[stage],
+      context.driving.at(t, stage).text(),
+      count[0],
+      count[1],
+      count[2],
+      pressure,
+      context.units.stress(),
+      certificate));
   }
 
   void

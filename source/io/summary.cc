@@ -97,10 +97,11 @@ namespace fuga
       const CriticalFriction &critical = summary.path.critical;
       Json elements                    = Json::array();
       for (const NamedElement &element : summary.critical_elements)
-        elements.push_back({{"joint", element.joint},
-                            {"element", element.number},
-                            {"x", element.position[0]},
-                            {"y", element.position[1]}});
+        {
+          elements.push_back({{"joint", element.joint}, {"element", element.number}});
+          for (std::size_t c = 0; c < element.position.size(); ++c)
+            elements.back()[std::string(1, "xyz"[c])] = element.position[c];
+        }
       return {{"t", critical.t},
               {"continuations", critical.n_branches},
               {"all_counted", critical.all_counted},
@@ -127,6 +128,7 @@ namespace fuga
             {
               entry["mechanism"]        = mechanism_name(safety.mechanism);
               entry["mechanism_joints"] = safety.moving_joints;
+              entry["motion"]           = safety.motion;
             }
           entry[safety.method == "load factor" ? "loads" : "joints"] = safety.acts_on;
           if (safety.verdict != SafetyFactor::not_computed)
@@ -261,12 +263,17 @@ namespace fuga
     json["t"]              = summary.t;
     json["stage"]          = summary.stage;
     json["stage_fraction"] = summary.stage_fraction;
+    json["driven_by"]      = summary.drive.name;
+    json["drive"]          = summary.drive.value;
     if (summary.path.verdict == Verdict::limit_load)
       json["limit_load"] = {{"t", summary.t},
                             {"stage", summary.stage},
                             {"stage_fraction", summary.stage_fraction},
                             {"load_factors", object(summary.load_factors)},
-                            {"mechanism", mechanism_name(summary.path.mechanism)}};
+                            {"driven_by", summary.drive.name},
+                            {"drive", summary.drive.value},
+                            {"mechanism", mechanism_name(summary.path.mechanism)},
+                            {"motion", summary.motion}};
     if (const BeyondLimit &beyond = summary.path.beyond; beyond.end != BeyondLimit::End::none)
       json["beyond_limit"] = {{"end", beyond_limit_end_name(beyond.end)},
                               {"path_length", beyond.length},

@@ -22,7 +22,8 @@ STATE_COLOURS = {OPEN: "#c4c4c4", STICK: "#0072b2", SLIP: "#e69f00", BONDED: "#0
 HATCHES = {OPEN: "", STICK: "", SLIP: "////", BONDED: "...."}
 STATE_MARKERS = {OPEN: "o", STICK: "s", SLIP: "^", BONDED: "D"}
 
-_TEXT_COLUMNS = ("joint", "stage", "state", "from", "to", "verdict", "mechanism", "monitor", "occasion")
+_TEXT_COLUMNS = ("joint", "stage", "state", "from", "to", "verdict", "mechanism", "monitor", "occasion", "driven_by",
+                 "motion")
 
 
 class Table:
@@ -208,12 +209,26 @@ class Results:
         return numpy.where(profile["state"] == OPEN, 0.0, strength)
 
     def describe_time(self, t):
-        """Load time in words: stages are counted from 0, and the end of a stage belongs to it."""
+        """Load time in words: stages are counted from 0, and the end of a stage belongs to it. In a search for safety, which
+        is behind all stages, it is the factor that says where one is: "F = 1.185"."""
         t = round(t, 9)  # levels carry rounding
+        if t > len(self.stages):
+            return "{} = {:.4g}".format(*self.drive(t))
         number = min(max(math.ceil(t) - 1, 0), len(self.stages) - 1)
         fraction = t - number
         stage = f"stage '{self.stages[number]}'"
         return f"end of {stage}" if fraction == 1.0 else f"{100 * fraction:.4g} % of {stage}"
+
+    def drive(self, t):
+        """What drives the stage at the level nearest to t, and its value there: ("level of water", 18.9)."""
+        frame = self.resultants.frame
+        row = frame.iloc[(frame["t"] - t).abs().to_numpy().argmin()]
+        return row["driven_by"], row["drive"]
+
+    def describe_state(self, t):
+        """describe_time() with the quantity that drives the stage: "50 % of stage 'filling', level of water = 9"."""
+        words = self.describe_time(t)
+        return words if round(t, 9) > len(self.stages) else "{}, {} = {:.4g}".format(words, *self.drive(t))
 
     def field_file(self, collection, t=None):
         """Path of the VTU file of a collection (bodies, joints, joints_exploded) nearest to t; behind a run of several

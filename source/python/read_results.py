@@ -24,10 +24,10 @@ def print_run(results):
     """The tables are pandas data frames by column name; `units` has the unit of every column."""
     summary = results.summary
     print(f"{results.title}\n{summary['verdict']} (exit code {summary['exit_code']}) at t = {summary['t']:.12g}, "
-          f"{results.describe_time(summary['t'])}")
+          f"{results.describe_time(summary['t'])}, {summary['driven_by']} = {summary['drive']:.6g}")
     if "limit_load" in summary:
         limit = summary["limit_load"]
-        print(f"limit load: mechanism {limit['mechanism']}, factors {limit['load_factors']}")
+        print(f"limit load: mechanism {limit['mechanism']} ({limit['motion']}), factors {limit['load_factors']}")
     for method, found in summary.get("safety", {}).items():
         print(f"safety by {method.replace('_', ' ')}: {found['factor']}, {found['verdict']}")
     print(f"certificate {summary['certificate']['worst']:.1e}, {len(results.events.frame)} events, "
@@ -62,7 +62,7 @@ def draw(results, path):
     axes[0].plot(profile["along"], profile["shear1"], "k--s", markersize=3, label="shear stress")
     axes[0].fill_between(profile["along"], -strength, strength, color="#dddddd", label="\u00b1(f p + c)")
     axes[0].set(xlabel=f"distance along {joint} [{results.unit('x')}]", ylabel=f"stress [{results.unit('pressure')}]",
-                title=f"{results.title}, {results.describe_time(profile.t)}")
+                title=f"{results.title}, {results.describe_state(profile.t)}")
     axes[0].legend()
     for joint in results.joints:
         levels = results.joint_frame(joint).groupby("t")

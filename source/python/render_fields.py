@@ -91,7 +91,7 @@ def compose(results, options, fields, view, limits, factor, path):
     figure.align_ylabels(axes)
     axes[0].legend(handles=[Patch(facecolor=STATE_COLOURS[s], label=s) for s in STATES], ncol=3,
                    frameon=False, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
-    figure.suptitle(f"{results.title} \u2013 {results.describe_time(profile.t)}", fontsize=12, fontweight="bold",
+    figure.suptitle(f"{results.title} \u2013 {results.describe_state(profile.t)}", fontsize=12, fontweight="bold",
                     x=0.02, y=0.975, ha="left")
     figure.savefig(path, dpi=140)
 
@@ -117,7 +117,7 @@ def main(arguments):
     if results.in_space:
         figure = plt.figure(figsize=(9.0, 6.4))
         caption = figure_in_space(results, read_grid(results.field_file("bodies", options.t)), options.array, figure)
-        figure.suptitle(f"{results.title} \u2013 {results.describe_time(results.profile(None, options.t).t)}\n{caption}",
+        figure.suptitle(f"{results.title} \u2013 {results.describe_state(results.profile(None, options.t).t)}\n{caption}",
                         fontsize=9)
         figure.savefig(path, dpi=140)
         print(path)

@@ -18,7 +18,8 @@ FUGA = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MONITOR = "\nsubsection Monitors\n  subsection crest\n    set Point = {}\n    set Stress = true\n  end\nend\n"
 # Parameter file, point of the monitor, further settings.
-RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
+RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7",)),
+        ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
 PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
@@ -42,21 +43,24 @@ def described(page):
 def written(folder):
     """The headers of all tables of all runs, without units."""
     headers = {}
-    for name, point, settings in RUNS:
-        parameters = folder / f"{name}.prm"
+    for number, (name, point, settings) in enumerate(RUNS):
+        parameters = folder / f"{number}.prm"
         parameters.write_text((ROOT / "parameters" / f"{name}.prm").read_text(encoding="utf-8") + MONITOR.format(point),
                               encoding="utf-8")
         text = parameters.read_text(encoding="utf-8")
         mesh = re.search(r"^\s*set File\s*=\s*(\S+)", text, re.M).group(1)
         arguments = [item for setting in (*settings, f"Mesh/File={(ROOT / 'parameters' / mesh).resolve()}", "Output/Fields=never")
                      for item in ("--set", setting)]
-        run = subprocess.run([FUGA, parameters, "--quiet", "--output-dir", folder / name, *arguments],
+        run = subprocess.run([FUGA, parameters, "--quiet", "--output-dir", folder / str(number), *arguments],
                              capture_output=True, text=True, check=False)
         if run.returncode not in (0, 3):
             sys.exit(f"{name}: exit code {run.returncode}: {run.stdout}{run.stderr}")
-        for path in (folder / name).glob("*.csv"):
+        for path in (folder / str(number)).glob("*.csv"):
             with open(path, newline="", encoding="utf-8") as file:
-                headers.setdefault(path.stem, set()).update(column.split("[")[0] for column in next(csv.reader(file)))
+                header, *rows = csv.reader(file)
+            headers.setdefault(path.stem, set()).update(column.split("[")[0] for column in header)
+            if any(len(row) != len(header) for row in rows):
+                sys.exit(f"{name}: rows of {path.name} are not as long as its header")
     return headers
 
 
@@ -65,7 +69,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         headers = written(pathlib.Path(folder))
     # What was varied is a column of its own.
-    headers["sweep"] = {name for name in headers["sweep"] if name.lower() != "cohesion"}
+    headers["sweep"] = {name for name in headers["sweep"] if name not in ("Cohesion", "Friction coefficient")}
     if missing := headers.keys() - {name for names in PAGES.values() for name in names}:
         complaints.append(f"no page describes {missing}")
     for page, files in PAGES.items():

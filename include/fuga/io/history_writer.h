@@ -4,12 +4,8 @@
 #ifndef fuga_io_history_writer_h
 #define fuga_io_history_writer_h
 
-#include <fuga/bodies/monitor.h>
-#include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
-#include <fuga/io/joint_resultant.h>
-#include <fuga/io/output_files.h>
-#include <fuga/io/units.h>
+#include <fuga/io/history_columns.h>
 
 #include <memory>
 
@@ -29,6 +25,7 @@ namespace fuga
     bool has_water = false;
     /** Tables have columns of the third dimension. */
     bool in_space = false;
+    DrivingQuantities driving;
   };
 
   /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.
@@ -113,10 +110,15 @@ namespace fuga
     publish(const bool now);
 
   private:
+    Moment
+    moment(const double t, const std::size_t stage, const double certificate) const;
+
     const HistoryContext context;
-    CsvFile events, history, resultants;
+    Table<EventRow> events;
+    Table<ElementRow> history;
+    Table<ResultantRow> resultants;
     /** Only if there are monitors. */
-    std::unique_ptr<CsvFile> monitors;
+    std::unique_ptr<Table<MonitorRow>> monitors;
     std::size_t n_events = 0;
     double length_beyond = 0.;
   };

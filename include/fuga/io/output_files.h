@@ -105,37 +105,12 @@ namespace fuga
     void
     restore(const TextMemory &memory);
 
-  protected:
-    std::string text;
-
   private:
+    std::string text;
     const std::string path;
     FileIdentity published;
     double last_cost = 0.;
     std::chrono::steady_clock::time_point last_publication;
-  };
-
-  /** A table as TextFile: CSV (RFC 4180), numbers with 17 digits. */
-  class CsvFile : public TextFile
-  {
-  public:
-    /** The header is not yet published. */
-    CsvFile(std::string path, const std::vector<std::string> &header);
-
-    void
-    add(const std::string &field);
-    void
-    add(const double value);
-    void
-    add(const std::size_t value);
-    void
-    end_row();
-
-  private:
-    void
-    separate();
-
-    bool row_begun = false;
   };
 } // namespace fuga
 

@@ -5,6 +5,7 @@
 #define fuga_io_summary_h
 
 #include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/driving_quantity.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/io/accuracy_report.h>
@@ -12,6 +13,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace fuga
 {
@@ -28,7 +30,8 @@ namespace fuga
   {
     std::string joint;
     unsigned int number = 0;
-    std::array<double, 3> position;
+    /** As many coordinates as the model has dimensions. */
+    std::vector<double> position;
   };
 
   /** What a search for a factor of safety found. */
@@ -43,8 +46,9 @@ namespace fuga
     /** Load time at the end of the search. */
     double t                = 0.;
     MechanismKind mechanism = MechanismKind::none;
-    /** Joints that the mechanism moves. */
+    /** Joints that the mechanism moves, and how: mechanism_text(). */
     std::vector<std::string> moving_joints;
+    std::string motion;
     /** The joints that are reduced, the loads that grow. */
     std::vector<std::string> acts_on;
 
@@ -90,6 +94,10 @@ namespace fuga
     double t = 0.;
     std::string stage;
     double stage_fraction = 0.;
+    /** What drives the stage, at t. */
+    DrivingQuantity drive;
+    /** The mechanism of a limit load in words: mechanism_text(). */
+    std::string motion;
     /** Factors of the load patterns at t, by load name. */
     std::map<std::string, double> load_factors;
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_sweep_row_h
+#define fuga_sweep_row_h
+
+#include <fuga/bodies/driving_quantity.h>
+#include <fuga/contact/path_result.h>
+#include <fuga/io/joint_resultant.h>
+#include <fuga/io/table.h>
+#include <fuga/model.h>
+
+#include <limits>
+
+namespace fuga
+{
+  /** What a sweep finds for one variant. */
+  struct SweepRow
+  {
+    std::size_t number = 0;
+    /** The values varied, as many as there are settings. */
+    std::vector<std::string> settings;
+    std::string verdict;
+    DrivingQuantity drive;
+    /** The mechanism in words. */
+    std::string motion;
+    PathResult path;
+    std::vector<JointResultant> resultants;
+    /** By monitor. */
+    std::vector<std::array<double, 3>> displacements;
+    /** Load times; not a number if there was none. */
+    double first_opening = std::numeric_limits<double>::quiet_NaN();
+    double first_slip    = std::numeric_limits<double>::quiet_NaN();
+    double certificate   = 0.;
+    double seconds       = 0.;
+    bool failed          = false;
+    std::vector<std::string> warnings;
+  };
+
+  /** The columns of sweep.csv: doc/sweeps.md. */
+  template <int dim>
+  Columns<SweepRow>
+  sweep_columns(const Model<dim> &model);
+} // namespace fuga
+
+#endif
