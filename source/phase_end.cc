@@ -76,15 +76,20 @@ namespace fuga
     state.forces          = of_bars(old.forces);
     state.dislocations    = of_bars(old.dislocations);
     if (!old.water.empty())
-      state.water = of_bars(old.water);
+      {
+        state.water      = of_bars(old.water);
+        state.kept_water = of_bars(old.kept_water);
+      }
     state.slips     = of_elements(old.slips);
     state.dilations = of_elements(old.dilations);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         if (old_numbers[k] == none)
           continue;
-        state.states[k]               = old.states[old_numbers[k]];
-        state.strengths[k]            = old.strengths[old_numbers[k]];
+        state.states[k]    = old.states[old_numbers[k]];
+        state.strengths[k] = old.strengths[old_numbers[k]];
+        if (!old.access.empty())
+          state.access[k] = old.access[old_numbers[k]];
         const ContactElement &element = with_laws[k];
         if (!grouted[element.joint] || state.states[k] != ContactState::open)
           continue;

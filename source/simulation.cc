@@ -135,7 +135,7 @@ namespace fuga
     const Certificate certificate = judge.judge(state);
     worst.absorb(certificate);
     for (const ContactEvent &event : events)
-      ++events_by_kind[fmt::format("{} -> {}", state_name(event.from), state_name(event.to))];
+      ++events_by_kind[fmt::format("{} -> {}", event.names()[0], event.names()[1])];
     n_events += events.size();
     history.add_events(events, certificate.worst());
     if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())

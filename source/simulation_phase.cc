@@ -56,9 +56,9 @@ namespace fuga
       transfer.of_elements(before.checkpoint.judge.element_dissipation);
     // Water in what is grouted is squeezed out.
     const Vector factors = model.loads.history.factors(model.first_state.t);
-    if (!model.first_state.water.empty())
-      for (std::size_t k = 0; k < joint.elements.size(); ++k)
-        keep_water(joint.elements[k], k, layered, factors, 0., checkpoint.cut.state);
+    const Vector no_force(layered.n_bars(), 0.);
+    renew_water(
+      joint.elements, layered, factors, no_force, WaterRelief::allowed, checkpoint.cut.state);
     checkpoint.record.last_state = checkpoint.cut.state;
     CriticalFriction &critical   = checkpoint.cut.result.critical;
     critical.elements            = transfer.numbers(critical.elements);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace fuga::tests
@@ -21,6 +22,8 @@ namespace fuga::tests
     std::vector<double> x, area;
     /** ∫ N u over the elements for a pressure that falls from 1 to 0. */
     std::vector<double> closed;
+    /** Whether the pressure falls from the tip of the crack, or else from the upstream end. */
+    bool from_tip = false;
 
     /** n equal elements over @p base, around x = 0; @p share of the linear pressure where closed. */
     NavierWithCrack(const std::size_t n, const double base, const double share = 1.)
@@ -38,6 +41,38 @@ namespace fuga::tests
         }
     }
 
+    /** ∫ N u over the elements with the first @p m open, for a head of 1. The crack ends where the
+     * open elements do, half-way between two of them. */
+    std::vector<double>
+    water(const std::size_t m) const
+    {
+      std::vector<double> result(closed);
+      for (std::size_t k = 0; !from_tip && k < m; ++k)
+        result[k] = area[k];
+      if (!from_tip || m == 0)
+        return result;
+      const double end = x.back(), h = area[1];
+      const double tip = m < x.size() ? x[m] - h / 2. : end;
+      const auto u     = [&](const double at) { return at <= tip ? 1. : (end - at) / (end - tip); };
+      result.assign(x.size(), 0.);
+      // Simpson's rule, exact on both sides of the tip.
+      const auto add = [&](const std::size_t e, const double a, const double b) {
+        for (const auto &[at, weight] :
+             {std::pair(a, 1.), std::pair((a + b) / 2., 4.), std::pair(b, 1.)})
+          for (const std::size_t k : {e, e + 1})
+            result[k] += (b - a) / 6. * weight * u(at) * (1. - std::abs(at - x[k]) / h);
+      };
+      for (std::size_t e = 0; e + 1 < x.size(); ++e)
+        if (tip > x[e] && tip < x[e + 1])
+          {
+            add(e, x[e], tip);
+            add(e, tip, x[e + 1]);
+          }
+        else
+          add(e, x[e], x[e + 1]);
+      return result;
+    }
+
     /**
      * Pressures of the lips if the first @p m elements are open. @p V: load downwards; @p M: its
      * moment about x = 0, positive if it presses on the downstream side; @p head: pressure of the
@@ -47,9 +82,10 @@ namespace fuga::tests
     pressures(double V, double M, const double head, const std::size_t m) const
     {
       double a = 0., b = 0., c = 0.;
+      const std::vector<double> unit = water(m);
       for (std::size_t k = 0; k < x.size(); ++k)
         {
-          const double w = head * (k < m ? area[k] : closed[k]);
+          const double w = head * unit[k];
           V -= w;
           M -= w * x[k];
           if (k < m)

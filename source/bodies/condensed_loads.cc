@@ -7,10 +7,10 @@
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/interior_solver.h>
+#include <fuga/bodies/joint_water_model.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/point_text.h>
 #include <fuga/bodies/rigid_pieces.h>
-#include <fuga/bodies/uplift_assembly.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -26,9 +26,9 @@ namespace fuga
     timer.restart();
     const LoadDefinition &load = model.loads.at(number);
     LoadPattern pattern        = load.kind == LoadKind::uplift
-                                   ? UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
-                                .assemble(load, LevelHistory(load, model.constants)(t))
+                                   ? uplift(number).assemble(levels_of_water(load, model.constants, t))
                                    : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
+    pattern.number_of_load     = number;
     if (load.kind == LoadKind::imposed_gap)
       pattern.jumps = imposed_gap<dim>(load, model.constants, t, mesh, *bars);
     timer.finish("loads");
@@ -39,8 +39,37 @@ namespace fuga
   std::vector<double>
   CondensedSystem<dim>::levels_of_kinks(const std::size_t number) const
   {
-    return UpliftAssembly<dim>(*space, *geometry, *bars, mesh)
-      .levels_of_kinks(model.loads.at(number));
+    return uplift(number).levels_of_kinks();
+  }
+
+  template <int dim>
+  const UpliftAssembly<dim> &
+  CondensedSystem<dim>::uplift(const std::size_t number) const
+  {
+    uplifts.resize(model.loads.size());
+    if (!uplifts[number])
+      uplifts[number] =
+        std::make_unique<UpliftAssembly<dim>>(model.loads[number], *space, *geometry, *bars, mesh);
+    return *uplifts[number];
+  }
+
+  template <int dim>
+  const WaterInJoints *
+  CondensedSystem<dim>::water_in_joints() const
+  {
+    return water.get();
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  CondensedSystem<dim>::ways_of_water() const
+  {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < model.loads.size(); ++i)
+      if (model.loads[i].kind == LoadKind::uplift)
+        for (const std::string &line : uplift(i).way().report())
+          result.push_back(line);
+    return result;
   }
 
   template <int dim>
@@ -95,9 +124,11 @@ namespace fuga
     DenseMatrix loads = loads_out_of_balance();
     F                 = solver->condense(loads);
     projection->project_loads(F, motion_loads);
-    water_of_open   = columns_of(patterns, &LoadPattern::opening_water);
     water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
-    E               = imposed_jumps_of(patterns, bars->bars().size());
+    water.reset();
+    if (JointWaterModel<dim>::is_needed(patterns))
+      water = std::make_unique<JointWaterModel<dim>>(uplifts, patterns, model, *space, *bars);
+    E = imposed_jumps_of(patterns, bars->bars().size());
     timer.finish("condensation of loads");
   }
 
@@ -194,6 +225,10 @@ namespace fuga
   CondensedSystem<2>::levels_of_kinks(const std::size_t) const;
   template void
   CondensedSystem<2>::check_load_patterns(const std::vector<LoadPattern> &) const;
+  template const WaterInJoints *
+  CondensedSystem<2>::water_in_joints() const;
+  template std::vector<std::string>
+  CondensedSystem<2>::ways_of_water() const;
   template void CondensedSystem<2>::set_load_patterns(std::vector<LoadPattern>);
   template Vector
   CondensedSystem<2>::out_of_balance(const Vector &, const Vector &) const;
@@ -207,6 +242,10 @@ namespace fuga
   CondensedSystem<3>::levels_of_kinks(const std::size_t) const;
   template void
   CondensedSystem<3>::check_load_patterns(const std::vector<LoadPattern> &) const;
+  template const WaterInJoints *
+  CondensedSystem<3>::water_in_joints() const;
+  template std::vector<std::string>
+  CondensedSystem<3>::ways_of_water() const;
   template void CondensedSystem<3>::set_load_patterns(std::vector<LoadPattern>);
   template Vector
   CondensedSystem<3>::out_of_balance(const Vector &, const Vector &) const;

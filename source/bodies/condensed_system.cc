@@ -10,6 +10,7 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/iterative_solver.h>
+#include <fuga/bodies/joint_water_model.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
 

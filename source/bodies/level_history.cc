@@ -11,9 +11,17 @@ namespace fuga
 {
   LevelHistory::LevelHistory(const LoadDefinition &load,
                              const std::map<std::string, double> &constants)
-    : depth(load.depth)
+    : LevelHistory(load.depth, load, constants)
+  {
+  }
+
+
+  LevelHistory::LevelHistory(const LevelDefinition &level,
+                             const LoadDefinition &load,
+                             const std::map<std::string, double> &constants)
+    : definition(level)
     , expression(
-        {load.depth.level},
+        {level.level},
         constants,
         fmt::format(
           "{}{}level of load '{}'", load.origin, load.origin.empty() ? "" : ": ", load.name))
@@ -24,7 +32,7 @@ namespace fuga
   double
   LevelHistory::operator()(const double t) const
   {
-    const auto &table = depth.level_table;
+    const auto &table = definition.level_table;
     if (table.empty())
       {
         expression.set_time(t);
@@ -46,7 +54,7 @@ namespace fuga
   LevelHistory::corners(const double begin, const double end) const
   {
     std::vector<double> times;
-    for (const auto &point : depth.level_table)
+    for (const auto &point : definition.level_table)
       if (point[0] > begin && point[0] < end)
         times.push_back(point[0]);
     return times;
@@ -56,16 +64,29 @@ namespace fuga
   bool
   LevelHistory::is_piecewise_linear(const double begin, const double end) const
   {
-    return !depth.level_table.empty() || is_straight(*this, begin, end);
+    return !definition.level_table.empty() || is_straight(*this, begin, end);
+  }
+
+
+  WaterLevels
+  levels_of_water(const LoadDefinition &load,
+                  const std::map<std::string, double> &constants,
+                  const double t)
+  {
+    WaterLevels levels;
+    levels.reservoir = LevelHistory(load, constants)(t);
+    if (load.uplift.has_tailwater)
+      levels.tailwater = LevelHistory(load.uplift.tailwater, load, constants)(t);
+    return levels;
   }
 
 
   bool
-  level_changes(const DepthPressure &depth)
+  level_changes(const LevelDefinition &level)
   {
-    for (const auto &point : depth.level_table)
-      if (point[1] != depth.level_table.front()[1])
+    for (const auto &point : level.level_table)
+      if (point[1] != level.level_table.front()[1])
         return true;
-    return depth.level_table.empty() && expression_uses(depth.level, "t");
+    return level.level_table.empty() && expression_uses(level.level, "t");
   }
 } // namespace fuga

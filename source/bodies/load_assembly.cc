@@ -56,7 +56,9 @@ namespace fuga
     for (const auto &expression : load.expressions)
       if (expression_uses(expression, "t"))
         return true;
-    return load.has_level() && level_changes(load.depth);
+    return load.has_level() &&
+           (level_changes(load.depth) ||
+            (load.uplift.has_tailwater && level_changes(load.uplift.tailwater)));
   }
 
 

@@ -50,6 +50,7 @@ namespace fuga
 
   void
   LoadKnots::add_level_knots(const unsigned int number,
+                             const LevelDefinition &definition,
                              const double begin,
                              const FactorCourse course,
                              std::vector<double> &special,
@@ -57,7 +58,7 @@ namespace fuga
   {
     const LoadDefinition &load       = model.loads[number];
     const std::vector<double> &kinks = kinks_of_loads[number];
-    const LevelHistory level(load, model.constants);
+    const LevelHistory level(definition, load, model.constants);
     const bool linear = level.is_piecewise_linear(begin, begin + 1.);
 
     // Pieces on which the level is linear, or else so short that it passes a kink once at most.
@@ -104,10 +105,16 @@ namespace fuga
             uniform.assign(n + 1, true);
           else if (!kinks_of_loads[i].empty())
             {
-              std::vector<double> times;
-              add_level_knots(i, static_cast<double>(stage), courses[i], times, uniform);
-              for (const double t : times)
-                special.push_back(t - static_cast<double>(stage));
+              const LoadDefinition &load = model.loads[i];
+              const auto add             = [&](const LevelDefinition &level) {
+                std::vector<double> times;
+                add_level_knots(i, level, static_cast<double>(stage), courses[i], times, uniform);
+                for (const double t : times)
+                  special.push_back(t - static_cast<double>(stage));
+              };
+              add(load.depth);
+              if (load.uplift.has_tailwater)
+                add(load.uplift.tailwater);
             }
         }
     std::vector<double> candidates = special, knots;

@@ -90,7 +90,9 @@ namespace fuga
         LoadPattern next = system.assemble_load(load, t);
         const bool same  = has_last && next.forces == last.forces &&
                           next.prescribed == last.prescribed &&
-                          next.opening_water == last.opening_water && next.jumps == last.jumps;
+                          next.opening_water == last.opening_water && next.jumps == last.jumps &&
+                          next.levels.reservoir == last.levels.reservoir &&
+                          next.levels.tailwater == last.levels.tailwater;
         if (has_last && !same)
           distance =
             std::max(distance,

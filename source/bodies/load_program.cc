@@ -182,9 +182,15 @@ namespace fuga
     for (std::size_t s = 0; s < model.stages.size(); ++s)
       for (unsigned int i = 1; i <= model.stages[s].levels; ++i)
         levels.push_back(static_cast<double>(s) + static_cast<double>(i) / model.stages[s].levels);
+    LoadHistory history(factors.corners, std::move(loads.values));
+    for (std::size_t s = 0; s < model.stages.size(); ++s)
+      if (model.stages[s].keeps_water)
+        history.keep_water_still(static_cast<double>(s), static_cast<double>(s + 1));
+    for (const std::string &line : system.ways_of_water())
+      report.push_back(line);
     return {std::move(loads.patterns),
             std::move(loads.sources),
-            LoadHistory(factors.corners, std::move(loads.values)),
+            std::move(history),
             std::move(levels),
             std::move(report),
             LoadHistory(factors.corners, factors.values),

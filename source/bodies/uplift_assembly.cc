@@ -3,10 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <fmt/format.h>
-#include <fuga/base/errors.h>
-#include <fuga/bodies/boundary_conditions.h>
-#include <fuga/bodies/face_map.h>
+#include <fuga/bodies/node_cells_on_face.h>
 #include <fuga/bodies/uplift_assembly.h>
 
 #include <algorithm>
@@ -14,248 +11,341 @@
 
 namespace fuga
 {
-  namespace
-  {
-    using Profile = std::vector<std::array<double, 2>>;
-
-    /** φ(s), linear between its points and constant outside. */
-    double
-    share_of_head(const Profile &profile, const double s)
-    {
-      const auto after = std::upper_bound(
-        profile.begin(), profile.end(), s, [](const double x, const auto &p) { return x < p[0]; });
-      if (after == profile.begin())
-        return profile.front()[1];
-      if (after == profile.end())
-        return profile.back()[1];
-      const auto &[s0, phi0] = *(after - 1);
-      const auto &[s1, phi1] = *after;
-      return phi0 + (phi1 - phi0) * (s - s0) / (s1 - s0);
-    }
-
-    double
-    pressure_below(const double level, const double y, const double unit_weight)
-    {
-      return unit_weight * std::max(level - y, 0.);
-    }
-  } // namespace
-
-
   template <int dim>
-  UpliftAssembly<dim>::UpliftAssembly(const Discretization<dim> &space,
+  UpliftAssembly<dim>::UpliftAssembly(const LoadDefinition &its_load,
+                                      const Discretization<dim> &space,
                                       const JointGeometry<dim> &joint_geometry,
                                       const ContactBars<dim> &contact_bars,
                                       const JointedMesh &jointed)
-    : discretization(space), geometry(joint_geometry), bars(contact_bars), mesh(jointed)
+    : load(its_load)
+    , discretization(space)
+    , bars(contact_bars)
+    , its_way(load, space, joint_geometry, jointed)
   {
+    for (const auto &face : its_way.faces())
+      {
+        maps.emplace_back(discretization, face.face->boundary);
+        elements.emplace_back();
+        for (std::size_t k = 0; k < maps.back().n_nodes(); ++k)
+          elements.back().push_back(bars.shares_of_pair(face.face->pair_of_node(k)));
+      }
+    find_extents();
+    plain_lines = make_lines({}, {});
+    for (Line &line : plain_lines)
+      line.points = points_between(line, 0., 1.);
   }
 
 
-  template <int dim>
-  auto
-  UpliftAssembly<dim>::water_of(const LoadDefinition &load, const unsigned int joint) const -> Water
-  {
-    using End            = Uplift::End;
-    const Uplift &uplift = load.uplift;
-    const bool vertical  = uplift.upstream_end == End::bottom || uplift.upstream_end == End::top;
-    const unsigned int c = vertical ? dim - 1 : 0;
-    const bool first     = uplift.upstream_end == End::left || uplift.upstream_end == End::bottom;
-    if (dim == 3 && vertical)
-      throw InputError(fmt::format(
-        "{}: in space the water of a joint comes from the left or from the right (the end with the "
-        "smallest or the largest x); write one of them as upstream end.",
-        load_title(load)));
-    bool any = false;
-    Water water;
-    for (const auto &pair : geometry.pairs())
-      if (pair.joint == joint)
-        {
-          if (!any || (pair.position[c] < water.upstream[c]) == first)
-            water.upstream = pair.position;
-          if (!any || (pair.position[c] > water.downstream[c]) == first)
-            water.downstream = pair.position;
-          any = true;
-        }
-    if constexpr (dim == 3)
-      {
-        require_level_end(load, joint, water.upstream);
-        require_level_end(load, joint, water.downstream);
-        water.downstream[1] = water.upstream[1];
-      }
-    const double length = water.upstream.distance(water.downstream);
-    if (length == 0.)
-      throw InputError(fmt::format(
-        "{}: joint '{}' does not extend in {}, so that it has no upstream end there. Name another "
-        "upstream end.",
-        load_title(load),
-        mesh.joints[joint].name,
-        "xyz"[c]));
-    water.profile = uplift.profile;
-    if (uplift.drain_distance > 0.)
-      {
-        const double s = uplift.drain_distance / length;
-        if (s >= 1.)
-          throw InputError(fmt::format(
-            "{}: the drain at the distance {:g} lies outside the joint '{}', whose ends are {:g} "
-            "apart. Correct the distance.",
-            load_title(load),
-            uplift.drain_distance,
-            mesh.joints[joint].name,
-            length));
-        water.profile = {{{0., 1.}}, {{s, (1. - uplift.drain_efficiency) * (1. - s)}}, {{1., 0.}}};
-      }
-    return water;
-  }
-
-
-  // The pressure at an end of the joint is that of one depth.
   template <int dim>
   void
-  UpliftAssembly<dim>::require_level_end(const LoadDefinition &load,
-                                         const unsigned int joint,
-                                         const dealii::Point<dim> &end) const
+  UpliftAssembly<dim>::find_extents()
   {
-    double extent = 0.;
-    for (const auto &pair : geometry.pairs())
-      if (pair.joint == joint)
-        extent = std::max(extent, pair.position.distance(end));
-    for (const auto &pair : geometry.pairs())
-      if (pair.joint == joint && std::abs(pair.position[0] - end[0]) <= 1e-6 * extent &&
-          std::abs(pair.position[dim - 1] - end[dim - 1]) > 1e-6 * extent)
-        throw InputError(fmt::format("{}: the end of joint '{}' at x = {:g} is not horizontal: it "
-                                     "has nodes at the heights {:g} "
-                                     "and {:g}. In space uplift needs horizontal upstream and "
-                                     "downstream ends; divide the joint "
-                                     "into several with such ends.",
-                                     load_title(load),
-                                     mesh.joints[joint].name,
-                                     end[0],
-                                     end[dim - 1],
-                                     pair.position[dim - 1]));
-  }
-
-
-  // Cut where a pressure has a corner, the integrand is a polynomial: degree p of the shape
-  // function, one of the pressure, one of a radius or of the density of the area.
-  template <int dim>
-  void
-  UpliftAssembly<dim>::add_face(const typename JointGeometry<dim>::Face &face,
-                                const LoadDefinition &load,
-                                const Water &water,
-                                const double level,
-                                Vector &closed,
-                                Vector &full) const
-  {
-    const double gamma   = load.depth.gradient;
-    const Uplift &uplift = load.uplift;
-    const auto way       = water.downstream - water.upstream;
-    const FaceMap<dim> map(discretization, face.boundary);
-    const Vector heights = map.heights();
-    Vector shares;
-    for (const auto &corner : map.corners())
-      shares.push_back((corner - water.upstream) * way / way.norm_square());
-    std::vector<Vector> kinks(water.profile.size() + 1, Vector(shares.size()));
-    for (std::size_t v = 0; v < shares.size(); ++v)
+    std::vector<std::size_t> number(bars.elements().size(), bars.elements().size());
+    const unsigned int degree = discretization.reference_element().scalar_element().degree;
+    for (std::size_t f = 0; f < maps.size(); ++f)
       {
-        for (std::size_t k = 0; k < water.profile.size(); ++k)
-          kinks[k][v] = shares[v] - water.profile[k][0];
-        kinks.back()[v] = level - heights[v];
-      }
-
-    const double u_upstream = pressure_below(level, water.upstream[dim - 1], gamma);
-    const double u_downstream =
-      uplift.has_tailwater ? pressure_below(uplift.tailwater, water.downstream[dim - 1], gamma)
-                           : 0.;
-    std::vector<typename ContactBars<dim>::Shares> elements(map.n_nodes());
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      elements[k] = bars.shares_of_pair(face.pair_of_node(k));
-
-    const unsigned int n_points = discretization.reference_element().scalar_element().degree + 2;
-    const dealii::QGauss<1> rule(n_points);
-    for (const auto &line : map.lines(kinks, n_points))
-      {
-        std::vector<double> cuts = {0., 1.};
-        for (const Vector &kink : kinks)
-          {
-            const double begin = map.interpolate(kink, line.begin),
-                         end   = map.interpolate(kink, line.end);
-            if (begin * end < 0.)
-              cuts.push_back(begin / (begin - end));
-          }
-        std::sort(cuts.begin(), cuts.end());
-        for (std::size_t part = 0; part + 1 < cuts.size(); ++part)
-          for (unsigned int q = 0; q < rule.size(); ++q)
+        const auto &face     = its_way.faces()[f];
+        const Vector heights = maps[f].heights();
+        const auto cells     = node_cells_on_face<dim>(maps[f].corners().size(), degree);
+        for (std::size_t k = 0; k < cells.size(); ++k)
+          for (const auto &share : elements[f][k])
             {
-              const double width    = cuts[part + 1] - cuts[part];
-              const auto at         = line.at(cuts[part] + width * rule.point(q)[0]);
-              const double area     = rule.weight(q) * width * line.weight * map.density(at);
-              const double phi      = share_of_head(water.profile, map.interpolate(shares, at));
-              const double u_closed = u_downstream + phi * (u_upstream - u_downstream);
-              const double u_full   = pressure_below(level, map.interpolate(heights, at), gamma);
-              const auto values     = map.values(at);
-              for (std::size_t k = 0; k < values.size(); ++k)
-                for (const auto &[element, weight] : elements[k])
-                  {
-                    const unsigned int bar = bars.elements()[element].normal_bar;
-                    closed[bar] += area * weight * values[k] * u_closed;
-                    full[bar] += area * weight * values[k] * u_full;
-                  }
+              std::size_t &i   = number[share.first];
+              const bool first = i == number.size();
+              if (first)
+                {
+                  i = extents.size();
+                  extents.push_back({share.first, face.way, {}, 0., 0.});
+                }
+              Extent &extent = extents[i];
+              bool any       = !first;
+              for (const FacePoint &at : cells[k])
+                {
+                  const double s = maps[f].interpolate(face.along, at),
+                               c = maps[f].interpolate(face.across, at),
+                               y = maps[f].interpolate(heights, at);
+                  if (!any || s < extent.reach.begin)
+                    {
+                      extent.reach.begin           = s;
+                      extent.reach.height_at_begin = y;
+                    }
+                  if (!any || s > extent.reach.end)
+                    {
+                      extent.reach.end           = s;
+                      extent.reach.height_at_end = y;
+                    }
+                  extent.across_begin = any ? std::min(extent.across_begin, c) : c;
+                  extent.across_end   = any ? std::max(extent.across_end, c) : c;
+                  any                 = true;
+                }
             }
       }
   }
 
 
-  // Water presses the plus lip along the normal: as a bar force -u A does. What comes in by opening
-  // never pulls.
+  template <int dim>
+  auto
+  UpliftAssembly<dim>::make_lines(const std::vector<double> &corners,
+                                  const std::vector<WaterLevels> &levels) const -> std::vector<Line>
+  {
+    std::vector<Line> lines;
+    const unsigned int n_points = discretization.reference_element().scalar_element().degree + 2;
+    for (std::size_t f = 0; f < maps.size(); ++f)
+      {
+        const auto &face     = its_way.faces()[f];
+        const Vector heights = maps[f].heights();
+        const auto shifted   = [](Vector values, const double by) {
+          for (double &value : values)
+            value -= by;
+          return values;
+        };
+        std::vector<Vector> functions = {face.along};
+        for (const double corner : corners)
+          functions.push_back(shifted(face.along, corner));
+        for (const WaterLevels &level : levels)
+          {
+            functions.push_back(shifted(heights, level.reservoir));
+            functions.push_back(shifted(heights, level.tailwater));
+          }
+        for (const auto &line : maps[f].lines(functions, n_points))
+          {
+            Line result{f, line};
+            result.along[0]  = maps[f].interpolate(face.along, line.begin);
+            result.along[1]  = maps[f].interpolate(face.along, line.end);
+            result.height[0] = maps[f].interpolate(heights, line.begin);
+            result.height[1] = maps[f].interpolate(heights, line.end);
+            result.across    = maps[f].interpolate(face.across, line.at(0.5));
+            lines.push_back(result);
+          }
+      }
+    return lines;
+  }
+
+
+  template <int dim>
+  std::vector<WaterReach>
+  UpliftAssembly<dim>::reaches(const std::vector<WaterAccess> &access,
+                               const std::size_t way,
+                               const double across) const
+  {
+    std::vector<WaterReach> result;
+    for (const Extent &extent : extents)
+      if (extent.way == way && !access.empty() &&
+          (access[extent.element] == WaterAccess::upstream ||
+           access[extent.element] == WaterAccess::downstream) &&
+          (dim == 2 || (across >= extent.across_begin && across <= extent.across_end)))
+        {
+          result.push_back(extent.reach);
+          result.back().source = access[extent.element];
+        }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  UpliftAssembly<dim>::cuts(const Line &line,
+                            const WaterLine &water,
+                            const std::vector<WaterLevels> &levels) const
+  {
+    std::vector<double> result = {0., 1.};
+    const auto cut             = [&](const double(&values)[2], const double at) {
+      const double begin = values[0] - at, end = values[1] - at;
+      if (begin * end < 0.)
+        result.push_back(begin / (begin - end));
+    };
+    for (const double corner : water.corners())
+      cut(line.along, corner);
+    for (const WaterLevels &level : levels)
+      {
+        cut(line.height, level.reservoir);
+        cut(line.height, level.tailwater);
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+
+  // Between corners the integrand is a polynomial: degree p of the shape function, one of the
+  // pressure, one of a radius or of the density of the area.
+  template <int dim>
+  auto
+  UpliftAssembly<dim>::points_between(const Line &line, const double begin, const double end) const
+    -> std::vector<QuadraturePoint>
+  {
+    const FaceMap<dim> &map = maps[line.face];
+    const dealii::QGauss<1> rule(discretization.reference_element().scalar_element().degree + 2);
+    std::vector<QuadraturePoint> points;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const double position = begin + (end - begin) * rule.point(q)[0];
+        const auto at         = line.line.at(position);
+        points.push_back({line.along[0] + position * (line.along[1] - line.along[0]),
+                          line.height[0] + position * (line.height[1] - line.height[0]),
+                          rule.weight(q) * (end - begin) * line.line.weight * map.density(at),
+                          map.values(at)});
+      }
+    return points;
+  }
+
+
+  template <int dim>
+  void
+  UpliftAssembly<dim>::add_points(const Line &line,
+                                  const std::vector<QuadraturePoint> &points,
+                                  const WaterLine &water,
+                                  const std::vector<WaterLevels> &levels,
+                                  std::vector<Vector> &forces) const
+  {
+    for (const QuadraturePoint &point : points)
+      for (std::size_t j = 0; j < levels.size(); ++j)
+        {
+          const double u = point.area * water.pressure(point.along, point.height, levels[j]);
+          for (std::size_t k = 0; u != 0. && k < point.values.size(); ++k)
+            for (const auto &[element, weight] : elements[line.face][k])
+              forces[j][bars.elements()[element].normal_bar] += weight * point.values[k] * u;
+        }
+  }
+
+
+  template <int dim>
+  void
+  UpliftAssembly<dim>::add_line(const Line &line,
+                                const WaterLine &water,
+                                const std::vector<WaterLevels> &levels,
+                                std::vector<Vector> &forces) const
+  {
+    const std::vector<double> ends = cuts(line, water, levels);
+    if (ends.size() == 2 && !line.points.empty())
+      add_points(line, line.points, water, levels, forces);
+    else
+      for (std::size_t part = 0; part + 1 < ends.size(); ++part)
+        add_points(line, points_between(line, ends[part], ends[part + 1]), water, levels, forces);
+  }
+
+
+  template <int dim>
+  std::vector<Vector>
+  UpliftAssembly<dim>::integrate(const std::vector<Line> &lines,
+                                 const std::vector<WaterAccess> &access,
+                                 const std::vector<WaterLevels> &levels) const
+  {
+    std::vector<Vector> result(levels.size(), Vector(bars.bars().size(), 0.));
+    std::map<std::pair<std::size_t, double>, WaterLine> known;
+    for (const Line &line : lines)
+      {
+        const std::size_t way = its_way.faces()[line.face].way;
+        const auto key        = std::make_pair(way, access.empty() ? 0. : line.across);
+        auto water            = known.find(key);
+        if (water == known.end())
+          water = known
+                    .emplace(key,
+                             WaterLine(load.uplift,
+                                       load.depth.gradient,
+                                       its_way.ways()[way],
+                                       reaches(access, way, line.across)))
+                    .first;
+        add_line(line, water->second, levels, result);
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<Vector>
+  UpliftAssembly<dim>::forces(const std::vector<WaterAccess> &access,
+                              const std::vector<WaterLevels> &levels) const
+  {
+    if (!access.empty())
+      return load.uplift.profile_from == Uplift::ProfileFrom::joint
+               ? forces_by_elements(access, levels)
+               : integrate(plain_lines, access, levels);
+    std::vector<double> corners;
+    for (const WayOfWater &way : its_way.ways())
+      for (const double corner : WaterLine(load.uplift, load.depth.gradient, way, {}).corners())
+        corners.push_back(corner);
+    return integrate(make_lines(corners, levels), {}, levels);
+  }
+
+
+  template <int dim>
+  std::vector<Vector>
+  UpliftAssembly<dim>::still_water(const std::vector<WaterLevels> &levels,
+                                   double WaterLevels::*level) const
+  {
+    std::vector<Vector> result(levels.size(), Vector(bars.bars().size(), 0.));
+    std::vector<WaterLevels> of_one_water;
+    for (const WaterLevels &both : levels)
+      of_one_water.push_back({both.*level, both.*level});
+    for (const Line &line : make_lines({}, of_one_water))
+      {
+        const WayOfWater &way = its_way.ways()[its_way.faces()[line.face].way];
+        const WaterReach whole{0., way.length, 0., 0., WaterAccess::downstream};
+        add_line(
+          line, WaterLine(load.uplift, load.depth.gradient, way, {whole}), of_one_water, result);
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<Vector>
+  UpliftAssembly<dim>::forces_by_elements(const std::vector<WaterAccess> &access,
+                                          const std::vector<WaterLevels> &levels) const
+  {
+    std::vector<Vector> result               = forces({}, levels);
+    const std::vector<Vector> from_reservoir = still_water(levels, &WaterLevels::reservoir),
+                              from_tailwater = still_water(levels, &WaterLevels::tailwater);
+    for (const Extent &extent : extents)
+      {
+        const unsigned int n = bars.elements()[extent.element].normal_bar;
+        for (std::size_t j = 0; j < levels.size(); ++j)
+          if (access[extent.element] == WaterAccess::upstream)
+            result[j][n] = std::max(result[j][n], from_reservoir[j][n]);
+          else if (access[extent.element] == WaterAccess::downstream)
+            result[j][n] = load.uplift.has_tailwater ? from_tailwater[j][n] : 0.;
+      }
+    return result;
+  }
+
+
+  // Water presses the plus side along the normal: as a bar force -u A does.
   template <int dim>
   LoadPattern
-  UpliftAssembly<dim>::assemble(const LoadDefinition &load, const double level) const
+  UpliftAssembly<dim>::assemble(const WaterLevels &levels) const
   {
     LoadPattern pattern;
-    pattern.closed_water.assign(bars.bars().size(), 0.);
-    Vector full(bars.bars().size(), 0.);
-    for (unsigned int joint = 0; joint < mesh.joints.size(); ++joint)
-      if (index_of(load.targets, mesh.joints[joint].name) < load.targets.size())
-        {
-          const Water water = water_of(load, joint);
-          for (const auto &face : geometry.faces())
-            if (face.joint == joint)
-              add_face(face, load, water, level, pattern.closed_water, full);
-        }
+    pattern.levels       = levels;
+    pattern.closed_water = forces({}, {levels}).front();
     pattern.forces.assign(discretization.n_dofs(), 0.);
     bars.add_forces(1., pattern.closed_water, pattern.forces);
     if (!load.uplift.fills_cracks)
       return pattern;
-    pattern.opening_water.assign(full.size(), 0.);
-    for (std::size_t i = 0; i < full.size(); ++i)
-      pattern.opening_water[i] = std::max(full[i] - pattern.closed_water[i], 0.);
+    pattern.opening_water = still_water({levels}, &WaterLevels::reservoir).front();
+    for (std::size_t i = 0; i < pattern.opening_water.size(); ++i)
+      pattern.opening_water[i] = std::max(pattern.opening_water[i] - pattern.closed_water[i], 0.);
     return pattern;
   }
 
 
   template <int dim>
   std::vector<double>
-  UpliftAssembly<dim>::levels_of_kinks(const LoadDefinition &load) const
+  UpliftAssembly<dim>::levels_of_kinks() const
   {
     std::vector<double> kinks;
-    for (unsigned int joint = 0; joint < mesh.joints.size(); ++joint)
-      if (index_of(load.targets, mesh.joints[joint].name) < load.targets.size())
-        {
-          double lowest = 0., highest = 0.;
-          bool any = false;
-          for (const auto &face : geometry.faces())
-            if (face.joint == joint)
-              {
-                const Vector y         = FaceMap<dim>(discretization, face.boundary).heights();
-                const auto [low, high] = std::minmax_element(y.begin(), y.end());
-                if (*high - *low <= 1e-9 * discretization.face_length(face.boundary))
-                  kinks.push_back(*low);
-                lowest  = any ? std::min(lowest, *low) : *low;
-                highest = any ? std::max(highest, *high) : *high;
-                any     = true;
-              }
-          kinks.insert(kinks.end(), {lowest, highest, water_of(load, joint).upstream[dim - 1]});
-        }
+    double lowest = 0., highest = 0.;
+    for (std::size_t f = 0; f < maps.size(); ++f)
+      {
+        const Vector y         = maps[f].heights();
+        const auto [low, high] = std::minmax_element(y.begin(), y.end());
+        if (*high - *low <= 1e-9 * discretization.face_length(its_way.faces()[f].face->boundary))
+          kinks.push_back(*low);
+        lowest  = f == 0 ? *low : std::min(lowest, *low);
+        highest = f == 0 ? *high : std::max(highest, *high);
+      }
+    kinks.insert(kinks.end(), {lowest, highest});
+    for (const auto &way : its_way.ways())
+      kinks.push_back(way.upstream_height);
     std::sort(kinks.begin(), kinks.end());
     kinks.erase(
       std::unique(kinks.begin(),

@@ -179,17 +179,12 @@ namespace fuga
   Vector
   Judge::water(const JointState &state) const
   {
-    const DenseMatrix &Q = system.opening_water();
-    if (Q.empty())
+    const WaterInJoints *joints = system.water_in_joints();
+    if (joints == nullptr)
       return {};
-    Vector result = multiply(Q, history.factors(state.t));
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const std::size_t n = elements[k].normal_bar;
-        if (state.states[k] != ContactState::open)
-          result[n] = 0.;
-        result[n] -= state.missing_water[n];
-      }
+    Vector result = joints->forces(state.access, history.factors(state.t));
+    for (std::size_t bar = 0; bar < result.size(); ++bar)
+      result[bar] += state.kept_water[bar] - state.missing_water[bar];
     return result;
   }
 

@@ -3,7 +3,6 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/cone_path.h>
-#include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 
 namespace fuga
@@ -62,18 +61,14 @@ namespace fuga
         make_cut(state, result, observer);
         const Course course = next_course(state);
         boundary.set_scales(state, course.factors, widening_of_tolerances());
-        const auto states                   = state.states;
         const ConeContinuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
             lose_equilibrium(state, continuation, observer, result);
             return result;
           }
-        if (water_has_changed(elements, system, states, state))
-          {
-            note_zero_step(state, result);
-            continue; // water comes in or is squeezed out before the load goes on
-          }
+        if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
+          continue; // water comes in or is squeezed out before the load goes on
 
         ConeSegment segment({elements, system, boundary, released},
                             course,

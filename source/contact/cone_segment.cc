@@ -202,7 +202,7 @@ namespace fuga
       factors[j] += tau * course.factor_rates[j];
     set_dislocations(station.stage, state.dislocations);
     release(course.drive, tau, state);
-    set_water(context.elements, context.system, factors, state);
+    set_water(context.system, factors, state);
     const Vector reactions =
       context.system.forces(factors, Vector(state.dislocations.size(), 0.), state.water);
     context.released.complete(reactions, state.dislocations);

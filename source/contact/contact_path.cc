@@ -49,7 +49,7 @@ namespace fuga
   ContactPath::run(const std::vector<double> &levels, PathObserver &observer)
   {
     PathCut start;
-    start.state  = virgin_state(elements, system.n_bars(), !system.opening_water().empty());
+    start.state  = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
     start.scheme = scheme_memory();
     return resume(start, levels, observer);
   }
@@ -130,7 +130,7 @@ namespace fuga
                              Drive &drive) const
   {
     drive.reactions = multiply(system.reactions(), factor_rates);
-    add_water_rates(elements, system, state, factor_rates, drive);
+    add_water_rates(system, state, factor_rates, drive);
   }
 
   // Steps without length come from elements that reach their boundary together but for rounding:
@@ -202,9 +202,40 @@ namespace fuga
     event.element = k;
     event.from    = state.states[k];
     change_state(elements[k], k, to, no_force, state);
-    keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
     event.to = state.states[k];
     return event;
+  }
+
+  // A connection that comes or goes without any element changing its state is an event as well.
+  bool
+  ContactPath::let_water_follow(const Vector &no_force,
+                                JointState &state,
+                                PathObserver &observer,
+                                PathResult &result)
+  {
+    if (history.water_stands_still(state.t))
+      return false;
+    const auto relief =
+      standstill.n_repetitions() == 0 ? WaterRelief::allowed : WaterRelief::refused;
+    const std::vector<WaterAccess> before = state.access;
+    const std::vector<std::size_t> changed =
+      renew_water(elements, system, history.factors(state.t), no_force, relief, state);
+    if (changed.empty())
+      return false;
+    std::vector<ContactEvent> events;
+    for (const std::size_t k : changed)
+      if (before[k] != WaterAccess::seepage && state.access[k] != WaterAccess::seepage)
+        {
+          ContactEvent event;
+          event.t       = state.t;
+          event.element = k;
+          event.from = event.to = state.states[k];
+          event.water           = {{before[k], state.access[k]}};
+          events.push_back(event);
+        }
+    report(events, state, observer, result);
+    note_zero_step(state, result);
+    return true;
   }
 
   void

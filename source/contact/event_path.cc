@@ -4,7 +4,6 @@
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
-#include <fuga/contact/joint_water.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/strength_reduction.h>
 
@@ -39,7 +38,6 @@ namespace fuga
         // together.
         boundary.set_scales(state, course.factors, widening_of_tolerances());
         const Vector unreleased         = state.unreleased;
-        const auto states               = state.states;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
@@ -59,11 +57,8 @@ namespace fuga
             standstill.forget();
             continue; // a bond broke: its forces are given up before the load goes on
           }
-        if (water_has_changed(elements, system, states, state))
-          {
-            note_zero_step(state, result);
-            continue; // water comes in or is squeezed out before the load goes on
-          }
+        if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
+          continue; // water comes in or is squeezed out before the load goes on
 
         // At which load does the next event occur? Advance to it.
         const std::unique_ptr<PathSegment> segment =
@@ -92,7 +87,7 @@ namespace fuga
                             PathResult &result)
   {
     if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
-        !system.opening_water().empty() || state.is_unsettled() ||
+        system.water_in_joints() != nullptr || state.is_unsettled() ||
         history.strength_share_rate(state.t) != 0.)
       return false;
     for (const ContactElement &element : elements)

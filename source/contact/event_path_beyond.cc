@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/event_path.h>
-#include <fuga/contact/joint_water.h>
 
 #include <algorithm>
 
@@ -38,15 +37,11 @@ namespace fuga
             return;
           }
         const Vector unreleased = state.unreleased;
-        const auto states       = state.states;
         adopt_scheme(state, set, 1, observer, result);
         if (state.unreleased != unreleased)
           continue;
-        if (water_has_changed(elements, system, states, state))
-          {
-            note_zero_step(state, result);
-            continue;
-          }
+        if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
+          continue;
 
         StraightSegment segment(
           {elements, system, boundary, scheme}, step.course, {state, step.motion.rates});

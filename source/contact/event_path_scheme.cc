@@ -3,7 +3,6 @@
 
 #include <fuga/contact/change_of_state.h>
 #include <fuga/contact/event_path.h>
-#include <fuga/contact/joint_water.h>
 
 namespace fuga
 {
@@ -82,7 +81,6 @@ namespace fuga
         const ContactState from = state.states[k];
         const double no_force   = boundary.force_tolerance(elements[k].normal_bar);
         break_bond(elements[k], k, no_force, state);
-        keep_water(elements[k], k, system, history.factors(state.t), no_force, state);
         if (state.states[k] != from)
           events.push_back({state.t, k, from, state.states[k]});
       }

@@ -3,100 +3,123 @@
 
 #include <fuga/contact/joint_water.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuga
 {
   namespace
   {
-    /** Row of a bar of @p matrix times @p factors. */
-    double
-    row_product(const DenseMatrix &matrix, const std::size_t bar, const Vector &factors)
+    /** The access that the states of the elements demand. */
+    std::vector<WaterAccess>
+    demanded_access(const WaterNetwork &network, const std::vector<ContactState> &states)
     {
-      double sum = 0.;
-      for (std::size_t j = 0; j < factors.size(); ++j)
-        sum += matrix(bar, j) * factors[j];
-      return sum;
+      std::vector<bool> open;
+      for (const ContactState state : states)
+        open.push_back(state == ContactState::open);
+      const std::vector<bool> from_reservoir = connected(network, open, network.upstream);
+      const std::vector<bool> from_tailwater = connected(network, open, network.downstream);
+      std::vector<WaterAccess> access(states.size(), WaterAccess::seepage);
+      for (std::size_t k = 0; k < states.size(); ++k)
+        if (open[k] && network.wet[k])
+          access[k] = from_reservoir[k]   ? WaterAccess::upstream
+                      : from_tailwater[k] ? WaterAccess::downstream
+                                          : WaterAccess::isolated;
+      return access;
     }
 
     bool
-    has_water(const DenseMatrix &matrix, const std::size_t bar)
+    is_behind_tip(const std::size_t k,
+                  const WaterNetwork &network,
+                  const std::vector<ContactState> &states)
     {
-      for (std::size_t j = 0; j < matrix.n_columns(); ++j)
-        if (matrix(bar, j) != 0.)
-          return true;
-      return false;
+      return std::all_of(network.neighbours[k].begin(),
+                         network.neighbours[k].end(),
+                         [&](const std::size_t i) { return states[i] == ContactState::open; });
+    }
+
+    /** Connections that would lower the pressure at the tip of a crack do not count. */
+    void
+    refuse_relief(const std::vector<ContactElement> &elements,
+                  const WaterInJoints &water,
+                  const Vector &factors,
+                  const Vector &no_force,
+                  const WaterRelief relief,
+                  const JointState &state,
+                  std::vector<WaterAccess> &access)
+    {
+      const Vector now  = water.forces(state.access, factors);
+      const Vector then = water.forces(access, factors);
+      for (std::size_t k = 0; k < access.size(); ++k)
+        {
+          const std::size_t n = elements[k].normal_bar;
+          const bool connects =
+            access[k] == WaterAccess::upstream || access[k] == WaterAccess::downstream;
+          if (connects && access[k] != state.access[k] && then[n] < now[n] - no_force[n] &&
+              (relief == WaterRelief::refused || !is_behind_tip(k, water.network(), state.states)))
+            access[k] = WaterAccess::isolated;
+        }
     }
   } // namespace
 
   void
-  set_water(const std::vector<ContactElement> &elements,
-            const LayeredSystem &system,
-            const Vector &factors,
-            JointState &state)
+  set_water(const LayeredSystem &system, const Vector &factors, JointState &state)
   {
-    if (system.opening_water().empty())
+    const WaterInJoints *water = system.water_in_joints();
+    if (water == nullptr)
       return;
-    for (std::size_t k = 0; k < elements.size(); ++k)
+    state.water = water->forces(state.access, factors);
+    for (std::size_t bar = 0; bar < state.water.size(); ++bar)
+      state.water[bar] += state.kept_water[bar] - state.missing_water[bar];
+  }
+
+  std::vector<std::size_t>
+  renew_water(const std::vector<ContactElement> &elements,
+              const LayeredSystem &system,
+              const Vector &factors,
+              const Vector &no_force,
+              const WaterRelief relief,
+              JointState &state)
+  {
+    const WaterInJoints *water = system.water_in_joints();
+    if (water == nullptr)
+      return {};
+    std::vector<WaterAccess> access = demanded_access(water->network(), state.states);
+    if (access == state.access)
+      return {};
+    refuse_relief(elements, *water, factors, no_force, relief, state, access);
+    std::vector<std::size_t> changed;
+    for (std::size_t k = 0; k < access.size(); ++k)
+      if (access[k] != state.access[k])
+        changed.push_back(k);
+    if (changed.empty())
+      return {};
+    state.access       = access;
+    const Vector ought = water->forces(access, factors);
+    for (std::size_t k = 0; k < access.size(); ++k)
       {
-        const std::size_t n = elements[k].normal_bar;
-        const double full   = state.states[k] == ContactState::open
-                                ? row_product(system.opening_water(), n, factors)
-                                : 0.;
-        state.water[n]      = full - state.missing_water[n];
+        const std::size_t n    = elements[k].normal_bar;
+        const double excess    = state.water[n] - ought[n];
+        const double left      = std::abs(excess) > no_force[n] ? excess : 0.;
+        const bool keeps       = access[k] == WaterAccess::isolated;
+        state.kept_water[n]    = keeps ? left : 0.;
+        state.missing_water[n] = keeps ? 0. : -left;
       }
+    return changed;
   }
 
   void
-  keep_water(const ContactElement &element,
-             const std::size_t k,
-             const LayeredSystem &system,
-             const Vector &factors,
-             const double no_force,
-             JointState &state)
-  {
-    if (system.opening_water().empty())
-      return;
-    const std::size_t n = element.normal_bar;
-    const double full =
-      state.states[k] == ContactState::open ? row_product(system.opening_water(), n, factors) : 0.;
-    const double missing   = full - state.water[n];
-    state.missing_water[n] = std::abs(missing) > no_force ? missing : 0.;
-  }
-
-  bool
-  water_has_changed(const std::vector<ContactElement> &elements,
-                    const LayeredSystem &system,
-                    const std::vector<ContactState> &before,
-                    const JointState &state)
-  {
-    if (system.opening_water().empty())
-      return false;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if ((before[k] == ContactState::open) != (state.states[k] == ContactState::open) &&
-          has_water(system.opening_water(), elements[k].normal_bar))
-        return true;
-    return false;
-  }
-
-  void
-  add_water_rates(const std::vector<ContactElement> &elements,
-                  const LayeredSystem &system,
+  add_water_rates(const LayeredSystem &system,
                   const JointState &state,
                   const Vector &factor_rates,
                   Drive &drive)
   {
-    if (system.opening_water().empty())
+    const WaterInJoints *water = system.water_in_joints();
+    if (water == nullptr)
       return;
-    Vector rates(system.n_bars(), 0.);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const std::size_t n = elements[k].normal_bar;
-        if (state.states[k] == ContactState::open)
-          rates[n] = row_product(system.opening_water(), n, factor_rates);
-        if (!drive.missing_water.empty())
-          rates[n] -= drive.missing_water[n];
-      }
+    Vector rates = water->forces(state.access, factor_rates);
+    for (std::size_t bar = 0; bar < drive.missing_water.size(); ++bar)
+      rates[bar] -= drive.missing_water[bar];
     system.add_water(rates, drive.reactions);
   }
 } // namespace fuga

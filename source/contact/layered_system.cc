@@ -118,7 +118,6 @@ namespace fuga
     const double smallest = largest > 0. ? 1e-14 * largest : 1.;
     for (std::size_t i = 0; i < compliances.size(); ++i)
       scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
-    Q = system.opening_water();
     if (delicate)
       rigid_motions.emplace(system);
     add_imposed_jumps(system);

@@ -43,17 +43,20 @@ namespace fuga
   LoadHistory::until(const double corner) const
   {
     const auto n = std::upper_bound(corners.begin(), corners.end(), corner) - corners.begin();
-    return {{corners.begin(), corners.begin() + n},
-            {values.begin(), values.begin() + n},
-            shares.empty() ? Vector() : Vector(shares.begin(), shares.begin() + n)};
+    LoadHistory result{{corners.begin(), corners.begin() + n},
+                       {values.begin(), values.begin() + n},
+                       shares.empty() ? Vector() : Vector(shares.begin(), shares.begin() + n)};
+    result.times_of_still_water = times_of_still_water;
+    return result;
   }
 
   LoadHistory
   LoadHistory::reducing_strength(const double share_at_end) const
   {
-    Vector reduced(corners.size(), 1.);
-    reduced.back() = share_at_end;
-    return {corners, values, reduced};
+    LoadHistory result = *this;
+    result.shares.assign(corners.size(), 1.);
+    result.shares.back() = share_at_end;
+    return result;
   }
 
   double
@@ -103,6 +106,20 @@ namespace fuga
     for (std::size_t j = 0; j < result.size(); ++j)
       result[j] = (values[k + 1][j] - values[k][j]) / length;
     return result;
+  }
+
+  void
+  LoadHistory::keep_water_still(const double begin, const double end)
+  {
+    times_of_still_water.push_back({{begin, end}});
+  }
+
+  bool
+  LoadHistory::water_stands_still(const double t) const
+  {
+    return std::any_of(times_of_still_water.begin(),
+                       times_of_still_water.end(),
+                       [t](const auto &time) { return t >= time[0] && t < time[1]; });
   }
 
   double

@@ -49,7 +49,7 @@ namespace fuga
     state.t              = tau == course.length ? course.t_end
                                                 : course.t + tau * (course.t_end - course.t) / course.length;
     const Vector factors = along(course.factors, tau, course.factor_rates);
-    set_water(context.elements, context.system, factors, state);
+    set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)

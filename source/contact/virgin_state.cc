@@ -18,7 +18,10 @@ namespace fuga
     state.dilations.assign(elements.size(), 0.);
     state.unreleased.assign(n_bars, 0.);
     if (has_water)
-      state.water = state.missing_water = Vector(n_bars, 0.);
+      {
+        state.access.assign(elements.size(), WaterAccess::seepage);
+        state.water = state.missing_water = state.kept_water = Vector(n_bars, 0.);
+      }
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         state.strengths.push_back(virgin_strength(elements[k].friction, elements[k].area));

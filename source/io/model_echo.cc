@@ -321,7 +321,9 @@ namespace fuga
             if (load.has_level())
               level = readable(LevelHistory(load, model.constants)(t), extent);
             if (load.uplift.has_tailwater)
-              level += " / " + readable(load.uplift.tailwater, extent);
+              level +=
+                " / " +
+                readable(LevelHistory(load.uplift.tailwater, load, model.constants)(t), extent);
             add_rows(action, {action.name, readable(factors[i]), level}, table);
             if (!action.is_inner)
               {

@@ -55,7 +55,7 @@ namespace fuga
                         "after {:g}. {}",
                         a,
                         table.back()[0],
-                        entry == "Level"
+                        entry == "Level" || entry == "Tailwater level"
                           ? "t is the load time: it runs from 0 to 1 in the first stage, "
                             "from 1 to 2 in the second one."
                           : "Sort the points."));
@@ -65,24 +65,35 @@ namespace fuga
   }
 
 
+  LevelDefinition
+  read_level(const ParameterSection &section,
+             const std::string &entry,
+             const std::map<std::string, double> &constants)
+  {
+    LevelDefinition result;
+    const std::string level = section.text(entry);
+    // A ':' may also be that of 'a ? b : c'.
+    if (level.find(':') != std::string::npos && level.find('?') == std::string::npos)
+      result.level_table = read_table(section, entry, "t: level");
+    else
+      {
+        if (level.empty())
+          section.fail(entry, "the level is empty. Write a number, an expression or a table.");
+        check_expression(section, entry, level, ExpressionArguments::load_time, constants);
+        result.level = level;
+      }
+    return result;
+  }
+
+
   DepthPressure
   read_depth_pressure(const ParameterSection &section,
                       const std::map<std::string, double> &constants)
   {
     DepthPressure depth;
-    const std::string level  = section.text("Level");
-    const std::string type   = section.text("Type");
-    const double unit_weight = section.number("Unit weight");
-    // A ':' may also be that of 'a ? b : c'.
-    if (level.find(':') != std::string::npos && level.find('?') == std::string::npos)
-      depth.level_table = read_table(section, "Level", "t: level");
-    else
-      {
-        if (level.empty())
-          section.fail("Level", "the level is empty. Write a number, an expression or a table.");
-        check_expression(section, "Level", level, ExpressionArguments::load_time, constants);
-        depth.level = level;
-      }
+    static_cast<LevelDefinition &>(depth) = read_level(section, "Level", constants);
+    const std::string type                = section.text("Type");
+    const double unit_weight              = section.number("Unit weight");
     if (type == "westergaard")
       {
         depth.root   = 7. / 8. * section.number("Horizontal coefficient") * unit_weight;

@@ -60,8 +60,16 @@ namespace fuga
          {}},
         {"uplift",
          LoadKind::uplift,
-         {"Joints", "Level", "Unit weight", "Upstream end"},
-         {"Tailwater level", "Drain distance", "Drain efficiency", "Pressure profile", "Cracks"}},
+         {"Joints", "Level", "Unit weight"},
+         {"Upstream end",
+          "Flow direction",
+          "Profile from",
+          "Tailwater level",
+          "Drain distance",
+          "Drain efficiency",
+          "Drains after crack",
+          "Pressure profile",
+          "Cracks"}},
         {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
         {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
         {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}},
@@ -220,7 +228,7 @@ namespace fuga
       if (load.has_level())
         load.depth = read_depth_pressure(section, model.constants);
       if (load.kind == LoadKind::uplift)
-        load.uplift = read_uplift(section);
+        load.uplift = read_uplift(section, model);
       if (type.name == "seismic")
         load.expressions = read_seismic_coefficients(section, model.dimension);
       else if (!load.has_level())
@@ -267,6 +275,8 @@ namespace fuga
       stage.name   = section.name();
       stage.origin = section.origin();
       stage.levels = section.integer("Levels");
+      stage.keeps_water =
+        section.given("Water in joints") && section.text("Water in joints") == "unchanged";
       for (const std::string &piece : split_pieces(section.text("Loads"), ';'))
         {
           if (piece.empty())

@@ -11,23 +11,19 @@
 
 namespace fuga
 {
-  namespace
+  std::vector<double>
+  read_coordinates(const std::string &text)
   {
-    /** The numbers of "1, 2.5"; none if the text is not a list of numbers only. */
-    std::vector<double>
-    read_coordinates(const std::string &text)
-    {
-      const NumberPattern number(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
-      std::vector<double> coordinates;
-      for (const std::string &piece : split_pieces(text, ','))
-        if (number.match(piece))
-          coordinates.push_back(std::stod(piece));
-        else
-          return {};
-      return coordinates;
-    }
-  } // namespace
+    const NumberPattern number(
+      NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
+    std::vector<double> coordinates;
+    for (const std::string &piece : split_pieces(text, ','))
+      if (number.match(piece))
+        coordinates.push_back(std::stod(piece));
+      else
+        return {};
+    return coordinates;
+  }
 
 
   PointReference

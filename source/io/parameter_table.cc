@@ -199,6 +199,11 @@ namespace fuga
                    "Number of equal steps after which results are written; no influence on "
                    "them.",
                    {"1", "10"}),
+         optional("Water in joints",
+                  choice("follows opening|unchanged"),
+                  "Whether water comes into joints that open in this stage, and goes where they "
+                  "close (without this entry), or keeps its pressure, as is usual for "
+                  "earthquakes. It follows what has opened meanwhile when the next stage begins."),
          optional("Grouted joints",
                   text(),
                   "List of joints whose open parts are filled at the beginning of the stage: they "

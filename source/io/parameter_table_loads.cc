@@ -59,23 +59,36 @@ namespace fuga
       return {
         optional("Joints",
                  text(),
-                 "For uplift and imposed gap: list of joints. Uplift: where a joint is open, the "
-                 "pressure of the reservoir "
-                 "acts in it; it comes in when an element opens, and is squeezed out when it "
-                 "closes."),
-        optional("Upstream end",
-                 choice("left|right|bottom|top"),
-                 "For uplift: the end of the joint that lies in the reservoir. In space left or "
-                 "right, the horizontal end with the smallest or largest x; s then runs along x."),
+                 "For uplift and imposed gap: list of joints. Uplift: open elements that are "
+                 "connected with the reservoir by open elements have its pressure, those connected "
+                 "with the tailwater only that one, others keep what they had; water comes in and "
+                 "goes by events."),
+        optional(
+          "Upstream end",
+          choice("left|right|front|back|bottom|top"),
+          "For uplift: the end of the joint that lies in the reservoir: the one with the "
+          "smallest or largest x (left, right), in space also y (front, back), or height "
+          "(bottom, top). Joints that meet are one way of the water, whose length is "
+          "measured along them; in space in the direction of flow, between horizontal ends."),
+        optional("Flow direction",
+                 text(),
+                 "For uplift in space, instead of the upstream end: 'x, y, z', a vector from the "
+                 "upstream end to the other one."),
+        optional(
+          "Profile from",
+          choice("crack tip|joint"),
+          "For uplift: from where the pressure falls. From the tip of the crack that is "
+          "connected with the reservoir (without this entry; codes of practice), or from the "
+          "upstream end of the joint, however long the crack is."),
         optional(
           "Cracks",
           choice("reservoir|unchanged"),
           "For uplift: pressure where the joint is open. That of the reservoir (without this "
           "entry), or the same as where it is closed."),
         optional("Tailwater level",
-                 any_number(),
-                 "For uplift: y (in space z) of the surface of the water at the other end [m]; "
-                 "without this "
+                 text(),
+                 "For uplift: y (in space z) of the surface of the water at the other end [m]: a "
+                 "number, an expression of the load time t, or a table as for Level; without this "
                  "entry there is none."),
         optional("Drain distance",
                  number_above(0),
@@ -85,6 +98,10 @@ namespace fuga
                  number_in(0, 1),
                  "For uplift: there the share by which the pressure above that of the tailwater is "
                  "lowered."),
+        optional("Drains after crack",
+                 choice("lost|kept"),
+                 "For uplift with drain: what the drain does when the crack has passed it: nothing "
+                 "(without this entry), or lowers the pressure in the crack from there on."),
         optional("Pressure profile",
                  text(),
                  "For uplift: pressure where the joint is closed, as a table 's: share; s: share', "

@@ -3,6 +3,7 @@
 
 #include <fuga/io/parameter_readers.h>
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace fuga
@@ -12,6 +13,16 @@ namespace fuga
     void
     read_drain(const ParameterSection &section, Uplift &uplift)
     {
+      if (section.given("Drains after crack"))
+        {
+          if (!section.given("Drain distance"))
+            section.fail("Drains after crack",
+                         "there is no drain. Add 'Drain distance' and 'Drain efficiency', or "
+                         "remove this line.");
+          uplift.drains_after_crack = section.text("Drains after crack") == "kept"
+                                        ? Uplift::Drains::kept
+                                        : Uplift::Drains::lost;
+        }
       const bool distance = section.given("Drain distance");
       if (distance != section.given("Drain efficiency"))
         section.fail(distance ? "Drain distance" : "Drain efficiency",
@@ -26,6 +37,47 @@ namespace fuga
                                  section.origin("Drain distance")));
       uplift.drain_distance   = section.number("Drain distance");
       uplift.drain_efficiency = section.number("Drain efficiency");
+    }
+
+
+    /** The unit vector from the upstream end to the other one. */
+    std::array<double, 3>
+    read_flow(const ParameterSection &section, const unsigned int dimension)
+    {
+      const bool by_name = section.given("Upstream end");
+      if (by_name == section.given("Flow direction"))
+        section.fail(by_name ? "Flow direction" : "Upstream end",
+                     "the direction of the water is not known, or given twice. Write either "
+                     "'Upstream end' or, in space, 'Flow direction'.");
+      std::array<double, 3> flow = {{0., 0., 0.}};
+      if (!by_name)
+        {
+          const std::vector<double> given = read_coordinates(section.text("Flow direction"));
+          double length                   = 0.;
+          for (const double component : given)
+            length += component * component;
+          if (given.size() != dimension || length == 0.)
+            section.fail("Flow direction",
+                         fmt::format("'{}' is no direction. Write {} numbers that are not all 0, "
+                                     "separated by commas: the vector from the upstream end to the "
+                                     "other one.",
+                                     section.text("Flow direction"),
+                                     dimension));
+          for (std::size_t c = 0; c < given.size(); ++c)
+            flow[c] = given[c] / std::sqrt(length);
+          return flow;
+        }
+      const std::string end = section.text("Upstream end");
+      const bool across     = end == "front" || end == "back";
+      if (across && dimension == 2)
+        section.fail(
+          "Upstream end",
+          fmt::format("'{}' is an end in space only. In the plane an end is left, right, "
+                      "bottom or top.",
+                      end));
+      const std::size_t c = end == "left" || end == "right" ? 0 : across ? 1 : dimension - 1;
+      flow[c]             = end == "left" || end == "front" || end == "bottom" ? 1. : -1.;
+      return flow;
     }
 
 
@@ -51,19 +103,17 @@ namespace fuga
 
 
   Uplift
-  read_uplift(const ParameterSection &section)
+  read_uplift(const ParameterSection &section, const ModelDefinition &model)
   {
     Uplift uplift;
-    const std::string end = section.text("Upstream end");
-    uplift.upstream_end   = end == "left"     ? Uplift::End::left
-                            : end == "right"  ? Uplift::End::right
-                            : end == "bottom" ? Uplift::End::bottom
-                                              : Uplift::End::top;
-    uplift.fills_cracks   = !section.given("Cracks") || section.text("Cracks") == "reservoir";
+    uplift.flow         = read_flow(section, model.dimension);
+    uplift.fills_cracks = !section.given("Cracks") || section.text("Cracks") == "reservoir";
+    if (section.given("Profile from") && section.text("Profile from") == "joint")
+      uplift.profile_from = Uplift::ProfileFrom::joint;
     if (section.given("Tailwater level"))
       {
         uplift.has_tailwater = true;
-        uplift.tailwater     = section.number("Tailwater level");
+        uplift.tailwater     = read_level(section, "Tailwater level", model.constants);
       }
     read_drain(section, uplift);
     if (section.given("Pressure profile"))

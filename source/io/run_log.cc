@@ -59,8 +59,8 @@ namespace fuga
                          fmt::join(element.position.begin(),
                                    element.position.begin() + (context.in_space ? 3 : 2),
                                    ", "),
-                         state_name(event.from),
-                         state_name(event.to),
+                         event.names()[0],
+                         event.names()[1],
                          certificate));
       }
   }

@@ -86,9 +86,9 @@ namespace
 // between.
 TEST_P(WaterInJoint, closed)
 {
-  load().depth.level          = "7";
-  load().uplift.has_tailwater = true;
-  load().uplift.tailwater     = 1.3;
+  load().depth.level            = "7";
+  load().uplift.has_tailwater   = true;
+  load().uplift.tailwater.level = "1.3";
   for (const double drain : {0., 1.5})
     {
       load().uplift.drain_distance   = drain;

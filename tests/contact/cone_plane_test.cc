@@ -82,9 +82,10 @@ namespace fuga::tests
               system.F(2 * k + a, j) = F(3 * k + a, j);
         if (seed % 2 == 0) // water that comes into open elements
           {
-            system.water = DenseMatrix(2 * n, 3);
+            DenseMatrix water(2 * n, 3);
             for (std::size_t k = 0; k < n; ++k)
-              system.water(2 * k, 0) = 0.1;
+              water(2 * k, 0) = 0.1;
+            system.water = std::make_shared<ToyWater>(water);
           }
         FrictionLaw friction;
         friction.coefficient = 0.5;

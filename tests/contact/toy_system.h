@@ -17,7 +17,8 @@ namespace fuga::tests
   class ToySystem : public ContactSystem
   {
   public:
-    DenseMatrix S, F, B, motions, motion_loads, water;
+    DenseMatrix S, F, B, motions, motion_loads;
+    std::shared_ptr<const WaterInJoints> water;
 
     const DenseMatrix &
     stiffness() const override
@@ -49,11 +50,44 @@ namespace fuga::tests
       return motion_loads;
     }
 
-    const DenseMatrix &
-    opening_water() const override
+    const WaterInJoints *
+    water_in_joints() const override
     {
-      return water;
+      return water.get();
     }
+  };
+
+  /** Water that has the force Q a in every open element with two bars: all lie at the reservoir. */
+  class ToyWater : public WaterInJoints
+  {
+  public:
+    explicit ToyWater(DenseMatrix forces_of_open) : Q(std::move(forces_of_open))
+    {
+      const std::size_t n = Q.n_rows() / 2;
+      its_network.neighbours.resize(n);
+      its_network.upstream = its_network.wet = std::vector<bool>(n, true);
+      its_network.downstream                 = std::vector<bool>(n, false);
+    }
+
+    const WaterNetwork &
+    network() const override
+    {
+      return its_network;
+    }
+
+    Vector
+    forces(const std::vector<WaterAccess> &access, const Vector &factors) const override
+    {
+      Vector result = multiply(Q, factors);
+      for (std::size_t k = 0; k < access.size(); ++k)
+        if (access[k] == WaterAccess::seepage)
+          result[2 * k] = 0.;
+      return result;
+    }
+
+  private:
+    DenseMatrix Q;
+    WaterNetwork its_network;
   };
 
   /** Keeps all that a path reports, and has every event and level judged. */

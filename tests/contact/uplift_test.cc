@@ -39,14 +39,15 @@ namespace
 
     OneElement()
     {
-      system.S           = DenseMatrix(2, 2);
-      system.S(0, 0)     = 3.;
-      system.S(1, 1)     = 1.;
-      system.F           = DenseMatrix(2, 3);
-      system.F(0, 0)     = -1.;
-      system.F(0, 1)     = 1.;
-      system.water       = DenseMatrix(2, 3);
-      system.water(0, 2) = 1.;
+      system.S       = DenseMatrix(2, 2);
+      system.S(0, 0) = 3.;
+      system.S(1, 1) = 1.;
+      system.F       = DenseMatrix(2, 3);
+      system.F(0, 0) = -1.;
+      system.F(0, 1) = 1.;
+      DenseMatrix water(2, 3);
+      water(0, 2)  = 1.;
+      system.water = std::make_shared<ToyWater>(water);
     }
   };
 
@@ -74,13 +75,14 @@ namespace
       DenseMatrix F(3, 4);
       for (std::size_t i = 0; i < 3; ++i)
         F(i, i) = 1.;
-      system.water = DenseMatrix(2 * (n + 1), 4);
+      DenseMatrix water(2 * (n + 1), 4);
       for (std::size_t k = 0; k <= n; ++k)
         {
           F(1, 3) += navier.closed[k];
           F(2, 3) += navier.closed[k] * navier.x[k];
-          system.water(2 * k, 3) = navier.area[k] - navier.closed[k];
+          water(2 * k, 3) = navier.area[k] - navier.closed[k];
         }
+      system.water        = std::make_shared<ToyWater>(water);
       system.F            = F;
       system.motion_loads = F;
     }

@@ -91,7 +91,8 @@ namespace fuga
     EXPECT_EQ(plain.targets, (std::vector<std::string>{"base"}));
     EXPECT_EQ(plain.depth.level, "7");
     EXPECT_EQ(plain.depth.gradient, 0.01);
-    EXPECT_EQ(plain.uplift.upstream_end, Uplift::End::left);
+    EXPECT_EQ(plain.uplift.flow, (std::array<double, 3>{{1., 0., 0.}}));
+    EXPECT_EQ(plain.uplift.profile_from, Uplift::ProfileFrom::crack_tip);
     EXPECT_FALSE(plain.uplift.has_tailwater);
     EXPECT_EQ(plain.uplift.profile, (std::vector<std::array<double, 2>>{{{0., 1.}}, {{1., 0.}}}));
 
@@ -99,7 +100,8 @@ namespace fuga
       "drained",
       on_base + "set Tailwater level = -1\nset Drain distance = 2\nset Drain efficiency = 0.5\n");
     EXPECT_TRUE(drained.uplift.has_tailwater);
-    EXPECT_EQ(drained.uplift.tailwater, -1.);
+    EXPECT_EQ(drained.uplift.tailwater.level, "-1");
+    EXPECT_EQ(drained.uplift.drains_after_crack, Uplift::Drains::lost);
     EXPECT_EQ(drained.uplift.drain_distance, 2.);
     EXPECT_EQ(drained.uplift.drain_efficiency, 0.5);
 

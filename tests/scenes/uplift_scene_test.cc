@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace fuga;
@@ -42,6 +43,7 @@ namespace
                                           {"Joints", "base"},
                                           {"Level", table},
                                           {"Unit weight", water},
+                                          {"Profile from", "joint"},
                                           {"Upstream end", "left"}};
     scene["Stages"]["weight"]["Loads"] = "weight: t";
     scene["Stages"]["water"]           = {{"Loads", "water: 1; uplift: 1"}, {"Levels", levels}};
@@ -64,58 +66,73 @@ namespace
   }
 } // namespace
 
-// V3 of a block so stiff (E = 1e10 times the stiffness of the joint times its base) that its own
-// deformation does not count: Navier's formula, with a crack at the highest levels. All are
-// knots of the load.
+// A block so stiff (E = 1e10 times the stiffness of the joint times its base) that its own
+// deformation does not count: Navier's formula, with a crack at the highest levels, under both
+// rules of uplift. All levels are knots of the load.
 TEST(UpliftScene, RigidDamAgainstNavierWithCrack)
 {
   const std::size_t n  = 32;
   const double highest = 15.;
-  const SceneRun run   = run_dam(dam(1e14, highest, 10), n);
-  ASSERT_EQ(run.exit_code, 0);
-  EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
-  const NavierWithCrack navier(n, base);
-  bool cracked = false;
-  for (unsigned int i = 1; i <= 10; ++i)
+  std::array<std::size_t, 2> cracks{};
+  for (const bool from_tip : {false, true})
     {
-      const double t = 1. + i / 10., h = highest * i / 10., M = moment_of_thrust(h);
-      const std::size_t m    = navier.crack(weight, M, water * h);
-      const auto expected    = navier.pressures(weight, M, water * h, m);
-      const Vector pressures = run.values("pressure", t),
-                   in_joint  = run.values("water_pressure", t);
-      const double largest   = *std::max_element(expected.begin(), expected.end());
-      double uplift          = 0.;
-      for (std::size_t k = 0; k <= n; ++k)
+      SCOPED_TRACE(from_tip ? "from the crack tip" : "over the joint");
+      nlohmann::ordered_json scene = dam(1e14, highest, 10);
+      if (from_tip)
+        scene["Loads"]["uplift"].erase("Profile from"); // the default
+      const SceneRun run = run_dam(scene, n);
+      ASSERT_EQ(run.exit_code, 0);
+      EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
+      NavierWithCrack navier(n, base);
+      navier.from_tip = from_tip;
+      for (unsigned int i = 1; i <= 10; ++i)
         {
-          EXPECT_NEAR(pressures[k], k < m ? 0. : expected[k], 1e-9 * largest) << h << " " << k;
-          const double u = water * h * (k < m ? 1. : navier.closed[k] / navier.area[k]);
-          EXPECT_NEAR(in_joint[k], u, 1e-12 * water * h) << h << " " << k;
-          uplift += u * navier.area[k];
+          const double t = 1. + i / 10., h = highest * i / 10., M = moment_of_thrust(h);
+          const std::size_t m    = navier.crack(weight, M, water * h);
+          const auto expected    = navier.pressures(weight, M, water * h, m);
+          const auto unit        = navier.water(m);
+          const Vector pressures = run.values("pressure", t),
+                       in_joint  = run.values("water_pressure", t);
+          const double largest   = *std::max_element(expected.begin(), expected.end());
+          double uplift          = 0.;
+          for (std::size_t k = 0; k <= n; ++k)
+            {
+              EXPECT_NEAR(pressures[k], k < m ? 0. : expected[k], 1e-9 * largest) << h << " " << k;
+              const double u = water * h * unit[k] / navier.area[k];
+              EXPECT_NEAR(in_joint[k], u, 1e-12 * water * h) << h << " " << k;
+              uplift += u * navier.area[k];
+            }
+          if (from_tip) // p L [s + (1 - s)/2] of the codes
+            {
+              const double s = m == 0 ? 0. : (static_cast<double>(m) - 0.5) / n;
+              EXPECT_NEAR(uplift, water * h * base * (s + (1. - s) / 2.), 1e-12 * weight);
+            }
+          EXPECT_NEAR(run.resultant("water", t), uplift, 1e-12 * weight);
+          EXPECT_NEAR(run.resultant("N", t), uplift - weight, 1e-10 * weight);
+          EXPECT_NEAR(run.resultant("T", t), water * h * h / 2., 1e-10 * weight);
+          cracks[from_tip] = std::max(cracks[from_tip], m);
         }
-      EXPECT_NEAR(run.resultant("water", t), uplift, 1e-12 * weight);
-      EXPECT_NEAR(run.resultant("N", t), uplift - weight, 1e-10 * weight);
-      EXPECT_NEAR(run.resultant("T", t), water * h * h / 2., 1e-10 * weight);
-      cracked |= m > 0;
     }
-  EXPECT_TRUE(cracked);
+  EXPECT_GT(cracks[0], 0u);
+  EXPECT_GT(cracks[1], cracks[0]);
 }
 
-// The checks by hand of doc/examples/dam.md: equilibrium of the dam, with the pressure diagram of
-// the closed base and what the two open faces at the heel and a sixth of the third one have in
-// addition.
+// The checks by hand of doc/examples/dam.md: equilibrium of the dam, with full pressure in the
+// crack up to its tip (five sixths into the third face, where the tributary length of its middle
+// node ends), and from there to the drain and the toe.
 TEST(UpliftScene, ExampleDam)
 {
   const SceneRun run = run_scene("dam.prm");
   ASSERT_EQ(run.exit_code, 0);
-  ASSERT_EQ(run.count("open", 2.), 5u);
+  ASSERT_EQ(run.count("open", 2.), 6u);
   const double W = 24. * 11. * 30., arm = 9. - (2880. * 2. + 5040. * (4. + 14. / 3.)) / W;
   EXPECT_NEAR(run.resultant("N", 1.), -W, 1e-10 * W);
   EXPECT_NEAR(run.resultant("M", 1.), -W * arm, 1e-10 * W * arm);
-  const double h = 28., u = 9.81 * h, drain = 0.5 * (1. - 3. / 18.) * u, slope = (u - drain) / 3.;
-  const double node  = slope * 2. / 6.;
-  const double water = 3. * (u + drain) / 2. + 15. * drain / 2. + slope * 2. + node;
-  const double about_heel =
-    u * 4.5 - slope * 9. + 15. * drain / 2. * 8. + slope * 8. / 3. + node * 2.;
+  const double h = 28., u = 9.81 * h, tip = 2. + 5. / 6., fall = 3. - tip;
+  const double drain      = 0.5 * (1. - fall / (18. - tip)) * u;
+  const double water      = u * tip + fall * (u + drain) / 2. + 15. * drain / 2.;
+  const double about_heel = u * tip * tip / 2. + fall * tip * (u + drain) / 2. +
+                            fall * fall * (u / 6. + drain / 3.) + 15. * drain / 2. * 8.;
   const double M = -W * arm + 9.81 * h * h * h / 6. + 9. * water - about_heel;
   EXPECT_NEAR(run.resultant("water", 2.), water, 1e-9 * W);
   EXPECT_NEAR(run.resultant("N", 2.), water - W, 1e-9 * W);

@@ -38,6 +38,10 @@ namespace fuga
   class JointGeometry;
   template <int dim>
   class RigidPieces;
+  template <int dim>
+  class JointWaterModel;
+  template <int dim>
+  class UpliftAssembly;
   struct SymmetricTriplets;
   class InteriorSolver;
   class IterativeSolver;
@@ -132,13 +136,14 @@ namespace fuga
       return motion_loads;
     }
 
-    const DenseMatrix &
-    opening_water() const override
-    {
-      return water_of_open;
-    }
+    const WaterInJoints *
+    water_in_joints() const override;
 
-    /** Water on closed elements: n_bars x n_patterns [MN]; empty without water. */
+    /** One line per uplift and way of its water. */
+    std::vector<std::string>
+    ways_of_water() const;
+
+    /** Water in the closed joint: n_bars x n_patterns [MN]; empty without water. */
     const DenseMatrix &
     closed_water() const
     {
@@ -383,7 +388,14 @@ namespace fuga
     /** If the program had to choose. */
     std::optional<SolverEstimate> estimate;
 
-    DenseMatrix S, F, E, motions, motion_loads, water_of_open, water_of_closed;
+    /** The assembly of load @p number, which is an uplift. */
+    const UpliftAssembly<dim> &
+    uplift(const std::size_t number) const;
+
+    DenseMatrix S, F, E, motions, motion_loads, water_of_closed;
+    /** By number of load; made when first asked for. */
+    mutable std::vector<std::unique_ptr<UpliftAssembly<dim>>> uplifts;
+    std::unique_ptr<JointWaterModel<dim>> water;
     /** The interface coordinates of the rigid motions. */
     DenseMatrix motion_coordinates;
     std::vector<LoadPattern> patterns;

@@ -6,15 +6,22 @@
 
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/model_definition.h>
+#include <fuga/bodies/water_line.h>
 
 namespace fuga
 {
-  /** The level of a depth pressure as a function of the load time. */
+  /** A level as a function of the load time. */
   class LevelHistory
   {
   public:
-    /** @p load must outlive this object. @throws InputError, as evaluation does. */
+    /** The level of a depth pressure, or of the reservoir of an uplift; @p load must outlive this
+     * object. @throws InputError, as evaluation does. */
     LevelHistory(const LoadDefinition &load, const std::map<std::string, double> &constants);
+
+    /** @p level, of that @p load, must outlive this object. */
+    LevelHistory(const LevelDefinition &level,
+                 const LoadDefinition &load,
+                 const std::map<std::string, double> &constants);
 
     double
     operator()(const double t) const;
@@ -29,13 +36,19 @@ namespace fuga
     is_piecewise_linear(const double begin, const double end) const;
 
   private:
-    const DepthPressure &depth;
+    const LevelDefinition &definition;
     mutable FieldExpression<2> expression;
   };
 
-  /** Whether the level of @p depth is not the same at all times. */
+  /** Both levels of an uplift at load time @p t. @throws InputError */
+  WaterLevels
+  levels_of_water(const LoadDefinition &load,
+                  const std::map<std::string, double> &constants,
+                  const double t);
+
+  /** Whether a level is not the same at all times. */
   bool
-  level_changes(const DepthPressure &depth);
+  level_changes(const LevelDefinition &level);
 } // namespace fuga
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <fuga/base/dense_matrix.h>
 #include <fuga/bodies/discretization.h>
+#include <fuga/bodies/water_line.h>
 
 namespace fuga
 {
@@ -19,9 +20,13 @@ namespace fuga
     Vector forces;
     /** Displacements of held degrees of freedom; empty if nothing is moved. */
     Vector prescribed;
-    /** For water in joints, per bar: forces that press the lips apart, in closed elements (`forces`
-     * contains them) and in addition where an element opens. Empty for other loads. */
+    /** For water in joints, per bar: forces that press the two sides apart, in the closed joint
+     * (`forces` contains them), and in addition if all of it were a crack from the reservoir. Empty
+     * for other loads, the latter also if water does not follow the opening. */
     Vector closed_water = {}, opening_water = {};
+    /** Of water that follows the opening: the number of the load, and both levels. */
+    std::size_t number_of_load = 0;
+    WaterLevels levels         = {};
     /** Imposed jumps of the bars [m]; empty if there are none. */
     Vector jumps = {};
   };

@@ -41,9 +41,10 @@ namespace fuga
               const bool straight) const;
 
   private:
-    /** Adds the knots of the level of load @p number between load times @p begin and begin + 1. */
+    /** Adds the knots of @p level of load @p number between load times @p begin and begin + 1. */
     void
     add_level_knots(const unsigned int number,
+                    const LevelDefinition &level,
                     const double begin,
                     const FactorCourse course,
                     std::vector<double> &special,

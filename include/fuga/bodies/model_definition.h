@@ -83,6 +83,15 @@ namespace fuga
     imposed_gap
   };
 
+  /** The height of a surface of water as a function of the load time. */
+  struct LevelDefinition
+  {
+    /** Points (load time, level), linear in between and constant outside; times increase. */
+    std::vector<std::array<double, 2>> level_table;
+    /** If the table is empty: muParser expression of the load time t. */
+    std::string level;
+  };
+
   /**
    * Pressure of water or earth, normal to the boundary and towards the body:
    *
@@ -92,12 +101,8 @@ namespace fuga
    * p₀ = K q with the surcharge q; the water that an earthquake moves r = 7/8 k γ (H. M.
    * Westergaard, Water pressures on dams during earthquakes, Trans. ASCE 98, 1933).
    */
-  struct DepthPressure
+  struct DepthPressure : LevelDefinition
   {
-    /** Points (load time, level), linear in between and constant outside; times increase. */
-    std::vector<std::array<double, 2>> level_table;
-    /** If the table is empty: muParser expression of the load time t. */
-    std::string level;
     /** p₀ [MPa]. */
     double surcharge = 0.;
     /** γ [MN/m³]. */
@@ -109,29 +114,42 @@ namespace fuga
   };
 
   /**
-   * Water in a joint between a reservoir, whose level is that of a DepthPressure with γ, and the
-   * other end of the joint. Where the joint is closed, at the share s of the straight way from the
-   * upstream end,
+   * Water in joints between a reservoir, whose level is that of a DepthPressure with γ, and the
+   * other end of the joints. Joints that meet are one way of the water. Where the joint is closed,
+   * at the share s of the way,
    *
    *   u = u_d + φ(s) (u_u - u_d),
    *
-   * with the pressures u_u, u_d of the depth below both levels at the ends. Where it is open, the
-   * pressure is that of the reservoir: of the depth below its level, if this is more.
+   * with the pressures u_u, u_d of the depth below both levels at the ends of the way, or at the
+   * tips of the cracks that are connected with reservoir and tailwater. In these cracks the
+   * pressure is that of the depth below the level of the one with which they are connected.
    */
   struct Uplift
   {
-    /** Which end of a joint is the one in the reservoir: the extreme one in this direction. */
-    enum class End
+    /** Where s is counted from. */
+    enum class ProfileFrom
     {
-      left,
-      right,
-      bottom,
-      top
+      /** From the tip of the crack that is connected with the reservoir to the tip of the one that
+       * is connected with the tailwater: codes of practice. */
+      crack_tip,
+      /** From one end of the joint to the other, however long the cracks are; no pressure of an
+       * element of a crack from the reservoir is less than if it were closed. */
+      joint
     };
 
-    End upstream_end   = End::left;
-    bool has_tailwater = false;
-    double tailwater   = 0.;
+    /** What a line of drains does that the crack has passed. */
+    enum class Drains
+    {
+      lost,
+      kept
+    };
+
+    ProfileFrom profile_from  = ProfileFrom::crack_tip;
+    Drains drains_after_crack = Drains::lost;
+    /** Horizontal or vertical direction from the upstream end to the other one. */
+    std::array<double, 3> flow = {{1., 0., 0.}};
+    bool has_tailwater         = false;
+    LevelDefinition tailwater  = {};
     /** φ: points (s, φ), from s = 0 to 1, increasing; linear in between. */
     std::vector<std::array<double, 2>> profile = {{{0., 1.}}, {{1., 0.}}};
     /** A drain at this distance from the upstream end [m], if positive, lowers the linear φ there
@@ -220,6 +238,8 @@ namespace fuga
     double largest_factor = 1.;
     /** Of a load factor: the loads that grow. */
     std::vector<unsigned int> increased_loads = {};
+    /** The water in joints does not follow their opening. */
+    bool keeps_water = false;
     /** Joints whose gaps are filled, without stress, at the beginning. */
     std::vector<std::string> grouted_joints = {};
   };

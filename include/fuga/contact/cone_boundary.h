@@ -58,6 +58,15 @@ namespace fuga
       return std::max(scales.force_tolerance(bar), smallest_tolerance);
     }
 
+    Vector
+    all_force_tolerances() const
+    {
+      Vector result = scales.all_force_tolerances();
+      for (double &tolerance : result)
+        tolerance = std::max(tolerance, smallest_tolerance);
+      return result;
+    }
+
     /** Force below which the strength of an element, or its distance from it, is zero [MN]. */
     double
     strength_tolerance(const std::size_t element) const;

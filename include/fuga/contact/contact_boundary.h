@@ -78,6 +78,12 @@ namespace fuga
       return force_tolerances[bar];
     }
 
+    const Vector &
+    all_force_tolerances() const
+    {
+      return force_tolerances;
+    }
+
     /** Gap that counts as closed [m]. */
     double
     gap_tolerance() const

@@ -132,6 +132,17 @@ namespace fuga
                    const double no_force,
                    JointState &state) const;
 
+    /**
+     * Lets the water in joints follow the states of the elements, unless it stands still in this
+     * stage; see renew_water(). @p no_force: what counts as no force [MN], per bar. Whether
+     * anything changed: then the water changes at this load, before the load goes on.
+     */
+    bool
+    let_water_follow(const Vector &no_force,
+                     JointState &state,
+                     PathObserver &observer,
+                     PathResult &result);
+
     /** Counts and reports events at one load. */
     static void
     report(const std::vector<ContactEvent> &events,

@@ -4,7 +4,7 @@
 #ifndef fuga_contact_contact_system_h
 #define fuga_contact_contact_system_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/contact/water_in_joints.h>
 
 namespace fuga
 {
@@ -94,17 +94,12 @@ namespace fuga
     virtual const DenseMatrix &
     rigid_motion_loads() const = 0;
 
-    /**
-     * Water that comes in where the lips part: the force ω(t) = opening_water() a(t) ≥ 0 that
-     * presses the lips of an open element apart, beyond what load_patterns() contain; n_bars x
-     * n_patterns, zero for tangential bars [MN]. In equilibrium S x + Bᵀ (p - ω) = F a, with ω in
-     * open elements only. An empty matrix: no joint has water.
-     */
-    virtual const DenseMatrix &
-    opening_water() const
+    /** The water in the joints, whose forces ω depend on which elements are open: in equilibrium
+     * S x + Bᵀ (p - ω) = F a. nullptr: no joint has water that follows its opening. */
+    virtual const WaterInJoints *
+    water_in_joints() const
     {
-      static const DenseMatrix none;
-      return none;
+      return nullptr;
     }
   };
 } // namespace fuga

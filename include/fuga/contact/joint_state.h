@@ -6,6 +6,7 @@
 
 #include <fuga/base/dense_matrix.h>
 #include <fuga/base/fields.h>
+#include <fuga/contact/water_in_joints.h>
 #include <fuga/laws/contact_state.h>
 #include <fuga/laws/friction_law.h>
 
@@ -33,12 +34,16 @@ namespace fuga
      * is unloaded at constant load, not at once.
      */
     Vector unreleased;
-    /** Forces ω [MN] with which water that came in presses the lips of each bar apart, beyond what
-     * acts on closed elements; `forces` are those that the lips transmit. Empty without water. */
+    /** Where the water in each element comes from. This and the next three are empty without
+     * water. */
+    std::vector<WaterAccess> access;
+    /** Forces ω [MN] with which water presses the two sides of each bar apart, beyond what acts in
+     * the closed joint; `forces` are those that the sides transmit. */
     Vector water;
-    /** What the water must still grow by, at constant load, after a change of state [MN]: to the
-     * full pressure in an open element, to zero in a closed one. */
+    /** What the water must still grow by, at constant load, after a change of access [MN]. */
     Vector missing_water;
+    /** What isolated elements have kept, beyond what seepage would give them [MN]. */
+    Vector kept_water;
 
     /** The load has to stand still until all this is given up. */
     bool
@@ -60,8 +65,10 @@ namespace fuga
            dilations,
            strengths,
            unreleased,
+           access,
            water,
-           missing_water] = state;
+           missing_water,
+           kept_water] = state;
     visit("t", t);
     visit("states", states);
     visit("forces", forces);
@@ -70,8 +77,10 @@ namespace fuga
     visit("dilations", dilations);
     visit("strengths", strengths);
     visit("unreleased", unreleased);
+    visit("access", access);
     visit("water", water);
     visit("missing_water", missing_water);
+    visit("kept_water", kept_water);
   }
 
   /** How a JointState changes per unit of the path parameter. */

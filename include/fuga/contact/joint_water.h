@@ -10,46 +10,45 @@
 namespace fuga
 {
   /*
-   * Water pressure in joints that follows the opening (doc/theory.md, section 12). An element is
-   * wet while it is open; the water ω = q(t) - missing that presses its lips apart is a load on the
-   * joint. A change of state leaves ω as it is, so that what it should become is missing; that
-   * fades at constant load like the strength of a broken bond. All of these functions do nothing if
-   * no joint has water.
+   * Water pressure in joints that follows the opening (doc/theory.md, section 12). The water
+   * ω = q - missing + kept that presses the two sides of an element apart is a load on the joint;
+   * q(t) is what belongs to the present access of the water to all elements. A change of access
+   * leaves ω as it is, so that what it should become is missing; that fades at constant load like
+   * the strength of a broken bond. What an isolated element has kept does not fade. All of these
+   * functions do nothing if no joint has water.
    */
 
-  /** ω at the load factors @p factors: all of it in open elements, none in closed ones, less what
-   * is missing. */
+  /** Whether a crack may lower the pressure of the elements behind its tip. */
+  enum class WaterRelief
+  {
+    allowed,
+    /** Not once a contact configuration came back at the same load: relief may close a crack, and
+     * the closed crack fill again. */
+    refused
+  };
+
+  /** Sets ω at the load factors @p factors. */
   void
-  set_water(const std::vector<ContactElement> &elements,
-            const LayeredSystem &system,
-            const Vector &factors,
-            JointState &state);
+  set_water(const LayeredSystem &system, const Vector &factors, JointState &state);
 
   /**
-   * What element @p k misses after a change of its state: the water stays what it was.
-   * @p no_force: what counts as no force [MN].
+   * Lets the water follow the states of the elements, without changing ω. An open element that is
+   * connected with the reservoir is filled by it, one that is connected with the tailwater only by
+   * that; a connection that would lower the pressure counts only behind the tip of the crack, where
+   * all neighbours are open too, so that the tip cannot open and close for ever.
+   * @p no_force: what counts as no force [MN], per bar. Returns the elements whose access changed.
    */
-  void
-  keep_water(const ContactElement &element,
-             const std::size_t k,
-             const LayeredSystem &system,
-             const Vector &factors,
-             const double no_force,
-             JointState &state);
+  std::vector<std::size_t>
+  renew_water(const std::vector<ContactElement> &elements,
+              const LayeredSystem &system,
+              const Vector &factors,
+              const Vector &no_force,
+              const WaterRelief relief,
+              JointState &state);
 
-  /** Some element with water was opened or closed since it had the states @p before: its water now
-   * follows the load in another way. */
-  bool
-  water_has_changed(const std::vector<ContactElement> &elements,
-                    const LayeredSystem &system,
-                    const std::vector<ContactState> &before,
-                    const JointState &state);
-
-  /** Adds the reactions to the rates of the water, ω̇ = q̇ in open elements, less the rate of what is
-   * missing. */
+  /** Adds the reactions to the rates of the water, ω̇ = q̇, less the rate of what is missing. */
   void
-  add_water_rates(const std::vector<ContactElement> &elements,
-                  const LayeredSystem &system,
+  add_water_rates(const LayeredSystem &system,
                   const JointState &state,
                   const Vector &factor_rates,
                   Drive &drive);

@@ -83,11 +83,11 @@ namespace fuga
       return compliances[bar];
     }
 
-    /** ContactSystem::opening_water(). */
-    const DenseMatrix &
-    opening_water() const
+    /** ContactSystem::water_in_joints(). */
+    const WaterInJoints *
+    water_in_joints() const
     {
-      return Q;
+      return bodies.water_in_joints();
     }
 
     /**
@@ -144,7 +144,6 @@ namespace fuga
     Vector compliances;
     DenseMatrix W;
     DenseMatrix R;
-    DenseMatrix Q;
     double largest = 0.;
     Vector scales;
   };

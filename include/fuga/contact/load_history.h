@@ -6,6 +6,8 @@
 
 #include <fuga/base/dense_matrix.h>
 
+#include <array>
+
 namespace fuga
 {
   /**
@@ -57,6 +59,13 @@ namespace fuga
     Vector
     rates(const double t) const;
 
+    /** From @p begin to @p end, both corners, the water in joints does not follow their opening. */
+    void
+    keep_water_still(const double begin, const double end);
+
+    bool
+    water_stands_still(const double t) const;
+
     /** Share of strength that a strength reduction leaves: linear between corners. */
     double
     strength_share(const double t) const;
@@ -71,6 +80,7 @@ namespace fuga
     std::vector<double> corners;
     std::vector<Vector> values;
     Vector shares;
+    std::vector<std::array<double, 2>> times_of_still_water;
   };
 } // namespace fuga
 

@@ -6,6 +6,8 @@
 
 #include <fuga/contact/path_segment.h>
 
+#include <array>
+
 namespace fuga
 {
   /** One change of the working scheme. */
@@ -17,6 +19,18 @@ namespace fuga
     ContactState to     = ContactState::stick;
     /** Continuations known at this load: 1 unless friction is beyond critical. */
     std::size_t n_branches = 1;
+    /** Where the water came from and comes from, if this event is a connection of an open element
+     * with reservoir or tailwater that comes or goes; else the same twice. */
+    std::array<WaterAccess, 2> water = {{WaterAccess::seepage, WaterAccess::seepage}};
+
+    /** The words before and after it in every output. */
+    std::array<std::string_view, 2>
+    names() const
+    {
+      if (water[0] != water[1])
+        return {{access_name(water[0]), access_name(water[1])}};
+      return {{state_name(from), state_name(to)}};
+    }
   };
 
   /** Receives the path as it is found. All calls come in the order of the load time. */

@@ -30,6 +30,16 @@ namespace fuga
   std::vector<BoundaryCondition>
   read_boundaries(const ParameterValues &values, const unsigned int dimension);
 
+  /** The numbers of "1, 2.5"; none if the text is not a list of numbers only. */
+  std::vector<double>
+  read_coordinates(const std::string &text);
+
+  /** A level: a number, an expression of the load time or a table. @throws InputError */
+  LevelDefinition
+  read_level(const ParameterSection &section,
+             const std::string &entry,
+             const std::map<std::string, double> &constants);
+
   /** The entries of a load that depends on the depth below a level. @throws InputError */
   DepthPressure
   read_depth_pressure(const ParameterSection &section,
@@ -42,7 +52,7 @@ namespace fuga
 
   /** The entries of water in joints but for those of its level. @throws InputError */
   Uplift
-  read_uplift(const ParameterSection &section);
+  read_uplift(const ParameterSection &section, const ModelDefinition &model);
 
   /** The coefficients of a seismic load as the force per weight along every axis, expressions of a
    * weight. @throws InputError */
