@@ -129,8 +129,8 @@ namespace fuga
     append(columns, place_of_element<EventRow>(u));
     append(
       columns,
-      {{"from", "", [](const EventRow &row) { return std::string(state_name(row.event.from)); }},
-       {"to", "", [](const EventRow &row) { return std::string(state_name(row.event.to)); }},
+      {{"from", "", [](const EventRow &row) { return std::string(row.event.names()[0]); }},
+       {"to", "", [](const EventRow &row) { return std::string(row.event.names()[1]); }},
        certificate<EventRow>(),
        {"continuations", "", [](const EventRow &row) { return row.event.n_branches; }},
        path_length<EventRow>(u)});

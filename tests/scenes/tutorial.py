@@ -7,6 +7,7 @@ compares what it prints with what comes; its table with the results; its arithme
 usage: tutorial.py FUGA
 """
 import csv
+import json
 import math
 import pathlib
 import re
@@ -76,6 +77,50 @@ def check_levels(text, folder):
     check(f"from {safety:.2f} to 1" in text.replace("\n", " "), f"sliding safety without crack {safety}")
 
 
+def limit_of_beam_theory(from_tip):
+    """Level and crack at which a no-tension base slides: a straight pressure diagram over three times the distance of
+    the resultant from the toe, and full pressure in the crack over the rest."""
+    def base(h):
+        head, crack = 10 * h, 0.0
+        for _ in range(5000):
+            closed = 13 - crack
+            end = head if from_tip else head * closed / 13  # of the pressure at the tip, in the closed part
+            uplift = head * crack + end * closed / 2
+            about_heel = head * crack**2 / 2 + end * closed / 2 * (crack + closed / 3)
+            force = 3840 + 0.5 * h**2 - uplift
+            moment = 24 * (20 * 4 / 3 + 60 * 3.5 + 80 * 23 / 3) + 0.5 * h**2 * h / 30 + 5 * h**3 / 3 - about_heel
+            if moment / force >= 13:
+                return None
+            crack, last = max(0.0, 13 - 3 * (13 - moment / force)), crack
+            if abs(crack - last) < 1e-12:
+                break
+        return force, crack
+    low, high = 10.0, 20.0
+    while high - low > 1e-9:
+        middle = 0.5 * (low + high)
+        state = base(middle)
+        low, high = (middle, high) if state and 0.75 * state[0] > 5 * middle**2 else (low, middle)
+    return low, base(low)[1]
+
+
+def check_rules(text, shell):
+    """The table of both rules of uplift against beam theory, and the lengths of the cracks."""
+    rows = re.findall(r"^\| .*\| (\d+\.\d\d) m \| (\d+\.\d\d) m \|$", text, re.M)
+    check(len(rows) == 2, f"{len(rows)} rows of rules")
+    level = '"Loads/{}/Level=1: 0; 2: 20"'
+    shell.run(f"fuga dam.prm --quiet --output-dir results/joint --set {level.format('water')} "
+              f"--set {level.format('uplift')} --set \"Loads/uplift/Profile from=joint\" || true")
+    for (beam, program), run, from_tip in zip(rows, ("crest", "joint"), (True, False)):
+        expected, crack = limit_of_beam_theory(from_tip)
+        check(f"{expected:.2f}" == beam, f"beam theory slides at {expected}, not {beam}")
+        summary = json.loads((shell.folder / "results" / run / "summary.json").read_text(encoding="utf-8"))
+        slides = 20 * (summary["limit_load"]["t"] - 1)
+        check(f"{slides:.2f}" == program, f"the program slides at {slides}, not {program}")
+        if from_tip:
+            own = float(rows_of(shell.folder / "results" / run / "resultants.csv")[-1]["cracked_length"])
+            check(f"({own:.2f} m at its limit, against {crack:.2f} m)" in text, f"cracks {own}, {crack}")
+
+
 def main():
     words = BLOCK.sub("", TEXT)
     check_arithmetic(words)
@@ -86,6 +131,7 @@ def main():
         if not check.complaints:
             check_table(words, shell.folder)
             check_levels(words, shell.folder)
+            check_rules(words, shell)
             for file in ("tutorial.png", "results/dam/report.html", "results/dam/results.png"):
                 check((shell.folder / file).stat().st_size > 10000, f"{file} is empty")
     sys.exit(check.exit_code())
