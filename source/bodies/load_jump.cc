@@ -24,7 +24,8 @@ namespace fuga
         text +=
           fmt::format(", the first one of the table, which begins only at {:g}", table.front()[0]);
       if (load.uplift.has_tailwater)
-        text += fmt::format(", and the tailwater stands at {:g}", load.uplift.tailwater);
+        text += fmt::format(", and the tailwater stands at {:g}",
+                            LevelHistory(load.uplift.tailwater, load, constants)(t));
       return text + ": what lies below is loaded at once. ";
     }
 
