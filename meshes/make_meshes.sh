@@ -27,6 +27,7 @@ make_mesh msh41 crack.msh crack.geo
 make_mesh msh41 cross.msh cross.geo
 make_mesh msh41 wall.msh wall.geo
 make_mesh msh41 dam.msh dam.geo
+make_mesh msh41 high_dam.msh high_dam.geo
 make_mesh msh41 footing.msh footing.geo
 make_mesh msh41 arch.msh arch.geo
 make_mesh msh41 pier.msh pier.geo
