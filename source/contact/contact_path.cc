@@ -19,6 +19,9 @@ namespace fuga
   {
     /** Steps shorter than this share of the load time do not count as progress. */
     constexpr double shortest_step = 1e-13;
+    /** How often contact configurations may come back at one load before water that leaves waits.
+     */
+    constexpr std::size_t returns_before_water_waits = 3;
 
     Vector
     negative(const Vector &x)
@@ -207,6 +210,9 @@ namespace fuga
   }
 
   // A connection that comes or goes without any element changing its state is an event as well.
+  // Where water that leaves a crack closes it, and the water of the closed crack opens it again, no
+  // state of both is consistent: such a change waits until the load has gone on. Water of the
+  // reservoir never waits.
   bool
   ContactPath::let_water_follow(const Vector &no_force,
                                 JointState &state,
@@ -218,10 +224,16 @@ namespace fuga
     const auto relief =
       standstill.n_repetitions() == 0 ? WaterRelief::allowed : WaterRelief::refused;
     const std::vector<WaterAccess> before = state.access;
+    JointState next                       = state;
     const std::vector<std::size_t> changed =
-      renew_water(elements, system, history.factors(state.t), no_force, relief, state);
-    if (changed.empty())
+      renew_water(elements, system, history.factors(state.t), no_force, relief, next);
+    const auto is_filled = [&next](const std::size_t k) {
+      return next.access[k] == WaterAccess::upstream;
+    };
+    if (changed.empty() || (standstill.n_repetitions() > returns_before_water_waits &&
+                            std::none_of(changed.begin(), changed.end(), is_filled)))
       return false;
+    state = std::move(next);
     std::vector<ContactEvent> events;
     for (const std::size_t k : changed)
       if (before[k] != WaterAccess::seepage && state.access[k] != WaterAccess::seepage)
