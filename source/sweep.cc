@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/io/joint_resultant.h>
@@ -291,10 +292,21 @@ namespace fuga
     Table<SweepRow> table(parameters.output.directory + "/sweep.csv", sweep_columns(model));
     table.publish(true);
     say_header();
-    bool any_failed = false;
+    bool any_failed     = false;
+    const auto next_row = [&](const std::size_t i) {
+      try
+        {
+          return run_variant(parameters.variants[i]);
+        }
+      catch (const Interrupted &)
+        {
+          table.publish(true); // all rows before this one
+          throw;
+        }
+    };
     for (std::size_t i = 0; i < parameters.variants.size(); ++i)
       {
-        SweepRow row = run_variant(parameters.variants[i]);
+        SweepRow row = next_row(i);
         row.number   = i + 1;
         table.add(row);
         table.publish(false);

@@ -143,6 +143,19 @@ namespace fuga
       return factors;
     }
 
+    /** These factors, with the stages in which water in joints does not follow their opening. */
+    LoadHistory
+    history_of(const ModelDefinition &model,
+               const std::vector<double> &corners,
+               std::vector<Vector> values)
+    {
+      LoadHistory history(corners, std::move(values));
+      for (std::size_t s = 0; s < model.stages.size(); ++s)
+        if (model.stages[s].keeps_water)
+          history.keep_water_still(static_cast<double>(s), static_cast<double>(s + 1));
+      return history;
+    }
+
     template <int dim>
     LoadKnots
     make_knots(const ModelDefinition &model, const CondensedSystem<dim> &system)
@@ -166,7 +179,7 @@ namespace fuga
     std::vector<std::string> unused;
     const LoadKnots knots(model, std::vector<std::vector<double>>(model.loads.size()));
     const LoadFactors factors = evaluate_stages<dim>(model, knots, unused);
-    return {factors.corners, factors.values};
+    return history_of(model, factors.corners, factors.values);
   }
 
   template <int dim>
@@ -182,15 +195,11 @@ namespace fuga
     for (std::size_t s = 0; s < model.stages.size(); ++s)
       for (unsigned int i = 1; i <= model.stages[s].levels; ++i)
         levels.push_back(static_cast<double>(s) + static_cast<double>(i) / model.stages[s].levels);
-    LoadHistory history(factors.corners, std::move(loads.values));
-    for (std::size_t s = 0; s < model.stages.size(); ++s)
-      if (model.stages[s].keeps_water)
-        history.keep_water_still(static_cast<double>(s), static_cast<double>(s + 1));
     for (const std::string &line : system.ways_of_water())
       report.push_back(line);
     return {std::move(loads.patterns),
             std::move(loads.sources),
-            std::move(history),
+            history_of(model, factors.corners, std::move(loads.values)),
             std::move(levels),
             std::move(report),
             LoadHistory(factors.corners, factors.values),
