@@ -45,10 +45,14 @@ namespace fuga
     read_flow(const ParameterSection &section, const unsigned int dimension)
     {
       const bool by_name = section.given("Upstream end");
-      if (by_name == section.given("Flow direction"))
-        section.fail(by_name ? "Flow direction" : "Upstream end",
-                     "the direction of the water is not known, or given twice. Write either "
-                     "'Upstream end' or, in space, 'Flow direction'.");
+      if (!by_name && !section.given("Flow direction"))
+        section.fail("'Upstream end' is missing, which a load of type uplift needs: the end of the "
+                     "joint that lies in the reservoir. Write it, or, in space, 'Flow direction'.");
+      if (by_name && section.given("Flow direction"))
+        section.fail("Flow direction",
+                     fmt::format("the direction of the water is known from the upstream end ({}). "
+                                 "Remove one of the two.",
+                                 section.origin("Upstream end")));
       std::array<double, 3> flow = {{0., 0., 0.}};
       if (!by_name)
         {

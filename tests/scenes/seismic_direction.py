@@ -115,7 +115,7 @@ def last_row(folder, degrees, horizontal, direction):
     check(run.returncode == 0, f"{degrees} degrees: exit code {run.returncode} {run.stderr}")
     with open(folder / "results" / "resultants.csv", newline="", encoding="utf-8") as file:
         row = list(csv.DictReader(file))[-1]
-    return {key.split("[")[0]: float(value) for key, value in row.items() if key != "joint" and value}
+    return {key.split("[")[0]: float(value) for key, value in row.items() if key not in ("joint", "driven_by") and value}
 
 
 def main():

@@ -59,7 +59,8 @@ TEST_P(Shipped, RunsAndIsCertified)
   for (std::size_t r = 0; r < run.resultants.rows.size(); ++r)
     EXPECT_LE(run.resultants.number(r, "certificate"), 1e-9) << r;
 
-  const std::vector<std::string> events = {"event",
+  const std::vector<std::string> driven = {"driven_by", "drive"};
+  std::vector<std::string> events       = {"event",
                                            "t",
                                            "stage",
                                            "stage_fraction",
@@ -77,9 +78,12 @@ TEST_P(Shipped, RunsAndIsCertified)
          "t",     "joint", "element", "x",      "y",        "z",       "area",
          "state", "N",     "T1",      "T2",     "pressure", "shear1",  "shear2",
          "gap",   "slip1", "slip2",   "jump_n", "jump_t1",  "jump_t2", "path_length"};
-  const bool in_space = GetParam() == "dam_block_3d.prm";
-  if (GetParam() == "dam.prm" || in_space)
+  const bool in_space  = GetParam() == "dam_block_3d.prm";
+  const bool has_water = GetParam() == "dam.prm" || GetParam() == "high_dam.prm" || in_space;
+  if (has_water)
     history.push_back("water_pressure");
+  events.insert(events.end(), driven.begin(), driven.end());
+  history.insert(history.end(), driven.begin(), driven.end());
   EXPECT_EQ(names_without_units(run.events), events);
   EXPECT_EQ(names_without_units(run.history), history);
   std::vector<std::string> resultants = {"t",
@@ -124,8 +128,9 @@ TEST_P(Shipped, RunsAndIsCertified)
                                "t1_y",
                                "t1_z"})
       resultants.push_back(column);
-  if (GetParam() == "dam.prm" || in_space)
+  if (has_water)
     resultants.push_back("water");
+  resultants.insert(resultants.end(), driven.begin(), driven.end());
   EXPECT_EQ(names_without_units(run.resultants), resultants);
 }
 
