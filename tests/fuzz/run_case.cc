@@ -49,10 +49,13 @@ namespace fuga::fuzz
     void
     run_model(const Parameters &parameters, const Reach reach, CaseResult &result)
     {
-      const Model<dim> model(parameters);
       if (reach != Reach::run || !is_small_run(parameters))
-        return;
-      result.was_run   = true;
+        {
+          const Model<dim> checked(parameters, {}, Condensation::never); // as fuga --check does
+          return;
+        }
+      result.was_run = true;
+      const Model<dim> model(parameters);
       result.exit_code = static_cast<int>(parameters.variants.empty() ? Simulation<dim>(model).run()
                                                                       : Sweep<dim>(model).run());
     }
@@ -137,6 +140,7 @@ namespace fuga::fuzz
     catch (const InputError &error)
       {
         result.exit_code = 1;
+        result.was_run   = false;
         result.message   = error.what();
         check_message(result);
       }
