@@ -219,7 +219,7 @@ namespace fuga
                                 PathObserver &observer,
                                 PathResult &result)
   {
-    if (history.water_stands_still(state.t))
+    if (system.water_in_joints() == nullptr || history.water_stands_still(state.t))
       return false;
     const auto relief =
       standstill.n_repetitions() == 0 ? WaterRelief::allowed : WaterRelief::refused;
