@@ -17,7 +17,7 @@ namespace fuga
 {
   namespace
   {
-    constexpr unsigned int max_iterations = 3000, basis_size = 200;
+    constexpr unsigned int max_bar_iterations = 3000, basis_size = 200;
     /** What the rest of the bodies leaves of the stiffness of a lip that moves alone, at the
      * wavelengths of the mesh; only the number of iterations depends on it. */
     constexpr double share_of_lip = 0.5;
@@ -195,7 +195,7 @@ namespace fuga
     if (processes::is_first())
       std::copy(r.begin(), r.end(), load.begin() + n);
 
-    dealii::SolverControl control(max_iterations, tolerance * load.l2_norm());
+    dealii::SolverControl control(max_bar_iterations, tolerance * load.l2_norm());
     dealii::SolverGMRES<Work> gmres(
       control,
       dealii::SolverGMRES<Work>::AdditionalData(basis_size, /*right_preconditioning=*/true));
@@ -215,7 +215,7 @@ namespace fuga
         throw NumericalFailure(fmt::format(
           "The bodies with their bars were not solved in {} iterations of GMRES: nothing "
           "may hold them any more, or a layer is much stiffer than the bodies.",
-          max_iterations));
+          max_bar_iterations));
       }
     its_work.n_iterations += control.last_step();
     ++its_work.n_solutions;

@@ -18,9 +18,6 @@ namespace fuga
 {
   namespace
   {
-    /** Lips count as one line if they are this close, relative to the length of a face. */
-    constexpr double matching_tolerance = 1e-5;
-
     template <int dim>
     [[noreturn]] void
     throw_unmatched(const std::string &joint, const dealii::Point<dim> &at, const std::string &lip)

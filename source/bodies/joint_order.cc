@@ -14,7 +14,7 @@ namespace fuga
   namespace
   {
     /** Ends of faces that are closer, relative to the length of a face, are one place. */
-    constexpr double same_place = 1e-5;
+    constexpr double joined_share = 1e-5;
 
     /** Faces as edges of a graph whose nodes are places; removes edges as they are walked. */
     template <int dim>
@@ -29,7 +29,7 @@ namespace fuga
         const PointMatcher<dim> matcher(ends);
         for (unsigned int e = 0; e < edges.size(); ++e)
           {
-            const double tolerance = same_place * edges[e][0].distance(edges[e][1]);
+            const double tolerance = joined_share * edges[e][0].distance(edges[e][1]);
             places.push_back(
               {{matcher.find(edges[e][0], tolerance), matcher.find(edges[e][1], tolerance)}});
             for (const unsigned int place : places.back())

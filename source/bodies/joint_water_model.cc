@@ -13,8 +13,6 @@ namespace fuga
   {
     /** Part of a way that counts as its end. */
     constexpr double at_end = 1e-9;
-    /** Part of the whole extent within which copies of one node lie. */
-    constexpr double one_node = 1e-9;
 
     void
     connect_elements(const std::size_t k, const std::size_t l, WaterNetwork &network)

@@ -11,7 +11,7 @@ namespace fuga
   namespace
   {
     /** Below this share of all the forces a sum is rounding. */
-    constexpr double rounding = 1e-11;
+    constexpr double zero_share = 1e-11;
   } // namespace
 
 
@@ -52,7 +52,7 @@ namespace fuga
   double
   LoadResultant<dim>::force(const unsigned int component) const
   {
-    return std::abs(sum[component]) > rounding * size ? sum[component] : 0.;
+    return std::abs(sum[component]) > zero_share * size ? sum[component] : 0.;
   }
 
 
@@ -61,7 +61,7 @@ namespace fuga
   LoadResultant<dim>::place(const unsigned int component, const unsigned int coordinate) const
   {
     const double moment = moments[component][coordinate];
-    return std::abs(moment) > rounding * size * reach ? moment / sum[component] : 0.;
+    return std::abs(moment) > zero_share * size * reach ? moment / sum[component] : 0.;
   }
 
 
@@ -80,7 +80,7 @@ namespace fuga
       for (unsigned int c = 0; c < 3; ++c)
         result[c] = left[(c + 2) % 3][(c + 1) % 3] - left[(c + 1) % 3][(c + 2) % 3];
     for (double &moment : result)
-      if (std::abs(moment) <= rounding * size * reach)
+      if (std::abs(moment) <= zero_share * size * reach)
         moment = 0.;
     return result;
   }

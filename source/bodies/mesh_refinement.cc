@@ -16,9 +16,6 @@ namespace fuga
 {
   namespace
   {
-    /** Lips count as one line if they are this close, relative to the size of a cell. */
-    constexpr double matching_tolerance = 1e-5;
-
     using Marks = std::set<dealii::CellId>;
 
     /** A face of a lip, with its cell; what it is half of, if its cell was refined. */

@@ -18,8 +18,6 @@ namespace fuga
   {
     /** Part of the size of a way that counts as no distance. */
     constexpr double same_place = 1e-6;
-    /** Part of the whole extent within which copies of one node lie. */
-    constexpr double one_node = 1e-9;
   } // namespace
 
   template <int dim>

@@ -131,14 +131,11 @@ namespace fuga
   {
   }
 
-  namespace
+  double
+  share(const double value, const double scale)
   {
-    double
-    share(const double value, const double scale)
-    {
-      return value == 0. ? 0. : value / scale;
-    }
-  } // namespace
+    return value == 0. ? 0. : value / scale;
+  }
 
   Vector
   Judge::jumps(const Vector &dislocations, const Vector &forces) const

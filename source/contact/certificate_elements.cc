@@ -12,12 +12,6 @@ namespace fuga
 {
   namespace
   {
-    double
-    share(const double value, const double scale)
-    {
-      return value == 0. ? 0. : value / scale;
-    }
-
     void
     raise(double &entry, const double value, const double scale)
     {

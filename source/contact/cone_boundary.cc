@@ -11,19 +11,17 @@ namespace fuga
 {
   namespace
   {
-    constexpr double never = std::numeric_limits<double>::infinity();
-
     /** The smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c > 0. */
     double
     descending_root(const double a, const double b, const double c)
     {
       const double discriminant = b * b - a * c;
       if (discriminant < 0.)
-        return never;
+        return no_boundary;
       const double s = std::sqrt(discriminant);
       if (b < 0.)
         return c / (s - b);
-      return a < 0. ? (b + s) / -a : never;
+      return a < 0. ? (b + s) / -a : no_boundary;
     }
   } // namespace
 
@@ -123,7 +121,7 @@ namespace fuga
   double
   ConeBoundary::distance(const JointState &state, const JointRates &rates, const Drive &drive) const
   {
-    double nearest = never;
+    double nearest = no_boundary;
     const ContactBoundary::RateNoise noise(system, rates, drive);
     for (std::size_t k = 0; k < elements.size(); ++k)
       nearest = std::min(nearest, distance_of(k, state, rates, noise));

@@ -14,8 +14,6 @@ namespace fuga
   {
     /** Force rate across the slip, relative to the largest force rate, that turns no direction. */
     constexpr double no_turn = 1e-11;
-    /** Share of a course below which its rest is none. */
-    constexpr double rounding = 1e-14;
 
     std::vector<SlippingElement>
     slipping_elements(const std::vector<ContactElement> &elements, const JointState &state)
@@ -114,6 +112,8 @@ namespace fuga
   {
     if (straight)
       {
+        // A rest of the course below this share of it is rounding.
+        constexpr double rounding = 1e-14;
         const double distance = context.boundary.distance(start.state, start.rates, course.drive);
         end = distance < course.length * (1. - rounding) ? distance : course.length;
       }

@@ -15,7 +15,6 @@ namespace fuga
 {
   namespace
   {
-    constexpr double shortest_step = 1e-13;
     /** Rate of slip, relative to the largest rate of dislocation, that is none. */
     constexpr double no_slip_rate = 1e-10;
 
@@ -194,7 +193,7 @@ namespace fuga
   ConeSegment::find_end_of_curve()
   {
     end                   = 0.; // as far as the curve is known, if a step fails
-    const double shortest = shortest_step * std::max(1., course.t_end);
+    const double shortest = 1e-13 * std::max(1., course.t_end);
     double length         = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);

@@ -19,7 +19,6 @@ namespace fuga
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
      * beside what they deform, refinement keeps their forces better than their terms tell. */
     constexpr double largest_force_noise = 1e-9;
-    constexpr double never               = std::numeric_limits<double>::infinity();
   } // namespace
 
   double
@@ -27,7 +26,7 @@ namespace fuga
   {
     if (reserve.rate >= 0. ||
         (reserve.value <= reserve.tolerance && reserve.rate >= -std::max(reserve.tolerance, noise)))
-      return never;
+      return no_boundary;
     return std::max(0., -reserve.value / reserve.rate);
   }
 
@@ -151,7 +150,7 @@ namespace fuga
                             const JointRates &rates,
                             const Drive &drive) const
   {
-    double nearest = never;
+    double nearest = no_boundary;
     const RateNoise noise(system, rates, drive);
     for (std::size_t k = 0; k < elements.size(); ++k)
       nearest = std::min(nearest, distance_of(k, state, rates, drive, noise));

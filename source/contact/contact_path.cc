@@ -17,8 +17,6 @@ namespace fuga
 {
   namespace
   {
-    /** Steps shorter than this share of the load time do not count as progress. */
-    constexpr double shortest_step = 1e-13;
     /** How often contact configurations may come back at one load before water that leaves waits.
      */
     constexpr std::size_t returns_before_water_waits = 3;
@@ -173,6 +171,8 @@ namespace fuga
     resticking = segment.resticking();
     result.t   = state.t;
     ++result.n_steps;
+    // Shorter steps, relative to the load time, are no progress.
+    constexpr double shortest_step = 1e-13;
     if (length > shortest_step * std::max(1., course.t))
       standstill.forget();
     else

@@ -23,9 +23,6 @@ namespace fuga
     constexpr double shortest_step = 1e-9;
     /** The same for the constant-stiffness iteration, which only creeps towards its bound. */
     constexpr double shortest_constant_step = 1e-5;
-    /** A slip rate below this share of the largest jump rate is rest. */
-    constexpr double slip_rate_tolerance = 1e-10;
-    constexpr double never               = std::numeric_limits<double>::infinity();
   } // namespace
 
   CurvedSegment::CurvedSegment(const PathContext &path_context,
@@ -60,7 +57,7 @@ namespace fuga
           predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
 
         std::optional<PathPoint> next = solve(tau, predicted);
-        const double defect           = next ? step_defect(points[a], *next, tau - taus[a]) : never;
+        const double defect = next ? step_defect(points[a], *next, tau - taus[a]) : no_boundary;
         if (defect > 1. && tau - taus[a] > shortest)
           {
             step = (tau - taus[a]) / (2. * step_growth);
@@ -74,7 +71,7 @@ namespace fuga
         if (!next)
           give_up();
         const std::size_t b = insert(tau, std::move(*next));
-        if (first_root(a, b) < never)
+        if (first_root(a, b) < no_boundary)
           return locate_end(a, b);
         if (defect < 1. / std::pow(step_growth, order))
           step *= step_growth;
@@ -116,7 +113,7 @@ namespace fuga
         const double width = taus[b] - taus[a];
         // The interpolation is trusted as long as it shrinks the bracket; every fourth time it is
         // halved.
-        if (trial % 4 == 3 || root == never)
+        if (trial % 4 == 3 || root == no_boundary)
           root = taus[a] + 0.5 * width;
         root = std::clamp(root, taus[a] + 1e-3 * width, taus[b]);
 
@@ -228,12 +225,12 @@ namespace fuga
   double
   CurvedSegment::first_root(const std::size_t a, const std::size_t b) const
   {
-    double nearest      = never;
+    double nearest      = no_boundary;
     const double length = taus[b] - taus[a];
     for (std::size_t i = 0; i < functions[a].size(); ++i)
       {
         const EventFunction &f = functions[a][i], &g = functions[b][i];
-        double share = never;
+        double share = no_boundary;
         if (f.has_rate)
           {
             const CubicOnUnitInterval cubic(f.value, f.rate * length, g.value, g.rate * length);

@@ -16,8 +16,6 @@ namespace fuga
     /** By how much the cubics between two points may miss the strength of what slides, relative to
      * the largest force. They only tell where to look for events. */
     constexpr double largest_miss = 1e-9;
-    /** A slip rate against the direction of slip is none below this share of the largest. */
-    constexpr double slip_rate_tolerance = 1e-10;
   } // namespace
 
   // On the way from strength to strength the determinant of a scheme passes zero only where its

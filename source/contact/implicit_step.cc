@@ -13,8 +13,6 @@ namespace fuga
   namespace
   {
     constexpr std::size_t max_schemes = 200;
-    /** Violations below this share of the largest force or jump are rounding. */
-    constexpr double rounding = 1e-12;
   } // namespace
 
   ImplicitStep::ImplicitStep(const std::vector<ContactElement> &contact_elements,
@@ -95,8 +93,10 @@ namespace fuga
     const ContactState now        = state.states[k];
     const double N                = state.forces[n];
     const double g                = now == ContactState::open ? gap(element, state, k) : 0.;
-    const double noise            = rounding * max_abs(state.forces);
-    const double W_n              = system.stiffness()(n, n);
+    // Violations below this share of the largest force or jump are rounding.
+    constexpr double rounding = 1e-12;
+    const double noise        = rounding * max_abs(state.forces);
+    const double W_n          = system.stiffness()(n, n);
     if (now == ContactState::open ? W_n * g >= -noise : N > noise)
       return ContactState::open;
     if (!element.has_tangential_bar())

@@ -18,7 +18,7 @@ namespace fuga
     constexpr double no_load_rate = 1e-10;
 
     /** Violations below this share of the terms they are the difference of are rounding. */
-    constexpr double rounding = 1e-11;
+    constexpr double zero_share = 1e-11;
     /** Sets of active unknowns tried by switching; unknowns of which all subsets are tried. */
     constexpr std::size_t max_switches   = 200;
     constexpr std::size_t max_enumerated = 12;
@@ -68,11 +68,11 @@ namespace fuga
         {
           const double terms = std::abs(reserves[i]) + std::abs(motion.load_rate * lcp.q[i]);
           reserves[i] += motion.load_rate * lcp.q[i];
-          if (active[i] || std::abs(reserves[i]) <= rounding * std::max(terms, max_abs(motion.z)))
+          if (active[i] || std::abs(reserves[i]) <= zero_share * std::max(terms, max_abs(motion.z)))
             reserves[i] = 0.;
         }
       for (double &value : motion.z)
-        if (std::abs(value) <= rounding * max_abs(motion.z))
+        if (std::abs(value) <= zero_share * max_abs(motion.z))
           value = 0.;
       return motion;
     }

@@ -11,11 +11,6 @@ namespace fuga
 {
   namespace
   {
-    constexpr double infinity     = std::numeric_limits<double>::infinity();
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    /** A shear or an eccentricity that is only rounding is none. */
-    constexpr double rounding = 1e-12;
-
     /** Centroid, mean normal and edges of a joint. */
     struct MeanFrame
     {
@@ -109,11 +104,11 @@ namespace fuga
       const double B            = frame.last_edge - frame.first_edge;
       resultant.eccentricity    = e;
       resultant.position        = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x, 0.}};
-      resultant.in_middle_third = e >= frame.first_edge + B * (1. / 3. - rounding) &&
-                                  e <= frame.last_edge - B * (1. / 3. - rounding);
-      resultant.overturning_safety = std::abs(e) <= rounding * B ? infinity
-                                     : e > 0.                    ? frame.last_edge / e
-                                                                 : frame.first_edge / e;
+      resultant.in_middle_third = e >= frame.first_edge + B * (1. / 3. - resultant_rounding) &&
+                                  e <= frame.last_edge - B * (1. / 3. - resultant_rounding);
+      resultant.overturning_safety = std::abs(e) <= resultant_rounding * B ? infinity
+                                     : e > 0.                              ? frame.last_edge / e
+                                                                           : frame.first_edge / e;
     }
 
     JointResultant
@@ -148,8 +143,9 @@ namespace fuga
       if (across_plane.axisymmetric)
         resultant.M = not_a_number;
       locate(frame, resultant);
-      resultant.sliding_safety =
-        std::abs(resultant.T) <= rounding * strength ? infinity : strength / std::abs(resultant.T);
+      resultant.sliding_safety = std::abs(resultant.T) <= resultant_rounding * strength
+                                   ? infinity
+                                   : strength / std::abs(resultant.T);
       return resultant;
     }
   } // namespace

@@ -14,11 +14,6 @@ namespace fuga
   {
     using Tensor = dealii::Tensor<1, 3>;
 
-    constexpr double infinity     = std::numeric_limits<double>::infinity();
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    /** A shear that is only rounding is none. */
-    constexpr double rounding = 1e-12;
-
     Tensor
     tensor(const std::array<double, 3> &values)
     {
@@ -35,18 +30,18 @@ namespace fuga
     }
 
     /** Centroid and axes of a joint. */
-    struct MeanFrame
+    struct MeanPlane
     {
       double area = 0.;
       Tensor center, n, t1, t2;
     };
 
-    MeanFrame
+    MeanPlane
     mean_frame(const std::vector<std::size_t> &members,
                const std::vector<ContactElement> &elements,
                const std::vector<ElementFrame> &frames)
     {
-      MeanFrame frame;
+      MeanPlane frame;
       for (const std::size_t k : members)
         {
           frame.area += elements[k].area;
@@ -74,7 +69,7 @@ namespace fuga
                     const std::vector<ElementResult> &results,
                     const Vector &dissipation)
     {
-      const MeanFrame frame = mean_frame(members, elements, frames);
+      const MeanPlane frame = mean_frame(members, elements, frames);
       JointResultant resultant;
       resultant.smallest_pressure = members.empty() ? 0. : infinity;
       double strength             = 0.;
@@ -107,7 +102,8 @@ namespace fuga
       resultant.first_tangent = array(frame.t1);
       const double shear      = std::hypot(resultant.T, resultant.T2);
       resultant.sliding_safety =
-        shear <= rounding * std::max(strength, std::abs(resultant.N)) ? infinity : strength / shear;
+        shear <= resultant_rounding * std::max(strength, std::abs(resultant.N)) ? infinity
+                                                                                : strength / shear;
       resultant.cracked_length = resultant.crack_from_first = resultant.crack_from_last =
         resultant.overturning_safety                        = not_a_number;
       return resultant;

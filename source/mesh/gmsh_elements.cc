@@ -12,15 +12,6 @@
 
 namespace fuga
 {
-  namespace
-  {
-    constexpr std::int64_t largest_tag   = std::numeric_limits<std::int64_t>::max();
-    constexpr std::int64_t largest_group = std::numeric_limits<int>::max();
-
-    constexpr const char *write_again = "write the mesh file again";
-  } // namespace
-
-
   unsigned int
   NodeNumbers::build(const std::vector<std::int64_t> &tags)
   {

@@ -9,16 +9,6 @@
 
 namespace fuga
 {
-  namespace
-  {
-    constexpr std::int64_t largest_tag = std::numeric_limits<std::int64_t>::max();
-    /** Physical tags; one less than what fits so that a sign may be taken off. */
-    constexpr std::int64_t largest_group = std::numeric_limits<int>::max();
-
-    constexpr const char *write_again = "write the mesh file again";
-  } // namespace
-
-
   GmshReader::GmshReader(TextScanner &text_scanner) : scanner(text_scanner)
   {
   }

@@ -12,6 +12,11 @@
 
 namespace fuga
 {
+  /** Copies of one node lie within this share of the extent of the model. */
+  constexpr double one_node = 1e-9;
+  /** The two sides of a joint coincide within this share of the size of a face. */
+  constexpr double matching_tolerance = 1e-5;
+
   /**
    * Finds points by their coordinates. Sorted along a direction in which lines of a mesh hardly
    * ever fall together, so that a search looks at a few candidates only.

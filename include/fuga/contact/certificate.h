@@ -14,6 +14,10 @@
 
 namespace fuga
 {
+  /** @p value relative to @p scale; zero if both are. */
+  double
+  share(const double value, const double scale);
+
   /**
    * How far a state is from satisfying each condition of the contact problem. Every entry is
    * relative: to the largest force, jump or energy of the scene so far.

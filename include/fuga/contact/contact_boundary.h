@@ -40,8 +40,11 @@ namespace fuga
     double tolerance = 0.;
   };
 
-  /** Length τ after which a reserve is used up; infinity if it is not. At zero a rate of the size
-   * of
+  /** Length of a path that does not meet a boundary. */
+  constexpr double no_boundary = std::numeric_limits<double>::infinity();
+
+  /** Length τ after which a reserve is used up; `no_boundary` if it does not. At zero a rate of the
+   * size of
    * @p noise is none: the rate problem has taken it for zero as well. */
   double
   used_up_after(const Reserve &reserve, const double noise);

@@ -8,6 +8,9 @@
 
 namespace fuga
 {
+  /** A slip rate below this share of the largest jump rate is zero. */
+  constexpr double slip_rate_tolerance = 1e-10;
+
   /** How nonlinear layers are iterated. */
   struct PathOptions
   {

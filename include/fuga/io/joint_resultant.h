@@ -6,8 +6,15 @@
 
 #include <fuga/io/joint_results.h>
 
+#include <limits>
+
 namespace fuga
 {
+  constexpr double infinity     = std::numeric_limits<double>::infinity();
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  /** A shear or an eccentricity below this share of its terms is zero. */
+  constexpr double resultant_rounding = 1e-12;
+
   /**
    * What a joint carries as a whole, at one load. The *mean frame* of a joint has its origin in the
    * area-weighted centroid; n is the area-weighted mean of the normals, t the tangent that goes

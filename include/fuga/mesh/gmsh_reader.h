@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,6 +18,13 @@
 
 namespace fuga
 {
+  /** Largest number of a node or an element. */
+  constexpr std::int64_t largest_tag = std::numeric_limits<std::int64_t>::max();
+  /** Largest physical tag; one less than what fits so that a sign may be taken off. */
+  constexpr std::int64_t largest_group = std::numeric_limits<int>::max();
+  /** Remedy for a damaged file. */
+  constexpr const char *write_again = "write the mesh file again";
+
   /** From the node numbers of a file, which may have gaps and any order, to 0, 1, 2 ... */
   class NodeNumbers
   {
