@@ -84,6 +84,9 @@ namespace fuga
             end_of_phase = outcome.path;
             return ExitCode::done;
           }
+        if (outcome.path.verdict == Verdict::limit_load &&
+            outcome.path.beyond.end == BeyondLimit::End::none)
+          outcome.mechanism = judge.judge_mechanism(last_state, outcome.path.mechanism_jumps);
         find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;

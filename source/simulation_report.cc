@@ -195,10 +195,12 @@ namespace fuga
       }
     if (critical.elements.size() > max_named)
       where += fmt::format(" and {} more", critical.elements.size() - max_named);
-    return fmt::format("friction beyond its critical value: {}{} continuations, decided by {}",
-                       critical.all_counted ? "" : "at least ",
-                       critical.n_branches,
-                       where);
+    const std::string count = critical.n_branches == 0
+                                ? "no continuation"
+                                : fmt::format("{}{} continuations",
+                                              critical.all_counted ? "" : "at least ",
+                                              critical.n_branches);
+    return fmt::format("friction beyond its critical value: {}, decided by {}", count, where);
   }
 
   template <int dim>
@@ -231,6 +233,14 @@ namespace fuga
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
           if (const std::string motion = motion_of(outcome.path); !motion.empty())
             log.line("            " + motion);
+          if (outcome.path.verdict == Verdict::limit_load)
+            log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
+                                 "part {:.1e}, balance of "
+                                 "power {:.1e}; the load drives it with {:.3g} of its power",
+                                 outcome.mechanism.resistance,
+                                 outcome.mechanism.inadmissible,
+                                 outcome.mechanism.balance,
+                                 outcome.mechanism.drive));
           break;
         default:
           log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
@@ -328,6 +338,7 @@ namespace fuga
     summary.stage_fraction       = fraction;
     summary.drive                = context.driving.at(summary.t, stage);
     summary.motion               = motion_of(outcome.path);
+    summary.proof                = outcome.mechanism;
     summary.path                 = outcome.path;
     for (const std::size_t k : outcome.path.critical.elements)
       {

@@ -98,6 +98,7 @@ namespace fuga
       ExitCode code = ExitCode::done;
       std::string message;
       std::vector<SafetyFactor> safety;
+      MechanismCertificate mechanism;
     };
 
     std::unique_ptr<ContactPath>

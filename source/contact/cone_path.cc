@@ -5,6 +5,8 @@
 #include <fuga/contact/cone_path.h>
 #include <fuga/contact/layer_response.h>
 
+#include <fmt/format.h>
+
 namespace fuga
 {
   namespace
@@ -78,6 +80,12 @@ namespace fuga
         const double length = find_end(segment, course, levels, observer);
         state               = report_piecewise(segment, course, levels, next_level, observer);
         note_step(segment, course, length, state, result);
+        if (segment.ends_at_turning_point())
+          {
+            result.verdict = Verdict::no_continuation;
+            take_critical_elements(state, result);
+            return result;
+          }
         if (segment.ends_at_limit())
           {
             // What closed layers still deform is no part of the mechanism.
@@ -174,6 +182,16 @@ namespace fuga
     report(events, state, observer, result);
   }
 
+  void
+  ConePath::take_critical_elements(const JointState &state, PathResult &result) const
+  {
+    result.t          = state.t;
+    result.critical.t = state.t;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (is_slipping(state.states[k]) && has_friction(elements[k]))
+        result.critical.elements.push_back(k);
+  }
+
   // The elements that reach their boundary at the limit take the state in which the mechanism
   // moves.
   void
@@ -184,14 +202,15 @@ namespace fuga
   {
     result.t = state.t;
     if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
-      {
-        result.verdict    = Verdict::no_continuation;
-        result.critical.t = state.t;
-        for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
-          if (candidate.shear == ShearPosition::at_strength)
-            result.critical.elements.push_back(candidate.element);
-        return;
-      }
+      throw NumericalFailure(fmt::format("No equilibrium was found behind load time {:.12g}, and "
+                                         "no motion that would prove that there is none: Newton's "
+                                         "method tried {} sets of states of {} elements on the "
+                                         "boundary of their contact conditions, also from a softer "
+                                         "layer and with sweeps from element to element. A smaller "
+                                         "stiffness of the joints may help.",
+                                         state.t,
+                                         continuation.n_schemes,
+                                         boundary.elements_on_boundary(state).size()));
     take_limit(state, continuation.mechanism, result);
     const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
     std::vector<ContactState> states;

@@ -3,19 +3,14 @@
 
 #include <fuga/base/blas.h>
 #include <fuga/contact/cone_rate_problem.h>
-#include <fuga/contact/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace fuga
 {
   namespace
   {
-    /** Schemes that are tried, all violations changed at once and then the worst one alone. */
-    constexpr unsigned int n_together   = 25;
-    constexpr unsigned int n_iterations = 80;
     /** Sweeps of Gauss-Seidel before Newton is tried again, and again. */
     constexpr std::array<unsigned int, 2> n_sweeps = {{400, 4000}};
   } // namespace
@@ -70,7 +65,13 @@ namespace fuga
       diagonal.push_back(system.stiffness()(bar, bar));
 
     ConeContinuation result;
-    Outcome outcome = iterate(n_iterations, result);
+    const std::vector<Candidate> at_first = candidates;
+    Outcome outcome                       = iterate(n_iterations, result);
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_from_softer_layer(result);
+      }
     for (const unsigned int n : n_sweeps)
       {
         if (outcome == Outcome::solved)
@@ -81,18 +82,7 @@ namespace fuga
       }
     if (outcome != Outcome::solved)
       {
-        // A scheme without resistance, or what every sweep adds to the rates that grow beyond
-        // bounds.
-        for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
-          {
-            if (motion.empty() || result.has_mechanism)
-              continue;
-            if (dot(r, motion) < 0.)
-              for (double &rate : motion)
-                rate = -rate;
-            result.mechanism     = full_rates(released, Vector(reactions.size(), 0.), motion);
-            result.has_mechanism = is_free_motion(result.mechanism, system);
-          }
+        find_mechanism(released, reactions, result);
         return result;
       }
     slip_where_neutral();
@@ -135,10 +125,9 @@ namespace fuga
     for (unsigned int i = 0; i < max_iterations + candidates.size(); ++i)
       {
         ++result.n_schemes;
-        if (!solve_scheme())
-          return Outcome::singular;
-        if (!update_scheme(i >= n_together) && is_settled())
-          return Outcome::solved;
+        const bool regular = solve_scheme();
+        if (!update_scheme(i >= n_together) && (!regular || is_settled()))
+          return regular ? Outcome::solved : Outcome::singular;
       }
     return Outcome::cycled;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fuga
 {
@@ -21,6 +22,51 @@ namespace fuga
       std::array<double, 3> functional;
       double own;
     };
+  } // namespace
+
+  namespace
+  {
+    /**
+     * Solves M x = rhs in place, rows and columns of M scaled to a unit diagonal of W before bars
+     * were released, so that a matrix which is small as a whole counts as singular too. If it is
+     * singular,
+     * @p note_motion gets its null vector, and weak springs to the ground hold what moves freely:
+     * it then moves far, in the direction in which the load drives it, so that the next scheme
+     * closes the elements that it runs into.
+     */
+    bool
+    solve_or_regularise(const DenseMatrix &M,
+                        Vector &x,
+                        const std::function<void(const Vector &)> &note_motion)
+    {
+      constexpr double smallest_condition = 1e-13, ground = 1e-6;
+      const std::size_t n = M.n_rows();
+      double norm         = 0.;
+      for (std::size_t j = 0; j < n; ++j)
+        {
+          double sum = 0.;
+          for (std::size_t i = 0; i < n; ++i)
+            sum += std::abs(M(i, j));
+          norm = std::max(norm, sum);
+        }
+      const auto with_springs = [&M, n](const double stiffness) {
+        DenseMatrix sum = M;
+        for (std::size_t j = 0; j < n; ++j)
+          sum(j, j) += stiffness;
+        return sum;
+      };
+      const LuFactors factors(with_springs(0.));
+      const bool regular =
+        n == 0 || !(factors.reciprocal_condition() * std::min(1., norm) < smallest_condition);
+      if (regular)
+        factors.solve(x);
+      else
+        {
+          note_motion(null_vector(with_springs(smallest_condition)));
+          LuFactors(with_springs(ground)).solve(x);
+        }
+      return regular;
+    }
   } // namespace
 
   // Newton's step at the apex: with the direction turned by η/s, v_t = ξ e + (ξ/s) η e⊥, and
@@ -94,27 +140,8 @@ namespace fuga
           rates[unknowns[j].row + a] += solution[j] * unknowns[j].column[a];
     };
 
-    // Rows and columns are scaled to a unit diagonal of W before bars were released, so that a
-    // matrix which is small as a whole counts as singular too.
-    constexpr double smallest_condition = 1e-13;
-    double norm                         = 0.;
-    for (std::size_t j = 0; j < n; ++j)
-      {
-        double sum = 0.;
-        for (std::size_t i = 0; i < n; ++i)
-          sum += std::abs(M(i, j));
-        norm = std::max(norm, sum);
-      }
-    DenseMatrix copy = M;
-    const LuFactors factors(std::move(M));
-    if (n > 0 && factors.reciprocal_condition() * std::min(1., norm) < smallest_condition)
-      {
-        for (std::size_t j = 0; j < n; ++j)
-          copy(j, j) += smallest_condition;
-        take(null_vector(std::move(copy)), free_motion);
-        return false;
-      }
-    factors.solve(x);
+    const bool regular =
+      solve_or_regularise(M, x, [&](const Vector &solution) { take(solution, free_motion); });
     take(x, v);
 
     // The turn, limited to what Newton's step can be trusted with.
@@ -145,6 +172,6 @@ namespace fuga
     for (Candidate &candidate : candidates)
       if (candidate.at_apex && is_slipping(candidate.state))
         candidate.strength = candidate.friction * std::max(-q[candidate.row], 0.);
-    return true;
+    return regular;
   }
 } // namespace fuga

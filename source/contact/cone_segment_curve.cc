@@ -184,9 +184,38 @@ namespace fuga
     const JointRates &rates = station.point.rates;
     const JointState &state = station.point.state;
     const double growth     = max_abs(rates.dislocations);
-    return negligible_load * std::max(1., course.t_end) * growth >=
-             max_abs(context.system.jumps(state.dislocations, state.forces)) &&
+    const double jump       = max_abs(context.system.jumps(state.dislocations, state.forces));
+    // Out of the virgin state any growth is large.
+    return jump > 0. && negligible_load * std::max(1., course.t_end) * growth >= jump &&
            max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth;
+  }
+
+  // Before a maximum of the load at τ* the rates of slip g grow like (τ* - τ)^(-1/2): 1/g² falls
+  // along a line, which reaches zero within a negligible load. Two slopes are compared, between the
+  // last point and those at which g was a half and a quarter.
+  bool
+  ConeSegment::turns_back() const
+  {
+    constexpr double negligible_load = 1e-7, bend = 0.1;
+    const auto growth = [](const Station &station) {
+      return max_abs(station.point.rates.dislocations);
+    };
+    std::array<double, 3> tau, value;
+    std::size_t n = 0;
+    double limit  = std::numeric_limits<double>::infinity();
+    for (std::size_t i = curve.size(); i-- > 0 && n < 3;)
+      if (const double g = growth(curve[i]); g <= limit)
+        {
+          tau[n]     = curve[i].tau;
+          value[n++] = 1. / (g * g);
+          limit      = 0.5 * g;
+        }
+    if (n < 3)
+      return false;
+    const double last   = (value[0] - value[1]) / (tau[0] - tau[1]);
+    const double before = (value[1] - value[2]) / (tau[1] - tau[2]);
+    return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
+           -value[0] / last <= negligible_load * std::max(1., course.t_end);
   }
 
   void
@@ -206,6 +235,9 @@ namespace fuga
           break;
         if (length < shortest && course.length - from.tau > shortest)
           {
+            at_turning_point = turns_back();
+            if (at_turning_point)
+              break;
             throw NumericalFailure(fmt::format(
               "The path cannot be followed beyond load time {}: even the shortest step fails.",
               from.point.state.t));
@@ -233,107 +265,5 @@ namespace fuga
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
     end = curve.back().tau;
-  }
-
-  // The share of the way from a to b at which the first reserve is used up, by cubics and, for
-  // rates of slip, by secants; above one if none is.
-  double
-  ConeSegment::first_event(const Station &a, const Station &b) const
-  {
-    constexpr double none = 2.;
-    const double length   = b.tau - a.tau;
-    double first          = none;
-    for (std::size_t i = 0; i < a.reserves.size(); ++i)
-      {
-        const Reserve &before = a.reserves[i], &after = b.reserves[i];
-        // What was on its boundary at the beginning has been left there by the rates.
-        const bool leaving = before.value <= before.tolerance;
-        const double value = std::max(0., before.value);
-        const double rate  = leaving ? std::max(0., before.rate) : before.rate;
-        const CubicOnUnitInterval course_of(value, rate * length, after.value, after.rate * length);
-        if (after.value < -after.tolerance || course_of.minimum() < -before.tolerance)
-          {
-            const double root = course_of.first_descending_root();
-            first             = std::min(
-              first,
-              root < 1. || after.value >= -after.tolerance ? root : value / (value - after.value));
-          }
-      }
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (b.slip_rates[i] < -rate_tolerance(b))
-        {
-          const double before = std::max(a.slip_rates[i], 0.);
-          first               = std::min(first, before / (before - b.slip_rates[i]));
-        }
-    return first;
-  }
-
-  bool
-  ConeSegment::is_passed(const Station &station) const
-  {
-    for (const Reserve &reserve : station.reserves)
-      if (reserve.value < -reserve.tolerance)
-        return true;
-    for (const double rate : station.slip_rates)
-      if (rate < -rate_tolerance(station))
-        return true;
-    return false;
-  }
-
-  bool
-  ConeSegment::is_reached(const Station &station) const
-  {
-    for (const Reserve &reserve : station.reserves)
-      if (reserve.value <= reserve.tolerance && reserve.rate < 0.)
-        return true;
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (station.slip_rates[i] <= rate_tolerance(station) &&
-          curve.back().slip_rates[i] > rate_tolerance(curve.back()))
-        return true;
-    return false;
-  }
-
-  // Steps from the same point, shorter and longer, until one ends at the event.
-  std::optional<ConeSegment::Station>
-  ConeSegment::locate(const Station &from, const Station &passed)
-  {
-    constexpr int max_steps = 60;
-    Station low = from, high = passed;
-    const double resolution = std::numeric_limits<double>::epsilon() * std::max(1., course.t_end);
-    for (int i = 0; i < max_steps; ++i)
-      {
-        const double share = first_event(low, high);
-        if (share > 1.)
-          return {};
-        double tau = low.tau + share * (high.tau - low.tau);
-        // Alternately a bisection, should the interpolation stand still.
-        if (i > 4 && i % 2 == 0)
-          tau = 0.5 * (low.tau + high.tau);
-        if (tau - low.tau <= resolution || high.tau - low.tau <= 2. * resolution)
-          {
-            if (low.tau > from.tau || share <= 1e-9 || high.tau - low.tau <= 2. * resolution)
-              break;
-            tau = low.tau + 2. * resolution;
-          }
-        tau = std::min(tau, high.tau);
-        Station middle;
-        double error;
-        if (!step(from, tau - from.tau, middle, error))
-          throw NumericalFailure("An event inside a step of the path could not be located.");
-        if (is_passed(middle))
-          high = std::move(middle);
-        else
-          {
-            low = std::move(middle);
-            if (is_reached(low))
-              break;
-          }
-      }
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (low.slip_rates[i] <= std::max(rate_tolerance(low), 0.) ||
-          (high.slip_rates[i] < 0. && high.tau - low.tau <= 4. * resolution))
-        if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
-          lost_slip.push_back(slipping[i].element);
-    return low;
   }
 } // namespace fuga

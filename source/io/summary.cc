@@ -273,7 +273,13 @@ namespace fuga
                             {"driven_by", summary.drive.name},
                             {"drive", summary.drive.value},
                             {"mechanism", mechanism_name(summary.path.mechanism)},
-                            {"motion", summary.motion}};
+                            {"motion", summary.motion},
+                            {"proof",
+                             {{"error", summary.proof.error()},
+                              {"resistance", summary.proof.resistance},
+                              {"inadmissible", summary.proof.inadmissible},
+                              {"balance", summary.proof.balance},
+                              {"drive", summary.proof.drive}}}};
     if (const BeyondLimit &beyond = summary.path.beyond; beyond.end != BeyondLimit::End::none)
       json["beyond_limit"] = {{"end", beyond_limit_end_name(beyond.end)},
                               {"path_length", beyond.length},

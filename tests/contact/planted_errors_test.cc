@@ -137,6 +137,83 @@ TEST_F(PlantedErrors, ShearBeyondTheStrength)
   EXPECT_NEAR(found.slip_direction, error * strength / shear, 0.01 * error * strength / shear);
 }
 
+namespace
+{
+  /** The chain at its limit, f N n = 12, with the motion in which it slides as a whole. */
+  class PlantedMechanisms : public PlantedErrors
+  {
+  protected:
+    PlantedMechanisms()
+    {
+      const LayeredSystem layered(chain, joint.elements);
+      EventPath path(joint.elements, layered, beyond, {});
+      const PathResult result = path.run({}, at_limit);
+      EXPECT_EQ(result.verdict, Verdict::limit_load);
+      EXPECT_NEAR(result.t, 1. + f * n / (2. * shear), 1e-9);
+      motion = result.mechanism_jumps;
+    }
+
+    /** The certificate of the motion after @p plant has changed it. */
+    MechanismCertificate
+    judge_motion(const std::function<void(Vector &)> &plant) const
+    {
+      Vector planted = motion;
+      plant(planted);
+      return at_limit.judge.judge_mechanism(at_limit.last, planted);
+    }
+
+    const LoadHistory beyond{{0., 1., 2.}, {{0., 0.}, {1., 0.}, {1., 2. * shear}}};
+    Record at_limit{chain, joint.elements, beyond};
+    Vector motion;
+  };
+} // namespace
+
+// The load does all the work on the growth of the load: nothing dissipates more while forces rest.
+TEST_F(PlantedMechanisms, NoneIsSeenWithout)
+{
+  for (std::size_t node = 0; node < n; ++node)
+    {
+      EXPECT_NEAR(motion[2 * node], 0., 1e-9);
+      EXPECT_NEAR(motion[2 * node + 1], 1., 1e-9);
+    }
+  const MechanismCertificate found = judge_motion([](Vector &) {});
+  EXPECT_LE(found.error(), 1e-9);
+  EXPECT_NEAR(found.drive, 1., 1e-12);
+}
+
+// Backwards: slip against the force, a load that does negative work.
+TEST_F(PlantedMechanisms, AMotionAgainstTheLoad)
+{
+  const MechanismCertificate found = judge_motion([](Vector &planted) {
+    for (double &jump : planted)
+      jump = -jump;
+  });
+  EXPECT_NEAR(found.inadmissible, 2., 1e-9);
+  EXPECT_NEAR(found.drive, -1., 1e-12);
+}
+
+// Lips that go into each other by e, or come apart although they are pressed.
+TEST_F(PlantedMechanisms, PenetrationAndOpening)
+{
+  for (const double sign : {-1., 1.})
+    {
+      const MechanismCertificate found = judge_motion([sign](Vector &planted) {
+        for (std::size_t node = 0; node < n; ++node)
+          planted[2 * node] += sign * 1e-3;
+      });
+      EXPECT_NEAR(found.inadmissible, 1e-3, 1e-9);
+    }
+}
+
+// One node moves on by e: its two springs answer 2 e, its neighbours' one, beside the row
+// (-1, 2, -1) of S, whose norm is √6.
+TEST_F(PlantedMechanisms, ABodyThatDeforms)
+{
+  const MechanismCertificate found =
+    judge_motion([](Vector &planted) { planted[2 * somewhere + 1] += 1e-3; });
+  EXPECT_NEAR(found.resistance, 2e-3 / std::sqrt(6.) / 1.001, 1e-8);
+}
+
 // Sums that cancel: 2^60 + 1 - 2^60 loses the one in double precision, and so does what the second
 // number of the vector has beyond double.
 TEST(Accurate, ProductsKeepWhatDoubleLoses)

@@ -105,6 +105,8 @@ namespace fuga::tests
     std::vector<JointState> levels;
     Certificate worst;
     Judge judge;
+    /** Of the last event or level. */
+    JointState last;
 
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override
@@ -123,6 +125,7 @@ namespace fuga::tests
     {
       events.insert(events.end(), new_events.begin(), new_events.end());
       worst.absorb(judge.judge(state));
+      last = state;
     }
 
     void
@@ -130,6 +133,7 @@ namespace fuga::tests
     {
       levels.push_back(state);
       worst.absorb(judge.judge(state));
+      last = state;
     }
   };
 

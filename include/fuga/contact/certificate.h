@@ -56,6 +56,30 @@ namespace fuga
     absorb(const Certificate &other);
   };
 
+  /**
+   * How far a motion w of the joints is from proving that the load cannot grow: the bodies move
+   * rigidly, as the states of all elements allow, and the growing load does more work on the motion
+   * than friction dissipates. All entries are relative.
+   */
+  struct MechanismCertificate
+  {
+    /** S w = 0: no force changes. */
+    double resistance = 0.;
+    /** Jump that contradicts an element's state, beside the largest: a closed element that opens or
+     * slips below its strength, an open one that closes, slip across its force. */
+    double inadmissible = 0.;
+    /** Power of all loads = power of the bar forces, that is dissipation. */
+    double balance = 0.;
+    /** Power of the load's growth, of the loss of strength and of what broken bonds let go, less
+     * the growth of the dissipation, beside the sum of its terms. Positive: the motion is driven.
+     */
+    double drive = 0.;
+
+    /** The largest of the entries that should vanish. */
+    double
+    error() const;
+  };
+
   template <typename Entries, typename Visitor, only_for<Entries, Certificate> = 0>
   void
   for_each_field(Entries &certificate, Visitor &&visit)
@@ -176,6 +200,10 @@ namespace fuga
     Certificate
     judge(const JointState &state);
 
+    /** Judges the motion of the joints with which a path ended in @p state. */
+    MechanismCertificate
+    judge_mechanism(const JointState &state, const Vector &motion) const;
+
     const EnergyLedger &
     energies() const
     {
@@ -240,6 +268,11 @@ namespace fuga
                   const JointState &state,
                   const Vector &jumps,
                   Certificate &result) const;
+    double
+    inadmissible_jump(const std::size_t k,
+                      const JointState &state,
+                      const Vector &delta,
+                      const Vector &w) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
     void

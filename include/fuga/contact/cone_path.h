@@ -48,6 +48,9 @@ namespace fuga
           const std::vector<ContactState> &states,
           PathObserver &observer,
           PathResult &result);
+    /** All that slip. */
+    void
+    take_critical_elements(const JointState &state, PathResult &result) const;
     void
     lose_equilibrium(JointState &state,
                      const ConeContinuation &continuation,

@@ -89,8 +89,32 @@ namespace fuga
       cycled
     };
 
+    /** Schemes that are tried, all violations changed at once and then the worst one alone. */
+    static constexpr unsigned int n_together = 25, n_iterations = 80;
+
+    /** r and W of the boundary set, and the size of the terms in W. */
+    struct ReducedSystem
+    {
+      DenseMatrix W;
+      Vector r, diagonal;
+    };
+
+    void
+    take_softened(const ReducedSystem &stiff, const double softness);
+    Outcome
+    approach_from_softer_layer(ConeContinuation &result);
+    void
+    find_mechanism(const ReleasedSystem &released,
+                   const Vector &reactions,
+                   ConeContinuation &result);
+    bool
+    is_admissible(const Vector &motion) const;
+    bool
+    is_driven(const Vector &motion) const;
     Outcome
     iterate(const unsigned int max_iterations, ConeContinuation &result);
+    /** Rates of the present scheme; false if something moves freely in it, which is then held by
+     * weak springs. */
     bool
     solve_scheme();
     bool

@@ -55,6 +55,14 @@ namespace fuga
     {
       return at_limit;
     }
+
+    /** Whether the load has a maximum at the end of the curve, which turns back there: as long as
+     * the load grows, the slips would have to jump. */
+    bool
+    ends_at_turning_point() const
+    {
+      return at_turning_point;
+    }
     std::vector<std::size_t>
     resticking() const override;
 
@@ -97,6 +105,8 @@ namespace fuga
     is_reached(const Station &station) const;
     std::optional<Station>
     locate(const Station &from, const Station &passed);
+    bool
+    turns_back() const;
     double
     rate_tolerance(const Station &station) const;
 
@@ -110,8 +120,8 @@ namespace fuga
     /** Largest force and jump, what errors are relative to. */
     double force_scale = 0., jump_scale = 0.;
     bool straight = true;
-    bool at_limit = false;
-    double end    = 0.;
+    bool at_limit = false, at_turning_point = false;
+    double end = 0.;
     std::vector<Station> curve;
     std::vector<std::size_t> lost_slip;
   };

@@ -98,6 +98,8 @@ namespace fuga
     DrivingQuantity drive;
     /** The mechanism of a limit load in words: mechanism_text(). */
     std::string motion;
+    /** What proves the limit load. */
+    MechanismCertificate proof;
     /** Factors of the load patterns at t, by load name. */
     std::map<std::string, double> load_factors;
 

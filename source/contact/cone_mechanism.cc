@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/cone_rate_problem.h>
+#include <fuga/contact/mechanism.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace fuga
+{
+  // A scheme without resistance, or what every sweep adds to the rates that grow beyond bounds. It
+  // is a mechanism if the load drives it, nothing resists and no closed element would penetrate or
+  // slip against its force; anything else only shows that no solution was found.
+  void
+  ConeRateProblem::find_mechanism(const ReleasedSystem &released,
+                                  const Vector &reactions,
+                                  ConeContinuation &result)
+  {
+    for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
+      {
+        if (motion.empty() || result.has_mechanism)
+          continue;
+        if (dot(r, motion) < 0.)
+          for (double &rate : motion)
+            rate = -rate;
+        result.mechanism = full_rates(released, Vector(reactions.size(), 0.), motion);
+        result.has_mechanism =
+          is_admissible(motion) && is_driven(motion) && is_free_motion(result.mechanism, system);
+      }
+  }
+
+  bool
+  ConeRateProblem::is_admissible(const Vector &motion) const
+  {
+    double size = 0.;
+    for (std::size_t row = 0; row < motion.size(); ++row)
+      size = std::max(size, std::sqrt(diagonal[row]) * std::abs(motion[row]));
+    const double none = 1e-6 * size;
+    for (const Candidate &candidate : candidates)
+      {
+        const std::size_t n = candidate.row;
+        const double normal = std::sqrt(diagonal[n]) * motion[n];
+        if (candidate.at_apex ? normal < -none : std::abs(normal) > none)
+          return false;
+        if (candidate.at_apex || candidate.n_tangents == 0)
+          continue;
+        const TangentVector slip = tangential_rows(candidate, motion);
+        if (std::sqrt(shear_stiffness(candidate)) * dot(slip, candidate.direction) < -none)
+          return false;
+      }
+    return true;
+  }
+
+  bool
+  ConeRateProblem::is_driven(const Vector &motion) const
+  {
+    constexpr double rounding = 1e-10;
+    double power = 0., size = 0.;
+    for (std::size_t row = 0; row < motion.size(); ++row)
+      {
+        power += r[row] * motion[row];
+        size += std::abs(r[row] * motion[row]);
+      }
+    return power > rounding * size;
+  }
+} // namespace fuga

@@ -1,0 +1,283 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""Limit loads in space that are known by hand, with joints from soft to rigid: first the weight, then a growing force.
+
+* A block on a slab topples about an edge or, pushed along its diagonal, over its corner: c W h / 2 = W a, with a the distance from the
+  centre to the edge or corner along the force. Exact: 1e-9.
+* Two cubes slide on a slab, pushed obliquely: c = f.
+* Rock wedges on two planes, cut into tetrahedra. Hoek and Bray, Rock Slope Engineering (1981), chapter 8: the wedge slides along
+  the line of intersection l, so that friction acts along it alone and the normal forces follow from equilibrium across
+  it, N1 n1 + N2 n2 + W - (W.l) l = 0; P = f (N1 + N2) - W.l.
+
+While directions of slip still turn, a limit is approached as slips grow without bounds and the path ends less than 1e-6 of the stage
+before it (theory, section 17): tolerance 1e-6 for what slides. With stiff joints a wedge carries more at first, because friction still
+points away from l, and then jumps: there only that its equilibrium is followed at least as far as the load by hand.
+
+Every limit load must be shown by a motion: the certificate of the mechanism in summary.json.
+
+usage: limits_in_space.py FUGA
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FUGA = pathlib.Path(sys.argv[1]).resolve()
+EXACT, APPROACHED = 1e-9, 1e-6
+FRICTION, DENSITY = 0.9, 25.0
+# Corners of the wedge: on the face of the slope, left and right on the crest, behind the crest.
+WEDGES = [((5, 0, 3), (1, 0, 10), (9, 0, 10), (5, 6, 10)), ((5, 0, 3), (2, 0, 10), (9, 0, 10), (5, 7, 10)),
+          ((4, 0, 4), (1, 0, 10), (9, 0, 10), (5, 6, 10)), ((5, 0, 5), (1, 0, 10), (8, 0, 10), (4, 6, 10)),
+          ((6, 0, 3), (1, 0, 10), (9, 0, 10), (5, 8, 10)), ((5, 0, 6), (1, 0, 10), (9, 0, 10), (6, 6, 10)),
+          ((3, 0, 4), (1, 0, 10), (9, 0, 10), (6, 8, 10))]
+
+BLOCK = """
+Point(1) = {{0, 0, -1}};
+line[] = Extrude{{1, 0, 0}}{{ Point{{1}}; Layers{{{n}}}; }};
+square[] = Extrude{{0, 1, 0}}{{ Line{{line[1]}}; Layers{{{n}}}; Recombine; }};
+slab[] = Extrude{{0, 0, 1}}{{ Surface{{square[1]}}; Layers{{2}}; Recombine; }};
+block[] = Extrude{{0, 0, 4}}{{ Surface{{slab[0]}}; Layers{{4}}; Recombine; }};
+Physical Volume("rock") = {{slab[1]}};
+Physical Volume("block") = {{block[1]}};
+Physical Surface("base") = {{slab[0]}};
+Physical Surface("bottom") = {{square[1]}};
+Physical Surface("free") = {{slab[2], slab[3], slab[4], slab[5], block[0], block[2], block[3], block[4], block[5]}};
+"""
+
+CUBES = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, -1, 3, 1, 1}; Box(2) = {0, 0, 0, 1, 1, 1}; Box(3) = {2, 0, 0, 1, 1, 1};
+parts() = BooleanFragments{ Volume{1}; Delete; }{ Volume{2, 3}; Delete; };
+rock() = Volume{:}; rock() -= {2, 3};
+Physical Volume("one") = {2};
+Physical Volume("two") = {3};
+Physical Volume("rock") = {rock()};
+first() = Surface In BoundingBox{-0.01, -0.01, -0.01, 1.01, 1.01, 0.01};
+second() = Surface In BoundingBox{1.99, -0.01, -0.01, 3.01, 1.01, 0.01};
+bottom() = Surface In BoundingBox{-0.01, -0.01, -1.01, 3.01, 1.01, -0.99};
+Physical Surface("first") = {first()};
+Physical Surface("second") = {second()};
+Physical Surface("bottom") = {bottom()};
+outer() = CombinedBoundary{ Volume{:}; };
+free() = {};
+For i In {0 : #outer() - 1}
+  If (Abs(outer(i)) != bottom(0))
+    free() += {Abs(outer(i))};
+  EndIf
+EndFor
+Physical Surface("free") = {free()};
+Mesh.CharacteristicLengthMax = 0.5;
+"""
+
+WEDGE = """
+SetFactory("OpenCASCADE");
+Box(1) = {{0, 0, 0, 10, 10, 10}};
+Point(101) = {{{0}}}; Point(102) = {{{1}}}; Point(103) = {{{2}}}; Point(104) = {{{3}}};
+Line(101) = {{101, 102}}; Line(102) = {{102, 104}}; Line(103) = {{104, 101}};
+Line(104) = {{101, 103}}; Line(105) = {{103, 104}}; Line(106) = {{102, 103}};
+Curve Loop(101) = {{101, 102, 103}};   Plane Surface(101) = {{101}};
+Curve Loop(102) = {{104, 105, 103}};   Plane Surface(102) = {{102}};
+Curve Loop(103) = {{101, 106, -104}};  Plane Surface(103) = {{103}};
+Curve Loop(104) = {{102, -105, -106}}; Plane Surface(104) = {{104}};
+Surface Loop(101) = {{101, 102, 103, 104}}; Volume(101) = {{101}};
+parts() = BooleanFragments{{ Volume{{1}}; Delete; }}{{ Volume{{101}}; Delete; }};
+rock() = Volume{{:}}; rock() -= {{101}};
+Physical Volume("wedge") = {{101}};
+Physical Volume("rock") = {{rock()}};
+Physical Surface("left") = {{101}};
+Physical Surface("right") = {{102}};
+bottom() = Surface In BoundingBox{{-1, -1, -0.01, 11, 11, 0.01}};
+Physical Surface("bottom") = {{bottom()}};
+outer() = CombinedBoundary{{ Volume{{:}}; }};
+free() = {{}};
+For i In {{0 : #outer() - 1}}
+  If (Abs(outer(i)) != bottom(0))
+    free() += {{Abs(outer(i))}};
+  EndIf
+EndFor
+Physical Surface("free") = {{free()}};
+Mesh.CharacteristicLengthMax = 2;
+Mesh.CharacteristicLengthMin = 0.5;
+"""
+
+PARAMETERS = """
+set Dimension = 3
+subsection Mesh
+  set File = {mesh}
+end
+subsection Bodies
+{bodies}  subsection rock
+    set Young modulus = 1e7
+    set Poisson ratio = 0.2
+  end
+end
+subsection Joints
+{joints}end
+subsection Boundaries
+  subsection bottom
+    set Fixed = all
+  end
+  subsection free
+    set Fixed = free
+  end
+end
+subsection Loads
+  subsection weight
+    set Type = weight
+  end
+  subsection push
+    set Type   = seismic
+    set Horizontal coefficient = {horizontal!r}
+    set Horizontal direction   = {direction}
+    set Vertical coefficient   = {vertical!r}
+  end
+end
+subsection Stages
+  subsection weight
+    set Loads = weight: t
+  end
+  subsection push
+    set Loads = push: t
+  end
+end
+subsection Output
+  set Fields = never
+end
+"""
+
+BODY = """  subsection {name}
+    set Young modulus  = 1e7
+    set Poisson ratio  = 0.2
+    set Weight density = {density}
+  end
+"""
+
+JOINT = """  subsection {name}
+    set Line       = {name}
+    set Plus body  = {body}
+    set Minus body = rock
+    set Friction coefficient = {friction}
+{layer}  end
+"""
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def unit(a):
+    return [x / math.sqrt(dot(a, a)) for x in a]
+
+
+def limit_by_hand(corners):
+    """The force per weight at which the wedge slides, and its unit vector."""
+    toe, left, right, back = corners
+    line = unit(minus(toe, back))
+    weight = [0.0, 0.0, -1.0]
+    normals = []
+    for on_crest, other in ((left, right), (right, left)):
+        normal = unit(cross(line, minus(on_crest, toe)))
+        normals.append(normal if dot(normal, minus(other, toe)) > 0 else [-x for x in normal])
+    across = minus(weight, [dot(weight, line) * x for x in line])
+    c = dot(*normals)
+    b = [-dot(across, normal) for normal in normals]
+    pressures = [(b[0] - c * b[1]) / (1 - c * c), (b[1] - c * b[0]) / (1 - c * c)]
+    assert min(pressures) > 0, "the wedge loses contact with a plane"
+    return FRICTION * sum(pressures) - dot(weight, line), line
+
+
+def mesh(folder, name, geometry):
+    path = folder / f"{name}.geo"
+    path.write_text(geometry, encoding="utf-8")
+    subprocess.run(["gmsh", "-3", "-v", "1", "-format", "msh41", str(path)], check=True)
+    return path.with_suffix(".msh")
+
+
+def run(mesh_file, joints, stiffness, friction, coefficients):
+    """@p joints: names with the body above each; @p coefficients: force per weight at the end of the second stage."""
+    layer = ("    set Normal law = rigid\n    set Shear law = rigid\n" if stiffness == "rigid" else
+             f"    set Normal stiffness = {stiffness}\n    set Shear stiffness  = {float(stiffness) / 2}\n")
+    path = mesh_file.with_name(f"{mesh_file.stem}_{stiffness}.prm")
+    x, y, z = coefficients
+    path.write_text(PARAMETERS.format(
+        mesh=mesh_file.name, bodies="".join(BODY.format(name=name, density=DENSITY) for name in sorted(set(joints.values()))),
+        joints="".join(JOINT.format(name=name, body=body, friction=friction, layer=layer) for name, body in joints.items()),
+        horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z), encoding="utf-8")
+    out = path.with_suffix("")
+    done = subprocess.run([FUGA, path, "--output-dir", out], capture_output=True, text=True, check=False)
+    return done.returncode, json.loads((out / "summary.json").read_text()), done.stdout + done.stderr
+
+
+class Check:
+    def __init__(self):
+        self.complaints = []
+
+    def __call__(self, name, result, limit, tolerance, may_jump=False):
+        """The second stage ends at the share @p limit; where it may jump, not before."""
+        code, summary, text = result
+        error = (summary["t"] - 1) / limit - 1
+        print(f"{name}: exit code {code}, {summary['verdict']}, error {error:.1e}, certificate {summary['certificate']['worst']:.1e}")
+        if code != 3 or error < -tolerance or (error > tolerance and not may_jump):
+            self.complaints.append(f"{name}: exit code {code}, error of the limit {error}\n{text[-1500:]}")
+        elif summary["verdict"] == "limit load":
+            proof = summary["limit_load"]["proof"]
+            print(f"    resistance {proof['resistance']:.1e}, inadmissible {proof['inadmissible']:.1e}, balance {proof['balance']:.1e}, "
+                  f"drive {proof['drive']:.3f}")
+            if not (proof["error"] < 1e-3 and proof["drive"] > 0):
+                self.complaints.append(f"{name}: the limit is not shown by a motion: {proof}")
+
+
+def check_toppling(check, folder):
+    for n in (2, 3, 4):
+        mesh_file = mesh(folder, f"block_{n}", BLOCK.format(n=n))
+        for stiffness in ("1e6", "1e8", "rigid"):
+            for x, y in ((1.0, 0.0), (1.0, 1.0), (math.cos(math.pi / 6), 0.5)):
+                arm = 0.5 * math.hypot(x, y) / max(x, y)
+                limit = arm / 2 / math.hypot(x, y)
+                result = run(mesh_file, {"base": "block"}, stiffness, FRICTION, (x, y, 0.0))
+                check(f"block of {n} x {n} cells, stiffness {stiffness}, pushed along ({x:.2f}, {y:.2f})", result, limit, EXACT)
+
+
+def check_cubes(check, folder):
+    mesh_file = mesh(folder, "cubes", CUBES)
+    for stiffness in ("1e6", "1e10", "rigid"):
+        for friction in (0.3, 0.6):
+            result = run(mesh_file, {"first": "one", "second": "two"}, stiffness, friction, (1.0, 0.3, 0.0))
+            check(f"two cubes, f = {friction}, stiffness {stiffness}", result, friction / math.hypot(1.0, 0.3), APPROACHED / friction)
+
+
+def check_wedges(check, folder):
+    for number, corners in enumerate(WEDGES):
+        limit, line = limit_by_hand(corners)
+        mesh_file = mesh(folder, f"wedge_{number}", WEDGE.format(*(", ".join(map(str, corner)) for corner in corners)))
+        for stiffness in ("1e6", "1e9"):
+            # Twice the limit, so that it comes in the middle of the stage.
+            result = run(mesh_file, {"left": "wedge", "right": "wedge"}, stiffness, FRICTION, [2 * limit * x for x in line])
+            check(f"wedge {number}, stiffness {stiffness}", result, 0.5, 2 * APPROACHED, may_jump=stiffness == "1e9")
+
+
+def main():
+    check = Check()
+    with tempfile.TemporaryDirectory(prefix="limits_") as name:
+        folder = pathlib.Path(name)
+        check_toppling(check, folder)
+        check_cubes(check, folder)
+        check_wedges(check, folder)
+    for text in check.complaints:
+        print(text)
+    return 1 if check.complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
