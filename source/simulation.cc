@@ -86,7 +86,7 @@ namespace fuga
           }
         if (outcome.path.verdict == Verdict::limit_load &&
             outcome.path.beyond.end == BeyondLimit::End::none)
-          outcome.mechanism = judge.judge_mechanism(last_state, outcome.path.mechanism_jumps);
+          judge_limit(outcome);
         find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
@@ -128,6 +128,24 @@ namespace fuga
   {
     judge.lose_track();
     last_state = to;
+  }
+
+  // Asymptotic limits end where the motion still meets a small resistance.
+  template <int dim>
+  void
+  Simulation<dim>::judge_limit(Outcome &outcome)
+  {
+    constexpr double largest_error = 0.02;
+    outcome.mechanism = judge.judge_mechanism(last_state, outcome.path.mechanism_jumps);
+    if (!(outcome.mechanism.error() <= largest_error && outcome.mechanism.drive > 0.))
+      log.warning(fmt::format("The motion found does not prove the limit load: resistance {:.2g}, "
+                              "inadmissible part {:.2g}, balance of power {:.2g} (all should "
+                              "vanish), drive {:.2g} (should be positive). The structure may "
+                              "stand; try a smaller step of the load or softer joints.",
+                              outcome.mechanism.resistance,
+                              outcome.mechanism.inadmissible,
+                              outcome.mechanism.balance,
+                              outcome.mechanism.drive));
   }
 
   template <int dim>

@@ -234,7 +234,10 @@ class Check:
             proof = summary["limit_load"]["proof"]
             print(f"    resistance {proof['resistance']:.1e}, inadmissible {proof['inadmissible']:.1e}, balance {proof['balance']:.1e}, "
                   f"drive {proof['drive']:.3f}")
-            if not (proof["error"] < 1e-3 and proof["drive"] > 0):
+            # What only approaches its mechanism still meets the resistance at which the path ends (theory, section 17), some
+            # times 1e-3 of the joints' stiffness.
+            bound = EXACT if tolerance == EXACT else 1e-2
+            if not (proof["error"] < bound and proof["inadmissible"] < EXACT and proof["drive"] > 0):
                 self.complaints.append(f"{name}: the limit is not shown by a motion: {proof}")
 
 
