@@ -30,7 +30,8 @@ namespace fuga
     DenseMatrix series(n, n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        blas::axpy(n, softness / stiff.diagonal[j], W.column(j), series.column(j));
+        if (stiff.diagonal[j] > 0.) // a bar without stiffness stays one
+          blas::axpy(n, softness / stiff.diagonal[j], W.column(j), series.column(j));
         series(j, j) += 1.;
       }
     const LuFactors factors(std::move(series));
