@@ -125,14 +125,17 @@ namespace fuga
     for (std::size_t k = 0; k < rk::n_stages; ++k)
       for (std::size_t i = 0; i < 2 * n; ++i)
         difference[i] += length * (rk::weights.back()[k] - rk::embedded[k]) * rates[k][i];
-    // Close to a mechanism the rounding of the forces moves the slips.
-    constexpr double force_rounding = 1e-13;
-    const double uncertainty        = force_rounding * force_scale *
-                               max_abs(from.point.rates.dislocations) /
-                               max_abs(course.drive.reactions);
-    error = std::max(max_abs(difference) / (jump_scale + uncertainty / cone_step_tolerance),
-                     max_abs(solver.resistance(difference)) / force_scale) /
-            cone_step_tolerance;
+    // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
+    // Close to a mechanism their rounding moves the slips.
+    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
+    const double force_noise =
+      std::max(force_rounding * force_scale,
+               stage_rounding * context.system.largest_stiffness() * max_abs(to.stage.slips));
+    const double jump_noise =
+      force_noise * max_abs(from.point.rates.dislocations) / max_abs(course.drive.reactions);
+    error = std::max(max_abs(difference) / (cone_step_tolerance * jump_scale + jump_noise),
+                     max_abs(solver.resistance(difference)) /
+                       (cone_step_tolerance * force_scale + force_noise));
     error = std::max(error, work_defect(from, to, length, work));
     return std::isfinite(error);
   }
