@@ -128,6 +128,7 @@ namespace fuga
         const bool regular = solve_scheme();
         if (!update_scheme(i >= n_together) && (!regular || is_settled()))
           return regular ? Outcome::solved : Outcome::singular;
+        free_motion.clear(); // of a scheme that the next one replaces
       }
     return Outcome::cycled;
   }
