@@ -6,6 +6,7 @@
 #include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/matrix_free_path.h>
+#include <fuga/contact/virgin_state.h>
 #include <fuga/io/summary.h>
 #include <fuga/simulation.h>
 
@@ -136,7 +137,12 @@ namespace fuga
   Simulation<dim>::judge_limit(Outcome &outcome)
   {
     constexpr double largest_error = 0.02;
-    outcome.mechanism = judge.judge_mechanism(last_state, outcome.path.mechanism_jumps);
+    // What does not stand under its first load has no state yet.
+    const JointState state =
+      last_state.states.empty()
+        ? virgin_state(joint.elements, layered.n_bars(), layered.water_in_joints() != nullptr)
+        : last_state;
+    outcome.mechanism = judge.judge_mechanism(state, outcome.path.mechanism_jumps);
     if (!(outcome.mechanism.error() <= largest_error && outcome.mechanism.drive > 0.))
       log.warning(fmt::format("The motion found does not prove the limit load: resistance {:.2g}, "
                               "inadmissible part {:.2g}, balance of power {:.2g} (all should "

@@ -5,6 +5,7 @@
 
 * A block on a slab topples about an edge or, pushed along its diagonal, over its corner: c W h / 2 = W a, with a the distance from the
   centre to the edge or corner along the force. Exact: 1e-9.
+* The same block under weight and push that grow together stands or falls at once.
 * Two cubes slide on a slab, pushed obliquely: c = f.
 * Rock wedges on two planes, cut into tetrahedra. Hoek and Bray, Rock Slope Engineering (1981), chapter 8: the wedge slides along
   the line of intersection l, so that friction acts along it alone and the normal forces follow from equilibrium across
@@ -136,16 +137,22 @@ subsection Loads
   end
 end
 subsection Stages
-  subsection weight
+{stages}end
+subsection Output
+  set Fields = never
+end
+"""
+
+WEIGHT_THEN_PUSH = """  subsection weight
     set Loads = weight: t
   end
   subsection push
     set Loads = push: t
   end
-end
-subsection Output
-  set Fields = never
-end
+"""
+TOGETHER = """  subsection together
+    set Loads = weight: t; push: t
+  end
 """
 
 BODY = """  subsection {name}
@@ -204,7 +211,7 @@ def mesh(folder, name, geometry):
     return path.with_suffix(".msh")
 
 
-def run(mesh_file, joints, stiffness, friction, coefficients):
+def run(mesh_file, joints, stiffness, friction, coefficients, stages=WEIGHT_THEN_PUSH):
     """@p joints: names with the body above each; @p coefficients: force per weight at the end of the second stage."""
     layer = ("    set Normal law = rigid\n    set Shear law = rigid\n" if stiffness == "rigid" else
              f"    set Normal stiffness = {stiffness}\n    set Shear stiffness  = {float(stiffness) / 2}\n")
@@ -213,7 +220,7 @@ def run(mesh_file, joints, stiffness, friction, coefficients):
     path.write_text(PARAMETERS.format(
         mesh=mesh_file.name, bodies="".join(BODY.format(name=name, density=DENSITY) for name in sorted(set(joints.values()))),
         joints="".join(JOINT.format(name=name, body=body, friction=friction, layer=layer) for name, body in joints.items()),
-        horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z), encoding="utf-8")
+        horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z, stages=stages), encoding="utf-8")
     out = path.with_suffix("")
     done = subprocess.run([FUGA, path, "--output-dir", out], capture_output=True, text=True, check=False)
     return done.returncode, json.loads((out / "summary.json").read_text()), done.stdout + done.stderr
@@ -252,6 +259,18 @@ def check_toppling(check, folder):
                 check(f"block of {n} x {n} cells, stiffness {stiffness}, pushed along ({x:.2f}, {y:.2f})", result, limit, EXACT)
 
 
+def check_first_load(check, folder):
+    """A block pushed by c times its weight slides at once if c > f, topples at once if c > W a / (h / 2), and else stands."""
+    mesh_file = mesh(folder, "first", BLOCK.format(n=4))
+    for stiffness in ("1e6", "1e9", "rigid"):
+        for friction, push, code in ((0.2, 0.21, 3), (0.2, 0.19, 0), (0.9, 0.26, 3), (0.9, 0.24, 0)):
+            x, y = (math.cos(math.pi / 6), 0.5) if friction < 0.25 else (1.0, 0.0)
+            found, summary, text = run(mesh_file, {"base": "block"}, stiffness, friction, (push * x, push * y, 0.0), TOGETHER)
+            print(f"first load, f = {friction}, c = {push}, stiffness {stiffness}: exit code {found}, t = {summary['t']}")
+            if found != code or summary["t"] != (1.0 if code == 0 else 0.0):
+                check.complaints.append(f"first load, f = {friction}, c = {push}, stiffness {stiffness}: exit code {found}\n{text[-1500:]}")
+
+
 def check_cubes(check, folder):
     mesh_file = mesh(folder, "cubes", CUBES)
     for stiffness in ("1e6", "1e10", "rigid"):
@@ -275,6 +294,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="limits_") as name:
         folder = pathlib.Path(name)
         check_toppling(check, folder)
+        check_first_load(check, folder)
         check_cubes(check, folder)
         check_wedges(check, folder)
     for text in check.complaints:
