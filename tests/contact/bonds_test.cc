@@ -4,6 +4,7 @@
 #include "contact/toy_system.h"
 
 #include <fuga/contact/layer_response.h>
+#include <fuga/laws/cubic_root_law.h>
 
 #include <gtest/gtest.h>
 
@@ -186,7 +187,7 @@ TEST(Bonds, DilatancyOnNonlinearLayer)
   law.coefficient = 0.6;
   law.dilatancy   = 0.3;
   OneElement one(law, 0.25, 2., 0., 1.);
-  one.joint.normal                 = make_cubic_root_law(0.25, 2.);
+  one.joint.normal                 = std::make_unique<CubicRootLaw>(0.25, 2.);
   one.joint.elements[0].normal_law = one.joint.normal.get();
   const PathRun run(one, LoadHistory({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 1.}}), {1., 2.});
   EXPECT_LE(run.record.worst.worst(), 1e-10); // of the interpolated curve

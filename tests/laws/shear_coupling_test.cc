@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/laws/cubic_root_law.h>
 #include <fuga/laws/shear_coupling.h>
 
 #include <gtest/gtest.h>
@@ -26,9 +27,9 @@ namespace
 // third derivatives, which are of order one here.
 TEST(ShearCoupling, StressesDeriveFromOnePotential)
 {
-  const double h    = 1e-5;
-  const auto linear = make_linear_law(0.25);
-  const auto curved = make_cubic_root_law(0.25, 4.);
+  const double h                              = 1e-5;
+  const auto linear                           = make_linear_law(0.25);
+  const std::unique_ptr<ComplianceLaw> curved = std::make_unique<CubicRootLaw>(0.25, 4.);
   for (const auto *normal : {linear.get(), curved.get()})
     for (const ShearCoupling &layer : couplings(*normal))
       for (const double w : {0.1, 0.5, 1.})
