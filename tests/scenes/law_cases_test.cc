@@ -38,6 +38,50 @@ namespace
   }
 } // namespace
 
+// A block on a rough rigid base, pressed from above by 1 and from the left by 0.5, both growing
+// from nothing: what slides, slides from the apex with what is left of its friction, 0.3, and what
+// sticks has 0.5. Given which elements ever slid, that is a problem with one coefficient for each,
+// which the independent Newton solves in one step from nothing; its residual is below 1e-11. No
+// stuck element is beyond its own cone there, and the sums are those of the loads, -2 and 0.5.
+TEST(LawCases, FrictionLostAtTheApex)
+{
+  Json scene;
+  scene["Bodies"]["block"] = {{"Young modulus", 100.}, {"Poisson ratio", 0.3}};
+  scene["Joints"]["j"]     = rigid_joint(0.5);
+  scene["Joints"]["j"]["Residual friction coefficient"] = 0.3;
+  for (const char *side : {"right", "corner"})
+    scene["Boundaries"][side]["Fixed"] = "free";
+  press(scene, "p", "top", 1.);
+  press(scene, "q", "left", 0.5);
+  scene["Stages"]["s"] = {{"Loads", "p: t; q: t"}, {"Levels", 2}};
+  const std::string file =
+    write_scene(block_mesh(uniform(0., 2., 8), uniform(0., 1., 4), 2.), scene);
+  const SceneRun run = run_scene(file);
+  ASSERT_EQ(run.exit_code, 0);
+  EXPECT_LE(run.certificate(), 1e-9);
+  EXPECT_NEAR(run.resultant("N", 1.), -2., 1e-12);
+  EXPECT_NEAR(run.resultant("T", 1.), 0.5, 1e-12);
+
+  const SceneModel model(file);
+  judges::JudgeProblem problem = model.judge_problem();
+  std::size_t n_slid           = 0;
+  for (std::size_t r = 0; r < run.events.rows.size(); ++r)
+    if (run.events.text(r, "to") == "slip")
+      {
+        double &f =
+          problem.elements[static_cast<std::size_t>(run.events.number(r, "element"))].friction;
+        n_slid += f == 0.3 ? 0 : 1;
+        f = 0.3;
+      }
+  EXPECT_GE(n_slid, 1u);
+  EXPECT_LT(n_slid, problem.elements.size());
+  const auto step =
+    judges::semismooth_newton_step(problem, judges::no_slip(problem), model.judge_load(1.));
+  ASSERT_TRUE(step.converged);
+  EXPECT_LE(deviation(model.bars(run, 1., true), step.solution.forces), 1e-9);
+  EXPECT_LE(deviation(model.bars(run, 1., false), step.solution.jumps), 1e-9);
+}
+
 // Law (9) as a tangent, by name and as expressions, which cancel near w = 0: the same pressures, to
 // the 1e-12 by which step control lets energies differ times some 100, and in seconds.
 TEST(LawCases, NoisyExpression)
