@@ -37,8 +37,15 @@ namespace fuga
     , taus{0.}
     , points{start}
     , functions{event_functions(start)}
+    , largest_jump(jump_of(start))
     , determinant_sign(is_reduction() ? context.scheme.determinant_sign() : 0)
   {
+  }
+
+  double
+  CurvedSegment::jump_of(const PathPoint &point) const
+  {
+    return max_abs(context.system.jumps(point.state.dislocations, point.state.forces));
   }
 
   double
@@ -121,8 +128,7 @@ namespace fuga
           {
             std::optional<PathPoint> point = solve(root, interpolate(a, root));
             if (!point)
-              throw NumericalFailure(fmt::format(
-                "An event could not be located behind load time {}.", points[a].state.t));
+              fail_behind(a, "An event could not be located");
             b = insert(root, std::move(*point));
           }
         const auto &at_root = functions[b];
@@ -143,9 +149,7 @@ namespace fuga
             for (std::size_t i = 0; i < at_root.size(); ++i)
               if (!at_root[i].has_rate && is_met(i))
                 lost_slip.push_back(at_root[i].element);
-            taus.resize(b + 1);
-            points.resize(b + 1);
-            functions.resize(b + 1);
+            forget_behind(b);
             return taus[b];
           }
         if (!violated)
@@ -154,14 +158,30 @@ namespace fuga
             ++b;
           }
       }
-    throw NumericalFailure(fmt::format(
-      "The location of an event does not converge behind load time {}.", points[a].state.t));
+    fail_behind(a, "The location of an event does not converge");
+  }
+
+  // What lies behind an event is no state of the path.
+  void
+  CurvedSegment::fail_behind(const std::size_t a, const char *what)
+  {
+    forget_behind(a);
+    throw NumericalFailure(fmt::format("{} behind load time {}.", what, points[a].state.t));
+  }
+
+  void
+  CurvedSegment::forget_behind(const std::size_t a)
+  {
+    taus.resize(a + 1);
+    points.resize(a + 1);
+    functions.resize(a + 1);
   }
 
   std::size_t
   CurvedSegment::insert(const double tau, PathPoint &&point)
   {
     const auto place = std::upper_bound(taus.begin(), taus.end(), tau) - taus.begin();
+    largest_jump     = std::max(largest_jump, jump_of(point));
     functions.insert(functions.begin() + place, event_functions(point));
     points.insert(points.begin() + place, std::move(point));
     taus.insert(taus.begin() + place, tau);
