@@ -110,6 +110,25 @@ TEST(LawCases, GapOfRounding)
   EXPECT_LE(deviation(pressures[1], pressures[0]), 1e-11);
 }
 
+// Scene G on a power law of exponent 2, whose foot is 4000 times as soft as the layer under the
+// weight: gaps are judged by the jumps, not by what the foot would deform. The base carries the
+// weight 24·20·40 and the water 9.81·40²/2.
+TEST(LawCases, SoftFootOfAPowerLaw)
+{
+  const SceneRun run = run_scene("scene_g_f06.prm",
+                                 {"Joints/base/Normal stiffness=",
+                                  "Joints/base/Normal law=power",
+                                  "Joints/base/Normal reference closure=0.001",
+                                  "Joints/base/Normal reference stress=1000",
+                                  "Joints/base/Normal exponent=2",
+                                  "Output/Fields=never"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_LE(run.certificate(), 1e-9);
+  const double t = run.last_t();
+  EXPECT_NEAR(run.resultant("N", t), -19200., 19200. * 1e-9);
+  EXPECT_NEAR(run.resultant("T", t), 7848., 7848. * 1e-9);
+}
+
 // Law (9) as a tangent, by name and as expressions, which cancel near w = 0: the same pressures, to
 // the 1e-12 by which step control lets energies differ times some 100, and in seconds.
 TEST(LawCases, NoisyExpression)
