@@ -194,7 +194,7 @@ namespace fuga
         for (ContactElement &element : model.elements)
           if (element.joint == j)
             {
-              element.coupling    = coupling;
+              element.coupling    = element.has_tangential_bar() ? coupling : nullptr;
               element.normal_law  = model.laws[2 * j].get();
               element.shear_law   = model.laws[2 * j + 1].get();
               element.friction    = joint.friction;

@@ -74,6 +74,22 @@ namespace
      [](const double w) { return 5. * (std::sqrt(1. + w / 1e-3) - 1.); },
      1e-3,
      1.},
+    // Without shear both layers of a coupled one are those of the normal law; the elements at the
+    // held sides have no shear bar to be coupled with.
+    {"coupled_by_closure",
+     {{"Normal stiffness", 1e3},
+      {"Shear stiffness grows with", "closure"},
+      {"Shear growth closure", 0.01}},
+     [](const double w) { return 1e3 * w; },
+     1e-3,
+     1.},
+    {"coupled_by_pressure",
+     {{"Normal stiffness", 1e3},
+      {"Shear stiffness grows with", "pressure"},
+      {"Shear growth pressure", 0.1}},
+     [](const double w) { return 1e3 * w; },
+     1e-3,
+     1.},
     {"cubic_root_tangent",
      {{"Normal law", "cubic root tangent"}, {"Normal compliance", 1e-4}, {"Thickness", 1e-3}},
      [](const double w) {
