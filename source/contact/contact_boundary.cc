@@ -88,9 +88,9 @@ namespace fuga
         BoundaryElement candidate;
         candidate.element   = k;
         const std::size_t n = element.normal_bar;
-        candidate.grazing   = open
-                                ? gap(element, state, k) <= zero_gap
-                                : state.forces[n] >= state.strengths[k].tension - force_tolerances[n];
+        candidate.grazing =
+          open ? gap(element, state, k) <= zero_gap
+               : state.forces[n] >= tensile_strength(element, state, k) - force_tolerances[n];
         if (element.has_tangential_bar() && (candidate.grazing || !open))
           place_shear(state, candidate);
         if (candidate.grazing || candidate.shear != ShearPosition::inside)
@@ -132,9 +132,9 @@ namespace fuga
       return used_up_after({gap(element, state, k), rates.dislocations[n], zero_gap}, noise.jump());
 
     const Strength &strength_left = state.strengths[k];
-    double nearest                = used_up_after({strength_left.tension - state.forces[n],
-                                                   tensile_strength_rate(element, drive) - rates.forces[n],
-                                                   force_tolerances[n]},
+    double nearest = used_up_after({tensile_strength(element, state, k) - state.forces[n],
+                                    tensile_strength_rate(element, drive) - rates.forces[n],
+                                    force_tolerances[n]},
                                    noise.force(n));
     if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
       nearest = std::min(

@@ -209,7 +209,7 @@ namespace fuga
             continue;
           }
         const Strength &strength = state.strengths[k];
-        result.push_back({strength.tension - state.forces[n],
+        result.push_back({tensile_strength(element, state, k) - state.forces[n],
                           tensile_strength_rate(element, drive) - dp[n],
                           n_noise,
                           true,

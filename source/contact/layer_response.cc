@@ -188,9 +188,18 @@ namespace fuga
   }
 
   double
+  tensile_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    return at.strengths[k].tension + std::max(at.unreleased[element.normal_bar], 0.);
+  }
+
+  double
   tensile_strength_rate(const ContactElement &element, const Drive &drive)
   {
-    return drive.strength.empty() ? 0. : drive.strength[element.normal_bar];
+    double rate = drive.release.empty() ? 0. : std::min(drive.release[element.normal_bar], 0.);
+    if (!drive.strength.empty())
+      rate += drive.strength[element.normal_bar];
+    return rate;
   }
 
   double

@@ -85,7 +85,12 @@ namespace fuga
   double
   shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Rate of the tensile strength σ_t A under a drive. */
+  /** Largest tension the element can carry while closed, σ_t A and what a broken bond has not yet
+   * released [MN]. */
+  double
+  tensile_strength(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Rate of the tensile strength under a drive. */
   double
   tensile_strength_rate(const ContactElement &element, const Drive &drive);
 
