@@ -89,7 +89,7 @@ namespace fuga
         candidate.element   = k;
         const std::size_t n = element.normal_bar;
         candidate.grazing =
-          open ? gap(element, state, k) <= zero_gap
+          open ? lip_opening(element, state, k) <= zero_gap
                : state.forces[n] >= tensile_strength(element, state, k) - force_tolerances[n];
         if (element.has_tangential_bar() && (candidate.grazing || !open))
           place_shear(state, candidate);
@@ -129,7 +129,9 @@ namespace fuga
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return used_up_after({gap(element, state, k), rates.dislocations[n], zero_gap}, noise.jump());
+      return used_up_after(
+        {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap},
+        noise.jump());
 
     const Strength &strength_left = state.strengths[k];
     double nearest = used_up_after({tensile_strength(element, state, k) - state.forces[n],

@@ -204,8 +204,11 @@ namespace fuga
         const double n_noise = context.boundary.force_tolerance(n);
         if (state.states[k] == ContactState::open)
           {
-            result.push_back(
-              {gap(element, state, k), dd[n], context.boundary.gap_tolerance(), true, k});
+            result.push_back({lip_opening(element, state, k),
+                              lip_opening_rate(element, state, point.rates),
+                              context.boundary.gap_tolerance(),
+                              true,
+                              k});
             continue;
           }
         const Strength &strength = state.strengths[k];
