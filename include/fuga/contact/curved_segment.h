@@ -130,7 +130,7 @@ namespace fuga
     LayerMotion
     shearing(const std::size_t k, const PathPoint &point) const;
     std::vector<EventFunction>
-    event_functions(const PathPoint &point) const;
+    event_functions(const double tau, const PathPoint &point) const;
     double
     first_root(const std::size_t a, const std::size_t b) const;
     double
