@@ -9,7 +9,9 @@
 #include <fuga/joint_model.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -58,6 +60,27 @@ namespace fuga
           fmt::join(element.position, ", ")));
       return gap;
     }
+
+    // Neither coordinates in double precision nor a path that takes a gap of 1e-12 of the largest
+    // one for closed know anything of smaller ones. Lips that are apart by so little would close
+    // before any load could be a measure for them.
+    void
+    close_gaps_of_rounding(std::vector<ContactElement> &elements)
+    {
+      constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
+      constexpr double closed   = 1e-12;
+      double none               = 0.;
+      for (const ContactElement &element : elements)
+        {
+          none = std::max(none, closed * element.initial_gap);
+          for (const double coordinate : element.position)
+            none = std::max(none, rounding * std::abs(coordinate));
+        }
+      for (ContactElement &element : elements)
+        if (element.initial_gap <= none)
+          element.initial_gap = 0.;
+    }
+
     /** Share of the bodies' own compliance that makes the forces of repeated rigid bars unique. */
     constexpr double crossing_compliance = 1e-4;
 
@@ -171,13 +194,14 @@ namespace fuga
         for (ContactElement &element : model.elements)
           if (element.joint == j)
             {
-              element.coupling    = coupling;
+              element.coupling    = element.has_tangential_bar() ? coupling : nullptr;
               element.normal_law  = model.laws[2 * j].get();
               element.shear_law   = model.laws[2 * j + 1].get();
               element.friction    = joint.friction;
               element.initial_gap = initial_gap(gap, element, joint);
             }
       }
+    close_gaps_of_rounding(model.elements);
     separate_repeated_bars<dim>(bodies, model);
     return model;
   }

@@ -77,35 +77,84 @@ namespace fuga
   {
     using Rule = boost::math::quadrature::gauss<double, 15>;
 
-    /** Corrects @p whole, one application of the rule to [a, b], until halving no longer changes it. */
+    /** An interval with one application of the rule to each half. */
+    struct Part
+    {
+      double begin, end, left, right;
+      /** By how much both halves differ from one application to the whole. */
+      double defect;
+
+      double
+      middle() const
+      {
+        return 0.5 * (begin + end);
+      }
+
+      double
+      value() const
+      {
+        return left + right;
+      }
+    };
+
+    template <typename Function>
+    Part
+    halved(const Function &f, const double begin, const double end, const double whole)
+    {
+      const double middle = 0.5 * (begin + end);
+      const double left   = Rule::integrate(f, begin, middle),
+                   right  = Rule::integrate(f, middle, end);
+      return {begin, end, left, right, std::abs(left + right - whole)};
+    }
+
+    /**
+     * ∫f over [0, 1], the part with the largest defect halved first. An expression is known to its
+     * rounding errors only, and where its terms cancel these are large: where halving does not
+     * reduce small defects any more, they are noise, and more parts would not mend it.
+     */
     template <typename Function>
     double
-    refined(const Function &f,
-            const double a,
-            const double b,
-            const double whole,
-            const double scale,
-            const int depth)
+    adaptive_integral(const Function &f)
     {
-      const double tolerance = 1e-14;
-      const double middle    = 0.5 * (a + b);
-      const double left = Rule::integrate(f, a, middle), right = Rule::integrate(f, middle, b);
-      if (depth == 0 || std::abs(left + right - whole) <= tolerance * scale)
-        return left + right;
-      return refined(f, a, middle, left, scale, depth - 1) +
-             refined(f, middle, b, right, scale, depth - 1);
+      constexpr double tolerance       = 1e-14;
+      constexpr double largest_noise   = 1e-6;
+      constexpr int most_noisy_parts   = 4;
+      constexpr std::size_t most_parts = 200;
+      std::vector<Part> parts          = {halved(f, 0., 1., Rule::integrate(f, 0., 1.))};
+      double sum = parts[0].value(), defect = parts[0].defect;
+      for (int n_noisy = 0; defect > tolerance * std::abs(sum) && n_noisy < most_noisy_parts &&
+                            parts.size() < most_parts;)
+        {
+          const auto worst =
+            std::max_element(parts.begin(), parts.end(), [](const Part &a, const Part &b) {
+              return a.defect < b.defect;
+            });
+          const Part old   = *worst;
+          *worst           = halved(f, old.begin, old.middle(), old.left);
+          const Part right = halved(f, old.middle(), old.end, old.right);
+          if (worst->defect + right.defect > 0.5 * old.defect &&
+              old.defect <= largest_noise * std::abs(sum))
+            ++n_noisy;
+          parts.push_back(right);
+          sum = defect = 0.;
+          for (const Part &part : parts)
+            {
+              sum += part.value();
+              defect += part.defect;
+            }
+        }
+      return sum;
     }
   } // namespace
 
+  // x = w s³ makes a root of x at x = 0, as in law (9), smooth.
   double
   ExpressionLaw::energy(const double w) const
   {
-    const int max_halvings = 40;
     if (w <= 0.)
       return 0.;
-    const auto f       = [this](const double x) { return stress(x); };
-    const double whole = Rule::integrate(f, 0., w);
-    return refined(f, 0., w, whole, whole, max_halvings);
+    return adaptive_integral(
+      [this, w](const double s) { return 3. * w * s * s * stress(w * s * s * s); });
   }
 
   // A bracket: doubled, or half of the rest of the way to the limit, until the stress is passed.

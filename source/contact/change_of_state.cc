@@ -26,9 +26,11 @@ namespace fuga
           break_bond(element, k, no_force, state);
           return;
         }
+      // Under tension a bond has c A - f N, which less friction would raise: nothing is lost there.
       const double residual = strength.share * residual_friction(element.friction);
-      double lost           = (strength.friction - residual) * std::max(-N, 0.);
-      strength.friction     = residual;
+      double lost           = N < -no_force ? (strength.friction - residual) * -N : 0.;
+      if (N <= no_force)
+        strength.friction = residual;
       if (bond_breaks)
         {
           lost += strength.cohesion;
@@ -48,11 +50,11 @@ namespace fuga
   {
     // A gap that closes is zero but for rounding, and stays so: to move the lips even by that much
     // would leave forces that do not belong to them where the bodies are stiff.
-    const bool was_open = state.states[k] == ContactState::open;
-    state.states[k]     = to;
+    const bool was_slipping = is_slipping(state.states[k]);
+    state.states[k]         = to;
     if (to == ContactState::open)
       break_bond(element, k, no_force, state);
-    else if (!was_open && is_slipping(to))
+    else if (!was_slipping && is_slipping(to))
       weaken_by_slip(element, k, no_force, state);
   }
 

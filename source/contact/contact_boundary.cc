@@ -19,6 +19,9 @@ namespace fuga
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
      * beside what they deform, refinement keeps their forces better than their terms tell. */
     constexpr double largest_force_noise = 1e-9;
+    /** Shares of d and D p that count for a nonlinear bar, whose jump d + D p may be much smaller
+     * than either: their rounding errors, not the size of the jump. */
+    constexpr double value_rounding = 1e-2, rate_rounding = 1e-3;
   } // namespace
 
   double
@@ -46,7 +49,8 @@ namespace fuga
     const DenseMatrix &R            = system.reactions();
     const double scaled_dislocation = system.scaled_size(state.dislocations);
     const double relative           = value_tolerance * widening;
-    double largest_jump             = max_abs(state.dislocations);
+    const Vector jumps              = system.jumps(state.dislocations, state.forces);
+    double largest_jump             = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
         double terms = system.scale(i) * scaled_dislocation;
@@ -55,11 +59,22 @@ namespace fuga
         if (!state.water.empty())
           terms += std::abs(state.water[i]);
         force_tolerances[i] = relative * terms;
-        largest_jump = std::max(largest_jump, system.compliance(i) * std::abs(state.forces[i]));
+        const double parts  = std::max(std::abs(state.dislocations[i]),
+                                      system.compliance(i) * std::abs(state.forces[i]));
+        largest_jump        = std::max(
+          largest_jump,
+          system.is_curved(i) ? std::max(std::abs(jumps[i]), value_rounding * parts) : parts);
       }
     for (const ContactElement &element : elements)
       largest_jump = std::max(largest_jump, element.initial_gap);
     zero_gap = relative * largest_jump;
+    // A soft layer turns a force of rounding into a closure that is none: where it opens, what is
+    // no force must leave no gap either.
+    for (std::size_t i = 0; i < force_tolerances.size(); ++i)
+      if (system.is_curved(i))
+        force_tolerances[i] =
+          std::max(value_rounding * force_tolerances[i],
+                   std::min(force_tolerances[i], zero_gap / system.compliance(i)));
   }
 
   std::vector<BoundaryElement>
@@ -73,9 +88,9 @@ namespace fuga
         BoundaryElement candidate;
         candidate.element   = k;
         const std::size_t n = element.normal_bar;
-        candidate.grazing   = open
-                                ? gap(element, state, k) <= zero_gap
-                                : state.forces[n] >= state.strengths[k].tension - force_tolerances[n];
+        candidate.grazing =
+          open ? lip_opening(element, state, k) <= zero_gap
+               : state.forces[n] >= tensile_strength(element, state, k) - force_tolerances[n];
         if (element.has_tangential_bar() && (candidate.grazing || !open))
           place_shear(state, candidate);
         if (candidate.grazing || candidate.shear != ShearPosition::inside)
@@ -114,12 +129,14 @@ namespace fuga
     const std::size_t n = element.normal_bar, t = element.tangential_bar;
     const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
     if (state.states[k] == ContactState::open)
-      return used_up_after({gap(element, state, k), rates.dislocations[n], zero_gap}, noise.jump());
+      return used_up_after(
+        {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap},
+        noise.jump());
 
     const Strength &strength_left = state.strengths[k];
-    double nearest                = used_up_after({strength_left.tension - state.forces[n],
-                                                   tensile_strength_rate(element, drive) - rates.forces[n],
-                                                   force_tolerances[n]},
+    double nearest = used_up_after({tensile_strength(element, state, k) - state.forces[n],
+                                    tensile_strength_rate(element, drive) - rates.forces[n],
+                                    force_tolerances[n]},
                                    noise.force(n));
     if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
       nearest = std::min(
@@ -164,9 +181,15 @@ namespace fuga
     , drive(path_drive)
     , scaled_dislocation(system.scaled_size(rates.dislocations))
   {
-    double size = max_abs(rates.dislocations);
-    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
-      size = std::max(size, system.compliance(i) * std::abs(drive.reactions[i]));
+    const Vector jumps = system.jumps(rates.dislocations, rates.forces);
+    double size        = 0.;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      {
+        const double parts = std::max(std::abs(rates.dislocations[i]),
+                                      system.compliance(i) * std::abs(drive.reactions[i]));
+        size               = std::max(
+          size, system.is_curved(i) ? std::max(std::abs(jumps[i]), rate_rounding * parts) : parts);
+      }
     jump_noise    = rate_tolerance * size;
     largest_noise = largest_force_noise * max_abs(drive.reactions);
   }

@@ -36,9 +36,16 @@ namespace fuga
     , count(iteration_count)
     , taus{0.}
     , points{start}
-    , functions{event_functions(start)}
+    , functions{event_functions(0., start)}
+    , largest_jump(jump_of(start))
     , determinant_sign(is_reduction() ? context.scheme.determinant_sign() : 0)
   {
+  }
+
+  double
+  CurvedSegment::jump_of(const PathPoint &point) const
+  {
+    return max_abs(context.system.jumps(point.state.dislocations, point.state.forces));
   }
 
   double
@@ -121,8 +128,7 @@ namespace fuga
           {
             std::optional<PathPoint> point = solve(root, interpolate(a, root));
             if (!point)
-              throw NumericalFailure(fmt::format(
-                "An event could not be located behind load time {}.", points[a].state.t));
+              fail_behind(a, "An event could not be located");
             b = insert(root, std::move(*point));
           }
         const auto &at_root = functions[b];
@@ -143,9 +149,7 @@ namespace fuga
             for (std::size_t i = 0; i < at_root.size(); ++i)
               if (!at_root[i].has_rate && is_met(i))
                 lost_slip.push_back(at_root[i].element);
-            taus.resize(b + 1);
-            points.resize(b + 1);
-            functions.resize(b + 1);
+            forget_behind(b);
             return taus[b];
           }
         if (!violated)
@@ -154,25 +158,52 @@ namespace fuga
             ++b;
           }
       }
-    throw NumericalFailure(fmt::format(
-      "The location of an event does not converge behind load time {}.", points[a].state.t));
+    fail_behind(a, "The location of an event does not converge");
+  }
+
+  // What lies behind an event is no state of the path.
+  void
+  CurvedSegment::fail_behind(const std::size_t a, const char *what)
+  {
+    forget_behind(a);
+    throw NumericalFailure(fmt::format("{} behind load time {}.", what, points[a].state.t));
+  }
+
+  void
+  CurvedSegment::forget_behind(const std::size_t a)
+  {
+    taus.resize(a + 1);
+    points.resize(a + 1);
+    functions.resize(a + 1);
   }
 
   std::size_t
   CurvedSegment::insert(const double tau, PathPoint &&point)
   {
     const auto place = std::upper_bound(taus.begin(), taus.end(), tau) - taus.begin();
-    functions.insert(functions.begin() + place, event_functions(point));
+    largest_jump     = std::max(largest_jump, jump_of(point));
+    functions.insert(functions.begin() + place, event_functions(tau, point));
     points.insert(points.begin() + place, std::move(point));
     taus.insert(taus.begin() + place, tau);
     return static_cast<std::size_t>(place);
   }
 
+  // What is zero is told by the forces and jumps at the beginning of the segment, or of the point
+  // itself: a segment that begins without any load has no scale for what is to come.
   std::vector<CurvedSegment::EventFunction>
-  CurvedSegment::event_functions(const PathPoint &point) const
+  CurvedSegment::event_functions(const double tau, const PathPoint &point) const
   {
     std::vector<EventFunction> result;
-    const JointState &state      = point.state;
+    const JointState &state = point.state;
+    Vector factors          = course.factors;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      factors[i] += tau * course.factor_rates[i];
+    ContactBoundary here(context.elements, context.system);
+    here.set_scales(state, factors, 1.);
+    const auto no_force = [&](const std::size_t bar) {
+      return std::max(context.boundary.force_tolerance(bar), here.force_tolerance(bar));
+    };
+    const double no_gap          = std::max(context.boundary.gap_tolerance(), here.gap_tolerance());
     const Vector &dp             = point.rates.forces;
     const Vector &dd             = point.rates.dislocations;
     const Drive drive            = drive_at(context.elements, course, state);
@@ -181,15 +212,18 @@ namespace fuga
       {
         const ContactElement &element = context.elements[k];
         const std::size_t n = element.normal_bar, t = element.tangential_bar;
-        const double n_noise = context.boundary.force_tolerance(n);
+        const double n_noise = no_force(n);
         if (state.states[k] == ContactState::open)
           {
-            result.push_back(
-              {gap(element, state, k), dd[n], context.boundary.gap_tolerance(), true, k});
+            result.push_back({lip_opening(element, state, k),
+                              lip_opening_rate(element, state, point.rates),
+                              no_gap,
+                              true,
+                              k});
             continue;
           }
         const Strength &strength = state.strengths[k];
-        result.push_back({strength.tension - state.forces[n],
+        result.push_back({tensile_strength(element, state, k) - state.forces[n],
                           tensile_strength_rate(element, drive) - dp[n],
                           n_noise,
                           true,
@@ -201,7 +235,7 @@ namespace fuga
           for (const double sign : {1., -1.})
             result.push_back({shear_strength(element, state, k) - sign * state.forces[t],
                               -f * dp[n] + shear_strength_rate(element, drive) - sign * dp[t],
-                              context.boundary.force_tolerance(t) + f * n_noise,
+                              no_force(t) + f * n_noise,
                               true,
                               k});
         else
@@ -212,7 +246,7 @@ namespace fuga
             if (strength.dilatancy > 0.)
               result.push_back({element.friction.dilation_limit - state.dilations[k],
                                 -strength.dilatancy * speed,
-                                context.boundary.gap_tolerance(),
+                                no_gap,
                                 true,
                                 k});
           }

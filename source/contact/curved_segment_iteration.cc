@@ -76,8 +76,9 @@ namespace fuga
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state);
 
-        const double size  = max_abs(context.system.jumps(change->dislocations, change->forces));
-        const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
+        const double size = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double total =
+          std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
         if (constant && passes_closure_limit(state))
           return false;
         if (size <= options.tolerance * total)

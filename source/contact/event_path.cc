@@ -37,7 +37,6 @@ namespace fuga
         // How does the contact go on from here? The rates of all elements on a boundary decide
         // together.
         boundary.set_scales(state, course.factors, widening_of_tolerances());
-        const Vector unreleased         = state.unreleased;
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
@@ -52,10 +51,10 @@ namespace fuga
               go_beyond_limit(state, observer, result);
             return result;
           }
-        if (state.unreleased != unreleased)
+        if (continuation.costs_strength)
           {
             standstill.forget();
-            continue; // a bond broke: its forces are given up before the load goes on
+            continue; // what was lost is given up, and the rates decided anew, at this load
           }
         if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
           continue; // water comes in or is squeezed out before the load goes on

@@ -36,9 +36,7 @@ namespace fuga
             beyond.end = End::no_continuation;
             return;
           }
-        const Vector unreleased = state.unreleased;
-        adopt_scheme(state, set, 1, observer, result);
-        if (state.unreleased != unreleased)
+        if (adopt_scheme(state, set, 1, observer, result))
           continue;
         if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
           continue;

@@ -26,7 +26,8 @@ namespace fuga
       return continuation;
     ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
 
-    adopt_scheme(state, set, continuation.n_branches, observer, result);
+    continuation.costs_strength =
+      adopt_scheme(state, set, continuation.n_branches, observer, result);
     return continuation;
   }
 
@@ -42,25 +43,32 @@ namespace fuga
       }
   }
 
-  // Gives the boundary elements the states of the working scheme.
-  void
+  // Gives the boundary elements the states of the working scheme. The rates that led to it know
+  // nothing of the strength that it costs: of the forces that have to be given up, nor, where an
+  // element slides from the apex of its cone and has no force to give up, of the friction it loses.
+  bool
   EventPath::adopt_scheme(JointState &state,
                           const std::vector<BoundaryElement> &set,
                           const std::size_t n_branches,
                           PathObserver &observer,
                           PathResult &result) const
   {
+    const Vector unreleased = state.unreleased;
+    bool costs_strength     = false;
     std::vector<ContactEvent> events;
     for (const BoundaryElement &candidate : set)
       {
         const std::size_t k = candidate.element;
         if (state.states[k] == scheme.state(k))
           continue;
+        const Strength strength = state.strengths[k];
         events.push_back(change_element(
           k, scheme.state(k), boundary.force_tolerance(elements[k].normal_bar), state));
         events.back().n_branches = n_branches;
+        costs_strength |= is_slipping(state.states[k]) && !(state.strengths[k] == strength);
       }
     report(events, state, observer, result);
+    return costs_strength || state.unreleased != unreleased;
   }
 
   // A bond at the end of its strength that allows no continuation, neither kept nor lost by

@@ -11,6 +11,12 @@ namespace fuga
 {
   namespace
   {
+    bool
+    widens(const ContactElement &element, const JointState &at)
+    {
+      return element.coupling != nullptr && at.unreleased[element.tangential_bar] != 0.;
+    }
+
     double
     first_stiffness(const ComplianceLaw &law, const double area)
     {
@@ -44,6 +50,35 @@ namespace fuga
     const std::size_t n = element.normal_bar;
     return element.initial_gap - at.dilations[k] + at.dislocations[n] +
            bar_compliance(*element.normal_law, element.area) * at.forces[n];
+  }
+
+  // Under tension a layer keeps its first stiffness, so that g - D N = g0 - ω + d.
+  double
+  lip_opening(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    const std::size_t n = element.normal_bar;
+    if (!widens(element, at))
+      return element.initial_gap - at.dilations[k] + at.dislocations[n];
+    const double A = element.area;
+    return gap(element, at, k) +
+           element.coupling->deformation(-at.forces[n] / A, at.forces[element.tangential_bar] / A)
+             .closure;
+  }
+
+  double
+  lip_opening_rate(const ContactElement &element, const JointState &at, const JointRates &rates)
+  {
+    const std::size_t n = element.normal_bar, t = element.tangential_bar;
+    if (!widens(element, at))
+      return rates.dislocations[n];
+    const double A      = element.area;
+    const auto [w, e]   = element.coupling->deformation(-at.forces[n] / A, at.forces[t] / A);
+    const auto response = element.coupling->response(w, e);
+    const double determinant =
+      response.dsigma_dw * response.dtau_de - response.dsigma_de * response.dsigma_de;
+    return rates.dislocations[n] + bar_compliance(*element.normal_law, A) * rates.forces[n] -
+           (response.dtau_de * rates.forces[n] + response.dsigma_de * rates.forces[t]) /
+             (A * determinant);
   }
 
   double
@@ -188,9 +223,18 @@ namespace fuga
   }
 
   double
+  tensile_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    return at.strengths[k].tension + std::max(at.unreleased[element.normal_bar], 0.);
+  }
+
+  double
   tensile_strength_rate(const ContactElement &element, const Drive &drive)
   {
-    return drive.strength.empty() ? 0. : drive.strength[element.normal_bar];
+    double rate = drive.release.empty() ? 0. : std::min(drive.release[element.normal_bar], 0.);
+    if (!drive.strength.empty())
+      rate += drive.strength[element.normal_bar];
+    return rate;
   }
 
   double

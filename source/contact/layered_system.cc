@@ -102,9 +102,11 @@ namespace fuga
     for (const ContactElement &element : elements)
       n_bars += element.n_bars();
     compliances.assign(n_bars, 0.);
+    curved.assign(n_bars, false);
     for (const ContactElement &element : elements)
       element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
         compliances.at(bar) = bar_compliance(law, element.area);
+        curved[bar]         = law.kind() == ComplianceKind::nonlinear;
       });
     if (!system.has_stiffness())
       return; // forces are found otherwise

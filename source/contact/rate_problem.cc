@@ -125,7 +125,7 @@ namespace fuga
         const double N_noise          = noise.force(element.normal_bar);
         if (now == ContactState::open)
           {
-            if (rates.dislocations[element.normal_bar] < -noise.jump())
+            if (lip_opening_rate(element, state, rates) < -noise.jump())
               switches.push_back({k, state_on_closing(state, candidate, rates)});
             continue;
           }

@@ -3,6 +3,7 @@
 
 #include <fuga/bodies/expression_law.h>
 #include <fuga/io/layer_law.h>
+#include <fuga/laws/cubic_root_law.h>
 #include <fuga/laws/exponential_law.h>
 #include <fuga/laws/hyperbolic_law.h>
 #include <fuga/laws/power_law.h>
@@ -20,14 +21,15 @@ namespace fuga
       bool in_shear;
     };
 
-    constexpr LawWord words[] = {{LayerLaw::rigid, "rigid", true},
-                                 {LayerLaw::linear, "linear", true},
-                                 {LayerLaw::cubic_root, "cubic root", true},
-                                 {LayerLaw::hyperbolic, "hyperbolic", false},
-                                 {LayerLaw::exponential, "exponential", false},
-                                 {LayerLaw::power, "power", true},
-                                 {LayerLaw::tabular, "tabular", true},
-                                 {LayerLaw::expression, "expression", true}};
+    constexpr LawWord known_laws[] = {{LayerLaw::rigid, "rigid", true},
+                                      {LayerLaw::linear, "linear", true},
+                                      {LayerLaw::cubic_root, "cubic root", true},
+                                      {LayerLaw::cubic_root_tangent, "cubic root tangent", true},
+                                      {LayerLaw::hyperbolic, "hyperbolic", false},
+                                      {LayerLaw::exponential, "exponential", false},
+                                      {LayerLaw::power, "power", true},
+                                      {LayerLaw::tabular, "tabular", true},
+                                      {LayerLaw::expression, "expression", true}};
 
     /** The layer of a joint as one direction sees it. */
     struct View
@@ -55,7 +57,7 @@ namespace fuga
   std::string
   law_word(const LayerLaw law)
   {
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_laws)
       if (known.law == law)
         return known.word;
     return "";
@@ -65,7 +67,7 @@ namespace fuga
   law_words(const LayerDirection direction)
   {
     std::vector<std::string> result;
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_laws)
       if (known.in_shear || direction == LayerDirection::normal)
         result.emplace_back(known.word);
     return result;
@@ -74,7 +76,7 @@ namespace fuga
   std::optional<LayerLaw>
   law_of_word(const std::string &word, const LayerDirection direction)
   {
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_laws)
       if (known.word == word && (known.in_shear || direction == LayerDirection::normal))
         return known.law;
     return {};
@@ -83,7 +85,14 @@ namespace fuga
   bool
   has_compliance_entry(const LayerLaw law)
   {
-    return law == LayerLaw::linear || law == LayerLaw::cubic_root || law == LayerLaw::hyperbolic;
+    return law == LayerLaw::linear || needs_compliance(law);
+  }
+
+  bool
+  needs_compliance(const LayerLaw law)
+  {
+    return law == LayerLaw::cubic_root || law == LayerLaw::cubic_root_tangent ||
+           law == LayerLaw::hyperbolic;
   }
 
   std::string
@@ -92,9 +101,11 @@ namespace fuga
     const auto [law, compliance, curve] = view(joint, direction);
     const bool normal                   = direction == LayerDirection::normal;
     const std::string start             = "'" + direction_word(direction) + " ";
-    if (law == LayerLaw::cubic_root && joint.thickness == 0.)
-      return "'Thickness' is missing. The cubic root law needs the thickness of the layer.";
-    if ((law == LayerLaw::cubic_root || law == LayerLaw::hyperbolic) && compliance == 0.)
+    if ((law == LayerLaw::cubic_root || law == LayerLaw::cubic_root_tangent) &&
+        joint.thickness == 0.)
+      return fmt::format("'Thickness' is missing. The {} law needs the thickness of the layer.",
+                         law_word(law));
+    if (needs_compliance(law) && compliance == 0.)
       return start + fmt::format("compliance' is missing: the {} law needs a compliance > 0. For a "
                                  "rigid joint choose the law rigid.",
                                  law_word(law));
@@ -136,7 +147,9 @@ namespace fuga
         case LayerLaw::linear:
           return make_linear_law(compliance);
         case LayerLaw::cubic_root:
-          return make_cubic_root_law(compliance, joint.thickness);
+          return std::make_unique<CubicRootLaw>(compliance, joint.thickness);
+        case LayerLaw::cubic_root_tangent:
+          return std::make_unique<CubicRootTangentLaw>(compliance, joint.thickness);
         case LayerLaw::hyperbolic:
           return std::make_unique<HyperbolicLaw>(compliance, curve.closure_limit);
         case LayerLaw::exponential:

@@ -38,8 +38,8 @@ namespace fuga
     {
       using L                                   = LayerLaw;
       static const std::vector<OwnedEntry> list = {
-        {"compliance", {L::linear, L::cubic_root, L::hyperbolic}},
-        {"stiffness", {L::linear, L::cubic_root, L::hyperbolic}},
+        {"compliance", {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
+        {"stiffness", {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
         {"closure limit", {L::hyperbolic, L::expression}},
         {"reference closure", {L::exponential, L::power}},
         {"reference jump", {L::power}},
@@ -117,7 +117,7 @@ namespace fuga
       const double rho = section.given(compliance)  ? section.number(compliance)
                          : section.given(stiffness) ? 1. / section.number(stiffness)
                                                     : 0.;
-      if (rho == 0. && (law == LayerLaw::cubic_root || law == LayerLaw::hyperbolic))
+      if (rho == 0. && needs_compliance(law))
         section.fail(
           compliance,
           fmt::format("{} needs a compliance > 0. For a rigid joint choose the law rigid.",

@@ -77,8 +77,9 @@ namespace fuga
                  fmt::format("{} [m/MPa] of a linear{} law, at w = 0; 0 = exactly "
                              "rigid. Either this or {} stiffness; neither for {}.",
                              first,
-                             direction == LayerDirection::normal ? ", cubic root or hyperbolic"
-                                                                 : " or cubic root",
+                             direction == LayerDirection::normal
+                               ? ", cubic root (tangent) or hyperbolic"
+                               : " or cubic root (tangent)",
                              word,
                              rigid),
                  {"1.25e-4"}),
@@ -97,14 +98,17 @@ namespace fuga
     const auto add = [&result](const std::vector<EntryDeclaration> &entries) {
       result.insert(result.end(), entries.begin(), entries.end());
     };
-    add({defaulted("Normal law",
-                   "linear",
-                   law_choice(LayerDirection::normal),
-                   "Pressure against closure w. Cubic root: w/(rho (1 - (w/Thickness)^(1/3))). "
-                   "Hyperbolic: w/(rho (1 - w/limit)). Exponential: p0 exp(-ln(100) (1 - w/c0)), "
-                   "that of CalculiX; the lips touch, and w begins, at the clearance c0, so the "
-                   "initial gap is counted from there; a cubic leads from 0 to the formula up to "
-                   "w = c0/20. Power: stress (w/w_r)^m. Tabular, expression: see the entries.")});
+    add({defaulted(
+      "Normal law",
+      "linear",
+      law_choice(LayerDirection::normal),
+      "Pressure against closure w. Cubic root: law (9) as a secant, w/(rho (1 - q)) with q = "
+      "(w/Thickness)^(1/3). Cubic root tangent: law (9) as a tangent, 1/(rho (1 - q)), "
+      "so 3 Thickness/rho (-ln(1 - q) - q - q^2/2). "
+      "Hyperbolic: w/(rho (1 - w/limit)). Exponential: p0 exp(-ln(100) (1 - w/c0)), "
+      "that of CalculiX; the lips touch, and w begins, at the clearance c0, so the "
+      "initial gap is counted from there; a cubic leads from 0 to the formula up to "
+      "w = c0/20. Power: stress (w/w_r)^m. Tabular, expression: see the entries.")});
     add(compliance_entries(
       LayerDirection::normal, "Closure per pressure", "a rigid law and the other laws"));
     add({optional("Normal closure limit",
@@ -122,7 +126,7 @@ namespace fuga
     add(curve_entries(LayerDirection::shear, "jump"));
     add({optional("Thickness",
                   number_above(0),
-                  "Thickness of the layer [m]; the cubic root law needs it, the output shows "
+                  "Thickness of the layer [m]; the cubic root laws need it, the output shows "
                   "Thickness/compliance with it.",
                   {"0.002"})});
     return result;

@@ -13,6 +13,8 @@ namespace fuga
   {
     /** Below this tension, as share of σ_r, the stiffness falls no further. */
     constexpr double largest_tension = 0.9;
+    /** No bracket is looked for beyond. */
+    constexpr double largest_stress = 1e200;
   } // namespace
 
   ShearCoupling::ShearCoupling(const Kind coupling_kind,
@@ -65,21 +67,30 @@ namespace fuga
   }
 
   // Solves w_n(σ) - widening(σ) = w. The widening is ≥ 0 and falls with σ, so the left side
-  // increases and the root lies between σ_n(w) and σ_n(w + widening there).
+  // increases and the root lies between σ_n(w) and σ_n(w + widening there), or below any stress
+  // that is enough where the latter is beyond the closure limit.
   template <typename Widening>
   double
   ShearCoupling::pressure_at(const double w, const Widening &widening) const
   {
+    const double limit = normal.deformation_limit();
+    const auto stress  = [&](const double closure) {
+      return closure < limit ? normal_stress(closure) : std::numeric_limits<double>::infinity();
+    };
     double low  = normal_stress(w);
-    double high = normal_stress(w + widening(low));
-    double s    = high;
+    double high = stress(w + widening(low));
+    if (std::isinf(high))
+      for (high = std::max(2. * low, scale);
+           high < largest_stress && normal_deformation(high) - widening(high) < w;)
+        high *= 2.;
+    double s = high;
     for (int i = 0; i < 200 && high - low > 2. * std::numeric_limits<double>::epsilon() *
                                               std::max(std::abs(low), std::abs(high));
          ++i)
       {
         // σ ← σ_n(w + widening(σ)): a contraction when the widening is small; else the bracket is
         // halved.
-        const double next = normal_stress(w + widening(s));
+        const double next = stress(w + widening(s));
         if (next < s)
           high = s;
         else

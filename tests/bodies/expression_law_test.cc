@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/expression_law.h>
+#include <fuga/laws/cubic_root_law.h>
 #include <fuga/laws/hyperbolic_law.h>
 #include <fuga/laws/law_check.h>
 
@@ -47,6 +48,24 @@ TEST(ExpressionLaw, HyperbolicSine)
       EXPECT_NEAR(law.deformation(2. * std::sinh(w)) / w, 1., 1e-13) << w;
     }
   EXPECT_FALSE(check_law(law, 1000.));
+}
+
+// Law (9) as a tangent cancels near w = 0, to 1e-16 of numbers of order one where q³ is left: its
+// energy is known to some 1e-15/q³ and no better, and the quadrature must not look for more.
+TEST(ExpressionLaw, EnergyDownToItsNoise)
+{
+  const ExpressionLaw law("3*Z/rho*(-(w/Z)^(2/3)/2 - (w/Z)^(1/3) - ln(1 - (w/Z)^(1/3)))",
+                          "1/(rho*(1 - (w/Z)^(1/3)))",
+                          2e-3,
+                          {{"rho", 1.25e-4}, {"Z", 2e-3}},
+                          "test");
+  const CubicRootTangentLaw built_in(1.25e-4, 2e-3);
+  for (const double q : {1e-4, 1e-3, 0.01, 0.1, 0.5, 0.9, 0.999})
+    {
+      const double w = 2e-3 * q * q * q;
+      EXPECT_NEAR(law.energy(w) / built_in.energy(w), 1., 1e-12 + 1e-15 / (q * q * q)) << q;
+    }
+  EXPECT_TRUE(std::isfinite(law.energy(1e-30)));
 }
 
 // What check_law() is for: a derivative with a wrong sign, and a tangent that is infinite at zero.

@@ -4,6 +4,7 @@
 #include "contact/toy_system.h"
 
 #include <fuga/contact/layer_response.h>
+#include <fuga/laws/cubic_root_law.h>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,68 @@ TEST(Bonds, PeakFrictionIsLostOnce)
   EXPECT_NEAR(run.record.levels[2].forces[1], 0.2, tolerance);
 }
 
+// The same where all begins at once, the apex of the cone: pressure 1 and shear h grow together.
+// What sticks, h ≤ f, keeps its friction; what slides has f_r from the beginning. The body's
+// stiffness along is 1, so that the jump is h (1 + ρ) - T.
+TEST(Bonds, PeakFrictionIsLostAtTheApex)
+{
+  FrictionLaw law;
+  law.coefficient   = 0.5;
+  law.friction_loss = 0.2;
+  for (const double compliance : {0., 0.5})
+    for (const auto &[h, T] : {std::pair(0.45, 0.45), {0.6, 0.3}, {-0.6, -0.3}})
+      {
+        const OneElement one(law, compliance, 1., 0., 1.);
+        const double P = 1. + compliance;
+        const PathRun run(one, LoadHistory({0., 1.}, {{0., 0.}, {-P, h * P}}), {0.5, 1.});
+        EXPECT_LE(run.record.worst.worst(), tolerance);
+        EXPECT_EQ(run.result.verdict, Verdict::done);
+        for (const std::size_t level : {0u, 1u})
+          {
+            const double share = level == 0 ? 0.5 : 1.;
+            EXPECT_NEAR(run.record.levels[level].forces[0], -share, tolerance);
+            EXPECT_NEAR(run.record.levels[level].forces[1], share * T, tolerance) << h;
+            EXPECT_NEAR(run.jump(level, 1), share * (h * P - T), tolerance) << h;
+          }
+      }
+}
+
+// A rigid block on two elements, pressures 0.3 and 0.7 and the shear H growing together. H = 0.36:
+// 0.18 each is more than 0.5·0.3, so the first slides, keeps 0.3·0.3 and leaves 0.27 to the second,
+// which holds. H = 0.46: 0.31 would still be held, were it not for the 0.06 that the first loses;
+// then both slide, and hold 0.3·1.
+TEST(Bonds, FrictionLostAtTheApexIsRedistributed)
+{
+  FrictionLaw law;
+  law.coefficient      = 0.5;
+  law.friction_loss    = 0.2;
+  const ToyJoint joint = rigid_block_joint(1, 1., make_linear_law(0.5), make_linear_law(0.5), law);
+  const ToySystem system = rigid_block(1, 1.);
+  const LayeredSystem layered(system, joint.elements);
+  for (const double H : {0.36, 0.46})
+    {
+      const LoadHistory history({0., 1.}, {{0., 0., 0.}, {H, -1., -0.2}});
+      Record record(system, joint.elements, history);
+      EventPath path(joint.elements, layered, history, {});
+      const PathResult result = path.run({1.}, record);
+      EXPECT_LE(record.worst.worst(), tolerance);
+      if (H > 0.4)
+        {
+          EXPECT_EQ(result.verdict, Verdict::limit_load);
+          EXPECT_EQ(result.t, 0.);
+          continue;
+        }
+      EXPECT_EQ(result.verdict, Verdict::done);
+      const JointState &end = record.levels[0];
+      EXPECT_NEAR(end.forces[0], -0.3, tolerance);
+      EXPECT_NEAR(end.forces[1], 0.09, tolerance);
+      EXPECT_NEAR(end.forces[3], 0.27, tolerance);
+      // ρ/A = 1: the block moves by the shear of the second layer.
+      EXPECT_NEAR(end.slips[0], 0.27 - 0.09, tolerance);
+      EXPECT_EQ(end.slips[1], 0.);
+    }
+}
+
 // Lips that rise as they slide press harder: with W = (1/a + ρ)^{-1} and the slip s,
 // -N = N0 + W s tan ψ, T = f|N| = H - s (body stiffness 1, layer stiff along), until the rise is
 // used up.
@@ -186,7 +249,7 @@ TEST(Bonds, DilatancyOnNonlinearLayer)
   law.coefficient = 0.6;
   law.dilatancy   = 0.3;
   OneElement one(law, 0.25, 2., 0., 1.);
-  one.joint.normal                 = make_cubic_root_law(0.25, 2.);
+  one.joint.normal                 = std::make_unique<CubicRootLaw>(0.25, 2.);
   one.joint.elements[0].normal_law = one.joint.normal.get();
   const PathRun run(one, LoadHistory({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 1.}}), {1., 2.});
   EXPECT_LE(run.record.worst.worst(), 1e-10); // of the interpolated curve

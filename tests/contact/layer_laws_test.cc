@@ -4,6 +4,7 @@
 #include "contact/toy_system.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/laws/cubic_root_law.h>
 #include <fuga/laws/exponential_law.h>
 #include <fuga/laws/hyperbolic_law.h>
 #include <fuga/laws/power_law.h>
@@ -45,6 +46,11 @@ namespace
      1. - std::log(2.) / std::log(100.),
      1. - std::log(12.) / std::log(100.),
      false},
+    // Law (9) as a tangent at q = 1/2: σ = 3 ζ0/ρ (ln 2 - 5/8), w = ζ0/8.
+    {"cubic root tangent",
+     [] { return std::make_unique<CubicRootTangentLaw>(1., 0.1 / (std::log(2.) - 0.625)); },
+     0.0125 / (std::log(2.) - 0.625),
+     std::nan("")}, // by the series only
     // w = σ^(1/m).
     {"power 0.2",
      [] { return std::make_unique<PowerLaw>(1., 1., 0.2); },

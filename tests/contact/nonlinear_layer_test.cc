@@ -4,6 +4,7 @@
 #include "contact/toy_system.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/laws/cubic_root_law.h>
 
 #include <gtest/gtest.h>
 
@@ -38,8 +39,8 @@ namespace
     const ToyJoint joint =
       rigid_block_joint(n,
                         1.,
-                        make_cubic_root_law(1., thickness),
-                        nonlinear_shear ? make_cubic_root_law(1., thickness) : make_linear_law(1.),
+                        std::make_unique<CubicRootLaw>(1., thickness),
+                        nonlinear_shear ? std::make_unique<CubicRootLaw>(1., thickness) : make_linear_law(1.),
                         {0.3, 0.});
     const ToySystem system = rigid_block(n, 1.);
     const LayeredSystem layered(system, joint.elements);

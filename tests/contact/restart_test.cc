@@ -7,6 +7,7 @@
 #include "contact/toy_system.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/laws/cubic_root_law.h>
 
 #include <gtest/gtest.h>
 
@@ -166,7 +167,7 @@ namespace
     {
       return layer == Layer::rigid    ? make_rigid_law()
              : layer == Layer::linear ? make_linear_law(0.7)
-                                      : make_cubic_root_law(0.7, 1.3);
+                                      : std::make_unique<CubicRootLaw>(0.7, 1.3);
     }
 
     double

@@ -9,6 +9,8 @@
 #include "contact/toy_system.h"
 #include "known_answer.h"
 
+#include <fuga/laws/cubic_root_law.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -207,7 +209,7 @@ TEST(StateChanges, NormalForcesOfRoundingOnly)
 // exact as the iteration (1e-13) over the slope dṡ/dt, of order one: 1e-11.
 TEST(StateChanges, RestickInsideCurvedSegment)
 {
-  const ToyJoint joint(1, 1., make_cubic_root_law(1., 1.), make_linear_law(2.), {0.5, 0.});
+  const ToyJoint joint(1, 1., std::make_unique<CubicRootLaw>(1., 1.), make_linear_law(2.), {0.5, 0.});
   const ToySystem system = separate_elements(1);
   const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1.}, {{0., 0.}, {1., 1.}});

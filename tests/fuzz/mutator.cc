@@ -62,6 +62,7 @@ namespace fuga::fuzz
       static const std::vector<std::string> words = {"rigid",
                                                      "linear",
                                                      "cubic root",
+                                                     "cubic root tangent",
                                                      "all",
                                                      "free",
                                                      "x",

@@ -84,7 +84,17 @@ namespace fuga
         "Normal compliance = '1e-3'",
         "'Normal law = exponential' (",
         ".prm:27",
-        "linear, cubic root, hyperbolic"}},
+        "linear, cubic root, cubic root tangent, hyperbolic"}},
+      {"CubicRootTangentWithoutThickness",
+       with_layer("set Normal law = cubic root tangent\nset Normal compliance = 1e-4\n" + shear),
+       {},
+       {".prm:27", "'Thickness' is missing", "cubic root tangent law"}},
+      {"CubicRootTangentRigid",
+       with_layer("set Normal law = cubic root tangent\nset Normal compliance = 0\n"
+                  "set Thickness = 1e-3\n" +
+                  shear),
+       {},
+       {".prm:28", "Normal compliance = '0'", "compliance > 0"}},
       {"PowerWithoutExponent",
        with_layer("set Normal law = power\nset Normal reference closure = 1e-3\n"
                   "set Normal reference stress = 1\n" +

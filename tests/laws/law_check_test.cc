@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/laws/cubic_root_law.h>
 #include <fuga/laws/exponential_law.h>
 #include <fuga/laws/hyperbolic_law.h>
 #include <fuga/laws/law_check.h>
@@ -27,7 +28,8 @@ namespace
       {0., 0.}, {1e-4, 0.12}, {2.5e-4, 0.5}, {5e-4, 1.9}, {9e-4, 6.5}};
     std::vector<std::shared_ptr<ComplianceLaw>> laws = {
       make_linear_law(1.25e-4),
-      make_cubic_root_law(1.25e-4, 2e-3),
+      std::make_unique<CubicRootLaw>(1.25e-4, 2e-3),
+      std::make_unique<CubicRootTangentLaw>(1.25e-4, 2e-3),
       std::make_shared<HyperbolicLaw>(1.25e-4, 2e-3),
       std::make_shared<ExponentialLaw>(1e-3, 4.),
       std::make_shared<TabularLaw>(table, TableInterpolation::monotone_spline),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/laws/cubic_root_law.h>
+#include <fuga/laws/hyperbolic_law.h>
 #include <fuga/laws/shear_coupling.h>
 
 #include <gtest/gtest.h>
@@ -26,9 +28,9 @@ namespace
 // third derivatives, which are of order one here.
 TEST(ShearCoupling, StressesDeriveFromOnePotential)
 {
-  const double h    = 1e-5;
-  const auto linear = make_linear_law(0.25);
-  const auto curved = make_cubic_root_law(0.25, 4.);
+  const double h                              = 1e-5;
+  const auto linear                           = make_linear_law(0.25);
+  const std::unique_ptr<ComplianceLaw> curved = std::make_unique<CubicRootLaw>(0.25, 4.);
   for (const auto *normal : {linear.get(), curved.get()})
     for (const ShearCoupling &layer : couplings(*normal))
       for (const double w : {0.1, 0.5, 1.})
@@ -63,6 +65,23 @@ TEST(ShearCoupling, InversesReturn)
           EXPECT_NEAR(back.shear, e, 1e-13);
           EXPECT_NEAR(layer.shear_deformation(w, r.tau), e, 1e-13);
         }
+}
+
+// So much shear that the layer would be wider than its closure limit lets it be, were it not for
+// the pressure that this causes: w + widening(σ_n(w)) = 0.9 + 0.27 is beyond the limit 1. The
+// inverse of a pressure is explicit.
+TEST(ShearCoupling, WidenedBeyondItsClosureLimit)
+{
+  const HyperbolicLaw hyperbola(0.25, 1.);
+  const ShearCoupling layer(ShearCoupling::Kind::pressure, hyperbola, 0.5, 3., 0.3);
+  for (const double e : {1., 4., -8.})
+    {
+      const auto r = layer.response(0.9, e);
+      EXPECT_GT(r.sigma, hyperbola.stress(0.9));
+      const auto back = layer.deformation(r.sigma, r.tau);
+      EXPECT_NEAR(back.closure, 0.9, 1e-12);
+      EXPECT_NEAR(back.shear, e, 1e-12);
+    }
 }
 
 // The definitions at hand-made numbers: k_t = (1 - 1/3)^{-1}/0.5 = 3 at w = 1, w_c = 3, m = 1; its

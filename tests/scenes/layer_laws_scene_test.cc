@@ -67,6 +67,21 @@ namespace
      "set Normal law = tabular\nset Normal table = 0: 0; 2e-4: 0.1; 5e-4: 0.7; 7e-4: 1.5\n"
      "set Normal interpolation = piecewise linear",
      3.5e-4},
+    // Law (9) as a tangent at q = 1/2: σ = 3 ζ0/ρ (ln 2 - 5/8) = 0.4, w = ζ0/8.
+    {"cubic_root_tangent",
+     "set Normal law = cubic root tangent\nset Normal compliance = 1e-3\n"
+     "set Thickness = 0.0019565495188175455",
+     0.125 * 0.0019565495188175455},
+    // The same written out.
+    {"cubic_root_tangent_expression",
+     "set Normal law = expression\n"
+     "set Normal stress expression = "
+     "3*0.0019565495188175455/1e-3*(-(w/0.0019565495188175455)^(2/3)/2 - "
+     "(w/0.0019565495188175455)^(1/3) "
+     "- ln(1 - (w/0.0019565495188175455)^(1/3)))\n"
+     "set Normal tangent expression = 1e3/(1 - (w/0.0019565495188175455)^(1/3))\n"
+     "set Normal closure limit = 0.0019565495188175455",
+     0.125 * 0.0019565495188175455},
     // w = asinh(σ/0.2)/1000.
     {"expression",
      "set Normal law = expression\nset Normal stress expression = 0.2*sinh(1000*w)\n"

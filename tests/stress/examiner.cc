@@ -7,6 +7,8 @@
 #include "judges/from_contact.h"
 #include "judges/judges.h"
 
+#include <fuga/laws/cubic_root_law.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,12 +16,80 @@ namespace fuga::stress
 {
   using namespace judges;
 
+  namespace
+  {
+    bool
+    is_known(const ComplianceLaw &law, const bool normal)
+    {
+      return law.kind() != ComplianceKind::nonlinear ||
+             (normal && dynamic_cast<const CubicRootLaw *>(&law) != nullptr);
+    }
+
+    bool
+    is_known(const ContactElement &element)
+    {
+      return element.coupling == nullptr && is_known(*element.normal_law, true) &&
+             (!element.has_tangential_bar() || is_known(*element.shear_law, false));
+    }
+
+    /** Where the judges do not know a law they get its first tangent: good for the size of
+     * numbers, not for steps. */
+    JudgeProblem
+    problem_of(const ContactSystem &system, std::vector<ContactElement> elements)
+    {
+      std::vector<std::unique_ptr<ComplianceLaw>> tangents;
+      const auto replace = [&tangents](const ComplianceLaw *&law, const bool normal) {
+        if (is_known(*law, normal))
+          return;
+        tangents.push_back(make_linear_law(law->initial_compliance()));
+        law = tangents.back().get();
+      };
+      for (ContactElement &element : elements)
+        {
+          replace(element.normal_law, true);
+          if (element.has_tangential_bar())
+            replace(element.shear_law, false);
+        }
+      return judge_problem(system, elements);
+    }
+
+    double
+    tangent_compliance(const ComplianceLaw &law, const double deformation)
+    {
+      return law.kind() == ComplianceKind::nonlinear ? 1. / law.tangent(deformation)
+                                                     : law.initial_compliance();
+    }
+  } // namespace
+
   Examiner::Examiner(const Model<2> &fuga_model, const JointModel &joint)
     : model(fuga_model)
-    , layered(model.bodies, joint.elements)
-    , judge(model.bodies, joint.elements, model.loads.history)
-    , problem(judge_problem(model.bodies, joint.elements))
+    , elements(joint.elements)
+    , layered(model.bodies, elements)
+    , judge(model.bodies, elements, model.loads.history)
+    , problem(problem_of(model.bodies, elements))
   {
+  }
+
+  bool
+  Examiner::can_solve(const JointState &state) const
+  {
+    return can_continue(state) &&
+           std::all_of(elements.begin(), elements.end(), [](const ContactElement &element) {
+             return is_known(element);
+           });
+  }
+
+  bool
+  Examiner::can_continue(const JointState &state) const
+  {
+    for (const ContactElement &element : elements)
+      if (element.coupling != nullptr)
+        return false;
+    return !state.is_unsettled() &&
+           std::none_of(
+             state.strengths.begin(), state.strengths.end(), [](const Strength &strength) {
+               return strength.tension > 0. || strength.dilatancy > 0.;
+             });
   }
 
   Vector
@@ -122,6 +192,7 @@ namespace fuga::stress
       {
         const JudgeElement &element = at.elements[k];
         const double gap            = element.initial_gap + jumps[element.normal_bar];
+        const Strength &left        = state.strengths[k];
         const double pressing       = -state.forces[element.normal_bar];
         RateElement place;
         place.closure = std::max(0., -gap);
@@ -129,7 +200,7 @@ namespace fuga::stress
           place.status = gap > tolerance * std::max(length, element.initial_gap)
                            ? RateStatus::open
                            : RateStatus::grazing;
-        else if (pressing <= tolerance * terms[element.normal_bar])
+        else if (pressing + left.tension <= tolerance * terms[element.normal_bar])
           place.status = RateStatus::grazing;
         else if (element.has_tangential_bar() && element.friction == 0. && element.cohesion == 0.)
           place.status = RateStatus::frictionless;
@@ -153,19 +224,24 @@ namespace fuga::stress
   RateSearch
   Examiner::search(const JointState &state) const
   {
-    JudgeProblem at                         = problem_at(state);
-    const std::vector<RateElement> elements = positions(at, state, 1e-10);
+    JudgeProblem at                       = problem_at(state);
+    const std::vector<RateElement> places = positions(at, state, 1e-10);
     for (std::size_t k = 0; k < at.elements.size(); ++k)
       {
-        JudgeElement &element = at.elements[k];
-        if (element.has_nonlinear_layer())
-          element.normal_compliance = 1. / cubic_root_tangent(element.normal_compliance,
-                                                              element.layer_thickness,
-                                                              elements[k].closure);
-        element.layer_thickness = 0.;
+        JudgeElement &element        = at.elements[k];
+        const ContactElement &origin = elements[k];
+        element.normal_compliance    = tangent_compliance(*origin.normal_law, places[k].closure);
+        element.layer_thickness      = 0.;
+        if (element.has_tangential_bar())
+          element.shear_compliance =
+            tangent_compliance(*origin.shear_law,
+                               origin.shear_law->kind() == ComplianceKind::nonlinear
+                                 ? origin.shear_law->deformation(
+                                     std::abs(state.forces[element.tangential_bar]) / element.area)
+                                 : 0.);
       }
     return search_continuation(
-      at, elements, judge_load(model.bodies, model.loads.history.rates(state.t)));
+      at, places, judge_load(model.bodies, model.loads.history.rates(state.t)));
   }
 
   // The lips of closed elements neither part nor close, unless N = 0; those inside the cone do not
@@ -176,7 +252,7 @@ namespace fuga::stress
     constexpr double none     = 1e-5;
     constexpr double free     = 1e-6;
     const JudgeProblem at     = problem_at(state);
-    const auto elements       = positions(at, state, 1e-9);
+    const auto places         = positions(at, state, 1e-9);
     const Vector x            = judge.coordinates(jumps);
     const Vector resistance   = multiply(at.S, x);
     double largest_resistance = 0., largest_stiffness = 0., largest_x = 0.;
@@ -188,17 +264,18 @@ namespace fuga::stress
       }
     if (largest_resistance > free * largest_stiffness * largest_x)
       return false;
-    for (std::size_t k = 0; k < elements.size(); ++k)
+    for (std::size_t k = 0; k < places.size(); ++k)
       {
         const JudgeElement &element = at.elements[k];
-        const RateStatus status     = elements[k].status;
+        const RateStatus status     = places[k].status;
         const double normal         = jumps[element.normal_bar];
         const double shear = element.has_tangential_bar() ? jumps[element.tangential_bar] : 0.;
+        const double rise  = state.strengths[k].dilatancy * std::abs(shear);
         if (status == RateStatus::open)
           continue;
-        if (status == RateStatus::grazing ? normal < -none : std::abs(normal) > none)
+        if (status == RateStatus::grazing ? normal < -none : std::abs(normal - rise) > none)
           return false;
-        if ((status == RateStatus::slip_limit && elements[k].sign * shear < -none) ||
+        if ((status == RateStatus::slip_limit && places[k].sign * shear < -none) ||
             (status == RateStatus::stick && std::abs(shear) > none))
           return false;
       }

@@ -24,6 +24,15 @@ namespace fuga::stress
   public:
     Examiner(const Model<2> &model, const JointModel &joint);
 
+    /** Whether the independent solvers know the laws and strengths in a state well enough to solve
+     * steps from it, */
+    bool
+    can_solve(const JointState &state) const;
+
+    /** or to say whether the joints go on from it, by the tangents of their layers. */
+    bool
+    can_continue(const JointState &state) const;
+
     /** How far the step from one state to another is from satisfying all conditions, and how far
      * the solution of another solver is away; nothing if that finds none. */
     struct StepReport
@@ -67,6 +76,7 @@ namespace fuga::stress
               const double tolerance) const;
 
     const Model<2> &model;
+    const std::vector<ContactElement> &elements;
     const LayeredSystem layered;
     const Judge judge;
     const judges::JudgeProblem problem;

@@ -61,6 +61,22 @@ namespace fuga::stress::families
   cubic_root(Random &random);
   GridModel
   cubic_root_crossing(Random &random);
+  GridModel
+  residual(Random &random);
+  GridModel
+  bonds(Random &random);
+  GridModel
+  dilatancy(Random &random);
+  GridModel
+  curved_laws(Random &random);
+  GridModel
+  coupled_shear(Random &random);
+  GridModel
+  lift_off(Random &random);
+  GridModel
+  all_laws(Random &random);
+  GridModel
+  all_laws_crossing(Random &random);
 
   /** Any of the layouts with any layers. */
   GridModel

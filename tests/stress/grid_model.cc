@@ -9,6 +9,15 @@
 
 namespace fuga::stress
 {
+  namespace
+  {
+    bool
+    has_compliance_entry(const std::string &law)
+    {
+      return law == "linear" || law == "hyperbolic" || law.rfind("cubic root", 0) == 0;
+    }
+  } // namespace
+
   int
   GridModel::body(const std::size_t i, const std::size_t j) const
   {
@@ -156,12 +165,14 @@ namespace fuga::stress
                               joint.line,
                               joint.plus,
                               joint.minus);
-        text += fmt::format("set Normal law = {}\n", layer.normal_law);
-        if (layer.normal_law != "rigid")
-          text += fmt::format("set Normal compliance = {}\n", layer.normal_compliance);
-        text += fmt::format("set Shear law = {}\n", layer.shear_law);
-        if (layer.shear_law != "rigid")
-          text += fmt::format("set Shear compliance = {}\n", layer.shear_compliance);
+        for (const auto &[direction, law, compliance] :
+             {std::make_tuple("Normal", layer.normal_law, layer.normal_compliance),
+              std::make_tuple("Shear", layer.shear_law, layer.shear_compliance)})
+          {
+            text += fmt::format("set {} law = {}\n", direction, law);
+            if (has_compliance_entry(law))
+              text += fmt::format("set {} compliance = {}\n", direction, compliance);
+          }
         if (layer.thickness > 0.)
           text += fmt::format("set Thickness = {}\n", layer.thickness);
         text += fmt::format(

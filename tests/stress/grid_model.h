@@ -19,7 +19,7 @@ namespace fuga::stress
   struct Layer
   {
     std::string normal_law = "linear", shear_law = "linear";
-    /** Zero makes a linear law rigid. */
+    /** Zero makes a linear law rigid; of a law without such an entry its size, for the report. */
     double normal_compliance = 0., shear_compliance = 0.;
     double thickness = 0.;
     double friction  = 0.;

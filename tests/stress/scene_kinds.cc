@@ -84,6 +84,18 @@ namespace fuga::stress
       {"cubic root crossing",
        "law (9) and linear joints that cross or meet",
        families::cubic_root_crossing},
+      {"residual", "friction that the first slip costs", families::residual},
+      {"bonds", "tensile strength, brittle bonds", families::bonds},
+      {"dilatancy", "lips that rise as they slide, to a limit or not", families::dilatancy},
+      {"curved laws",
+       "power, tabular, expression, hyperbolic, exponential, both readings of law (9)",
+       families::curved_laws},
+      {"coupled shear",
+       "shear stiffness that grows with closure or pressure",
+       families::coupled_shear},
+      {"lift-off", "all contact lost and found again, on any layer", families::lift_off},
+      {"all laws", "any strength on any layer", families::all_laws},
+      {"all laws crossing", "the same on joints that cross or meet", families::all_laws_crossing},
     };
     return kinds;
   }

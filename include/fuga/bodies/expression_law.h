@@ -13,9 +13,9 @@ namespace fuga
 {
   /**
    * A law of the user: muParser expressions of the deformation w for the stress and for its
-   * derivative. The energy is the stress integrated by adaptive Gauss quadrature, the
-   * inverse Newton's method within a bracket. That the two expressions fit together is for
-   * check_law() to find out.
+   * derivative. The energy is the stress integrated by adaptive Gauss quadrature, as exactly as the
+   * rounding errors of the expression allow, the inverse Newton's method within a bracket. That
+   * the two expressions fit together is for check_law() to find out.
    */
   class ExpressionLaw : public NonlinearLaw
   {

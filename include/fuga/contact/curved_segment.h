@@ -130,7 +130,7 @@ namespace fuga
     LayerMotion
     shearing(const std::size_t k, const PathPoint &point) const;
     std::vector<EventFunction>
-    event_functions(const PathPoint &point) const;
+    event_functions(const double tau, const PathPoint &point) const;
     double
     first_root(const std::size_t a, const std::size_t b) const;
     double
@@ -162,6 +162,12 @@ namespace fuga
     energy_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     std::size_t
     insert(const double tau, PathPoint &&point);
+    double
+    jump_of(const PathPoint &point) const;
+    [[noreturn]] void
+    fail_behind(const std::size_t a, const char *what);
+    void
+    forget_behind(const std::size_t a);
 
     PathContext context;
     const Course course;
@@ -170,6 +176,9 @@ namespace fuga
     std::vector<double> taus;
     std::vector<PathPoint> points;
     std::vector<std::vector<EventFunction>> functions;
+    /** Of any bar at the points so far: the scale of the iteration. All jumps may vanish at once,
+     * where all elements lift off or come down together, and would be no scale for themselves. */
+    double largest_jump = 0.;
     std::vector<std::size_t> lost_slip;
     /** Of the scheme at the start of a strength reduction. */
     int determinant_sign = 0;

@@ -60,7 +60,8 @@ namespace fuga
     /** States and strengths of the working scheme become those of @p state. */
     void
     take_scheme(JointState &state);
-    void
+    /** Whether the scheme costs strength, so that its rates do not hold. */
+    bool
     adopt_scheme(JointState &state,
                  const std::vector<BoundaryElement> &set,
                  const std::size_t n_branches,

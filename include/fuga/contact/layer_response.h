@@ -31,6 +31,17 @@ namespace fuga
   double
   gap(const ContactElement &element, const JointState &at, const std::size_t k);
 
+  /**
+   * What is left of the gap of an open element when its layer, still stretched or sheared by what a
+   * broken bond has not yet released, is taken off [m]: the lips meet where it is zero.
+   */
+  double
+  lip_opening(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Its rate [m per unit of the path]. */
+  double
+  lip_opening_rate(const ContactElement &element, const JointState &at, const JointRates &rates);
+
   /** Elastic shear deformation of the layer, jump - slip [m]. */
   double
   elastic_shear(const ContactElement &element, const JointState &at, const std::size_t k);
@@ -85,7 +96,12 @@ namespace fuga
   double
   shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Rate of the tensile strength σ_t A under a drive. */
+  /** Largest tension the element can carry while closed, σ_t A and what a broken bond has not yet
+   * released [MN]. */
+  double
+  tensile_strength(const ContactElement &element, const JointState &at, const std::size_t k);
+
+  /** Rate of the tensile strength under a drive. */
   double
   tensile_strength_rate(const ContactElement &element, const Drive &drive);
 

@@ -83,6 +83,13 @@ namespace fuga
       return compliances[bar];
     }
 
+    /** Whether the bar has a nonlinear layer: then d and D p may be much larger than the jump. */
+    bool
+    is_curved(const std::size_t bar) const
+    {
+      return curved[bar];
+    }
+
     /** ContactSystem::water_in_joints(). */
     const WaterInJoints *
     water_in_joints() const
@@ -142,6 +149,7 @@ namespace fuga
     std::optional<LuFactors> saddle_factors;
     double saddle_scale = 1.;
     Vector compliances;
+    std::vector<bool> curved;
     DenseMatrix W;
     DenseMatrix R;
     double largest = 0.;

@@ -34,7 +34,9 @@ namespace fuga
      * with them. */
     bool exists = false;
     JointRates rates;
-    RateMethod method = RateMethod::block_switching;
+    /** Elements lose strength as they take these states: the rates do not hold. */
+    bool costs_strength = false;
+    RateMethod method   = RateMethod::block_switching;
     /** If none exists: the motion that meets the least resistance, if one was found. */
     bool has_mechanism = false;
     JointRates mechanism;

@@ -39,6 +39,10 @@ namespace fuga
   bool
   has_compliance_entry(const LayerLaw law);
 
+  /** Whether this compliance must be above zero. */
+  bool
+  needs_compliance(const LayerLaw law);
+
   /**
    * What the law of a direction still needs: "" or a sentence beginning with the name of the entry
    * in quotes.

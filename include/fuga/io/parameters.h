@@ -23,8 +23,10 @@ namespace fuga
     /** ρ = 0; also what a linear law with compliance 0 becomes. */
     rigid,
     linear,
-    /** Law (9) of the paper; needs the thickness of the layer. */
+    /** Law (9) of the paper as a secant; needs the thickness of the layer, as the next one does. */
     cubic_root,
+    /** Law (9) as a tangent. */
+    cubic_root_tangent,
     /** HyperbolicLaw, in the normal direction only. */
     hyperbolic,
     /** ExponentialLaw, in the normal direction only. */

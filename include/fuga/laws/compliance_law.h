@@ -98,15 +98,6 @@ namespace fuga
   /** @p compliance > 0 [m/MPa]. */
   std::unique_ptr<ComplianceLaw>
   make_linear_law(const double compliance);
-
-  /**
-   * Law (9) of the paper, a secant law that hardens:
-   *     σ = w / [ρ0 (1 - q)],   q = (w/ζ0)^{1/3},
-   *     dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
-   * @p initial_compliance ρ0 > 0 [m/MPa], @p thickness ζ0 > 0 [m], the closure limit.
-   */
-  std::unique_ptr<ComplianceLaw>
-  make_cubic_root_law(const double initial_compliance, const double thickness);
 } // namespace fuga
 
 #endif

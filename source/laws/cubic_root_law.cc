@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/laws/cubic_root_law.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** -ln(1-q) without its first terms: Σ q^k/k from k = @p first on. The closed form cancels for
+     * small q, the series does not. */
+    double
+    rest_of_logarithm(const double q, const int first)
+    {
+      const double series_limit = 0.3;
+      if (q > series_limit)
+        {
+          double sum = 0.;
+          for (int k = first - 1; k > 0; --k)
+            sum = q * (1. / k + sum);
+          return -std::log1p(-q) - sum;
+        }
+      double sum   = 0.;
+      double power = std::pow(q, first);
+      for (int k = first; power > 1e-18 * sum && k < 100; ++k, power *= q)
+        sum += power / k;
+      return sum;
+    }
+
+    double
+    root_of(const double w, const double thickness)
+    {
+      return std::cbrt(w / thickness);
+    }
+  } // namespace
+
+  CubicRootLaw::CubicRootLaw(const double rho, const double zeta) : compliance(rho), thickness(zeta)
+  {
+  }
+
+  double
+  CubicRootLaw::initial_compliance() const
+  {
+    return compliance;
+  }
+
+  double
+  CubicRootLaw::stress(const double w) const
+  {
+    return w * secant(w);
+  }
+
+  double
+  CubicRootLaw::tangent(const double w) const
+  {
+    const double q = root_of(w, thickness);
+    return (1. - 2. / 3. * q) / (compliance * (1. - q) * (1. - q));
+  }
+
+  double
+  CubicRootLaw::secant(const double w) const
+  {
+    return 1. / (compliance * (1. - root_of(w, thickness)));
+  }
+
+  // ∫σ dw with w = ζq³ is (3ζ²/ρ)∫q⁵/(1-q) dq.
+  double
+  CubicRootLaw::energy(const double w) const
+  {
+    return 3. * thickness * thickness / compliance * rest_of_logarithm(root_of(w, thickness), 6);
+  }
+
+  // σρ/ζ = q³/(1-q) is increasing and convex in q: Newton from the right converges monotonically.
+  double
+  CubicRootLaw::deformation(const double sigma) const
+  {
+    if (sigma <= 0.)
+      return 0.;
+    const double s           = sigma * compliance / thickness;
+    const int max_iterations = 100;
+    double q                 = std::min(std::cbrt(s), 1.);
+    for (int i = 0; i < max_iterations; ++i)
+      {
+        const double residual = q * q * q + s * q - s;
+        const double next     = q - residual / (3. * q * q + s);
+        if (std::abs(next - q) <= std::numeric_limits<double>::epsilon() * q)
+          break;
+        q = next;
+      }
+    return thickness * q * q * q;
+  }
+
+  double
+  CubicRootLaw::deformation_limit() const
+  {
+    return thickness;
+  }
+
+  double
+  CubicRootLaw::deformation_scale() const
+  {
+    return thickness;
+  }
+
+  std::string
+  CubicRootLaw::description() const
+  {
+    return fmt::format(
+      "cubic root law (9), initial compliance {:g}, thickness {:g}", compliance, thickness);
+  }
+
+  CubicRootTangentLaw::CubicRootTangentLaw(const double rho, const double zeta)
+    : compliance(rho), thickness(zeta)
+  {
+  }
+
+  double
+  CubicRootTangentLaw::initial_compliance() const
+  {
+    return compliance;
+  }
+
+  // ∫dw/(1-q) with w = ζq³ is 3ζ∫q²/(1-q) dq.
+  double
+  CubicRootTangentLaw::stress(const double w) const
+  {
+    return 3. * thickness / compliance * rest_of_logarithm(root_of(w, thickness), 3);
+  }
+
+  double
+  CubicRootTangentLaw::tangent(const double w) const
+  {
+    return 1. / (compliance * (1. - root_of(w, thickness)));
+  }
+
+  // By parts: ∫σ dw = σw - ∫w dσ, and ∫w dσ = (3ζ²/ρ)∫q⁵/(1-q) dq.
+  double
+  CubicRootTangentLaw::energy(const double w) const
+  {
+    const double q = root_of(w, thickness);
+    return 3. * thickness * thickness / compliance *
+           (q * q * q * rest_of_logarithm(q, 3) - rest_of_logarithm(q, 6));
+  }
+
+  // The stress is increasing and convex in q: Newton from the right converges monotonically. Both
+  // bounds of q follow from dropping all terms of the series but the first, and from q + q²/2 <
+  // 3/2.
+  double
+  CubicRootTangentLaw::deformation(const double sigma) const
+  {
+    if (sigma <= 0.)
+      return 0.;
+    const double s           = sigma * compliance / (3. * thickness);
+    const int max_iterations = 100;
+    double q                 = std::min(std::cbrt(3. * s), -std::expm1(-s - 1.5));
+    for (int i = 0; i < max_iterations && q < 1.; ++i)
+      {
+        const double step = (rest_of_logarithm(q, 3) - s) * (1. - q) / (q * q);
+        q -= step;
+        if (std::abs(step) <= std::numeric_limits<double>::epsilon() * q)
+          break;
+      }
+    return thickness * q * q * q;
+  }
+
+  double
+  CubicRootTangentLaw::deformation_limit() const
+  {
+    return thickness;
+  }
+
+  double
+  CubicRootTangentLaw::deformation_scale() const
+  {
+    return thickness;
+  }
+
+  std::string
+  CubicRootTangentLaw::description() const
+  {
+    return fmt::format("cubic root law (9) as a tangent, initial compliance {:g}, thickness {:g}",
+                       compliance,
+                       thickness);
+  }
+} // namespace fuga

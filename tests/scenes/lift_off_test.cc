@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// A column under uniaxial strain on a rigid obstacle: all of its contact is lost, and found again,
+// at one load.
+
+#include "scenes/grid_mesh.h"
+#include "scenes/scene_run.h"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  constexpr double width = 2., height = 3., E = 1000., nu = 0.2;
+  /** Pressure per strain with both sides held, E (1-ν)/((1+ν)(1-2ν)). */
+  const double modulus = E * (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+
+  struct LawCase
+  {
+    const char *name;
+    Json layer;
+    /** The law by itself. */
+    std::function<double(double)> stress;
+    /** How far the top is moved down first, and up behind the contact, as a share of it [m]. */
+    double down, up;
+  };
+
+  std::ostream &
+  operator<<(std::ostream &out, const LawCase &law)
+  {
+    return out << law.name;
+  }
+
+  // The table is a straight line below its first inner point, and the top goes no further.
+  const LawCase laws[] = {
+    {"power_0_5",
+     {{"Normal law", "power"},
+      {"Normal reference closure", 0.001},
+      {"Normal reference stress", 2.},
+      {"Normal exponent", 0.5}},
+     [](const double w) { return 2. * std::sqrt(w / 1e-3); },
+     1e-3,
+     0.5},
+    {"power_2",
+     {{"Normal law", "power"},
+      {"Normal reference closure", 0.001},
+      {"Normal reference stress", 2.},
+      {"Normal exponent", 2.}},
+     [](const double w) { return 2. * std::pow(w / 1e-3, 2); },
+     2e-3,
+     0.1},
+    {"table",
+     {{"Normal law", "tabular"},
+      {"Normal table", "0: 0; 1e-3: 1; 3e-3: 7"},
+      {"Normal interpolation", "piecewise linear"}},
+     [](const double w) { return 1e3 * w; },
+     1e-3,
+     3.},
+    {"expression",
+     {{"Normal law", "expression"},
+      {"Normal stress expression", "5*(sqrt(1 + w/1e-3) - 1)"},
+      {"Normal tangent expression", "2500/sqrt(1 + w/1e-3)"}},
+     [](const double w) { return 5. * (std::sqrt(1. + w / 1e-3) - 1.); },
+     1e-3,
+     1.},
+    // Without shear both layers of a coupled one are those of the normal law; the elements at the
+    // held sides have no shear bar to be coupled with.
+    {"coupled_by_closure",
+     {{"Normal stiffness", 1e3},
+      {"Shear stiffness grows with", "closure"},
+      {"Shear growth closure", 0.01}},
+     [](const double w) { return 1e3 * w; },
+     1e-3,
+     1.},
+    {"coupled_by_pressure",
+     {{"Normal stiffness", 1e3},
+      {"Shear stiffness grows with", "pressure"},
+      {"Shear growth pressure", 0.1}},
+     [](const double w) { return 1e3 * w; },
+     1e-3,
+     1.},
+    {"cubic_root_tangent",
+     {{"Normal law", "cubic root tangent"}, {"Normal compliance", 1e-4}, {"Thickness", 1e-3}},
+     [](const double w) {
+       const double q = std::cbrt(w / 1e-3);
+       return 30. * (-std::log1p(-q) - q - q * q / 2.);
+     },
+     2e-3,
+     1.}};
+
+  /** The closure under which layer and column, in series, are shortened by @p down. */
+  double
+  closure_of(const LawCase &law, const double down)
+  {
+    boost::math::tools::eps_tolerance<double> tolerance(50);
+    std::uintmax_t n_iterations = 200;
+    const auto miss = [&](const double w) { return w + law.stress(w) * height / modulus - down; };
+    const double end =
+      std::min(down, law.name == std::string("cubic_root_tangent") ? 0.999e-3 : down);
+    const auto root = boost::math::tools::toms748_solve(miss, 0., end, tolerance, n_iterations);
+    return 0.5 * (root.first + root.second);
+  }
+
+  Json
+  column(const Json &layer)
+  {
+    Json scene;
+    scene["Bodies"]["block"]                     = {{"Young modulus", E}, {"Poisson ratio", nu}};
+    scene["Joints"]["j"]                         = layer;
+    scene["Joints"]["j"]["Plus lip"]             = "contact";
+    scene["Joints"]["j"]["Minus lip"]            = "rigid";
+    scene["Joints"]["j"]["Shear stiffness"]      = 500.;
+    scene["Joints"]["j"]["Friction coefficient"] = 0.5;
+    for (const char *side : {"left", "right"})
+      scene["Boundaries"][side]["Fixed"] = "x";
+    scene["Boundaries"]["corner"]["Fixed"] = "free";
+    return scene;
+  }
+
+  GmshMesh
+  column_mesh()
+  {
+    return block_mesh(uniform(0., width, 3), uniform(0., height, 3), width);
+  }
+
+  class HeldColumn : public testing::TestWithParam<LawCase>
+  {
+  };
+} // namespace
+
+// The top is moved down by u, up by more, and down again. All four elements open as it passes zero
+// upwards and close as it passes zero downwards. Pressures: the series of layer and column, solved
+// by Boost; the energy of the layer likewise by quadrature, on the way down equal to that on the
+// way up (a table's corner is rounded beyond where the top goes). 1e-9 of the stress: the
+// certificate's bound; event loads are known to the rounding of the largest displacement.
+TEST_P(HeldColumn, LiftsOffAndComesDown)
+{
+  const LawCase &law                  = GetParam();
+  Json scene                          = column(law.layer);
+  scene["Boundaries"]["top"]["Fixed"] = "all";
+  scene["Loads"]["u"]                 = {
+                    {"Type", "displacement"}, {"Boundaries", "top"}, {"Value", fmt::format("; {}", -law.down)}};
+  scene["Stages"]["down"]  = {{"Loads", "u: t"}, {"Levels", 10}};
+  scene["Stages"]["up"]    = {{"Loads", fmt::format("u: 1 - {}*t", 1. + law.up)}, {"Levels", 10}};
+  scene["Stages"]["again"] = {{"Loads", fmt::format("u: {}*(t - 1) + t", law.up)}, {"Levels", 10}};
+  const SceneRun run       = run_scene(write_scene(column_mesh(), scene));
+  ASSERT_EQ(run.exit_code, 0) << run.summary.dump();
+  EXPECT_LE(run.certificate(), 1e-9);
+
+  const Vector times = run.event_times(0.);
+  ASSERT_EQ(times.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i)
+    {
+      EXPECT_EQ(run.events.text(i, "to"), i < 4 ? "open" : "stick");
+      EXPECT_NEAR(times[i], i < 4 ? 1. + 1. / (1. + law.up) : 2. + law.up / (1. + law.up), 1e-11);
+    }
+  EXPECT_EQ(run.count("open", 2.), 4u);
+  for (const double g : run.values("gap", 2.))
+    EXPECT_NEAR(g, law.up * law.down, 1e-12 * law.down);
+  const double w = closure_of(law, law.down), stress = law.stress(w);
+  for (const double t : {1., 3.})
+    for (const double p : run.values("pressure", t))
+      EXPECT_NEAR(p, stress, 1e-9 * stress) << t;
+  const double stored = width * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+                                  law.stress, 0., w, 15, 1e-13);
+  for (const double t : {1., 3.})
+    EXPECT_NEAR(run.resultant("energy_layer", t), stored, 1e-9 * stored) << t;
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, HeldColumn, testing::ValuesIn(laws), [](const auto &law) {
+  return law.param.name;
+});
+
+namespace
+{
+  class FreeColumn : public testing::TestWithParam<LawCase>
+  {
+  };
+} // namespace
+
+// Pressed by p = 0.4 on its top the column sinks by p H/M + w(p); the pressure is taken away, and
+// as it turns into a pull nothing holds the column: the limit load is zero, and all four elements
+// open.
+TEST_P(FreeColumn, IsLiftedAtNoLoad)
+{
+  const LawCase &law       = GetParam();
+  Json scene               = column(law.layer);
+  scene["Loads"]["p"]      = {{"Type", "pressure"}, {"Boundaries", "top"}, {"Value", "0.4"}};
+  scene["Stages"]["press"] = {{"Loads", "p: t"}, {"Levels", 10}};
+  scene["Stages"]["pull"]  = {{"Loads", "p: 1 - 1.01*t"}, {"Levels", 10}};
+  const SceneRun run       = run_scene(write_scene(column_mesh(), scene));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.summary.at("verdict"), "limit load");
+  EXPECT_NEAR(run.summary.at("t").get<double>(), 1. + 1. / 1.01, 1e-11);
+  EXPECT_LE(run.certificate(), 1e-9);
+  const Vector times = run.event_times(0.);
+  ASSERT_EQ(times.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(run.events.text(i, "to"), "open");
+  for (const double jump : run.values("jump_n", 1.))
+    EXPECT_NEAR(law.stress(-jump), 0.4, 1e-9 * 0.4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, FreeColumn, testing::ValuesIn(laws), [](const auto &law) {
+  return law.param.name;
+});

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_stress_law_draws_h
+#define fuga_tests_stress_law_draws_h
+
+#include "stress/draws.h"
+
+namespace fuga::stress
+{
+  /** What the numbers of a layer are drawn in proportion to. */
+  struct Scales
+  {
+    /** Pressure [MPa]. */
+    double pressure = 0.;
+    /** Compliance of the stiffest body [m/MPa], and how much a body deforms [m]. */
+    double compliance = 0.;
+    double length     = 0.;
+  };
+
+  Scales
+  scales_of(Random &random, const GridModel &model);
+
+  /** Rigid or linear bars with friction, 1e-4 to 1e3 as soft as the stiffest body. */
+  Layer
+  straight_layer(Random &random, const Scales &scales);
+
+  /** Gives the layer a nonlinear normal law of any kind, and now and then such a shear law. */
+  void
+  make_curved(Random &random, Layer &layer, const Scales &scales, const GridModel &model);
+
+  /** Residual friction; what is left of the coefficient. */
+  double
+  lose_friction(Random &random, Layer &layer);
+
+  /** Cohesion, mostly with tensile strength, brittle or not. */
+  void
+  bond(Random &random, Layer &layer, const Scales &scales);
+
+  void
+  dilate(Random &random, Layer &layer, const Scales &scales, const double least_friction);
+
+  /** Shear stiffness that grows with closure or pressure. */
+  void
+  couple(Random &random, Layer &layer, const Scales &scales);
+} // namespace fuga::stress
+
+#endif
