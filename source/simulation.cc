@@ -24,6 +24,7 @@ namespace fuga
     , accuracy(std::move(of_mesh))
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
+    , safety_search(model, parameters.joints, joint, layered)
     , loading(model.loads.history.until(model.loads.end_of_loading))
     , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)

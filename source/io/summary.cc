@@ -306,8 +306,9 @@ namespace fuga
   std::string
   summary_json(const SweepSummary &summary, const Parameters &parameters)
   {
-    Json json           = first_part(summary, parameters);
-    json["variants"]    = summary.n_variants;
+    Json json             = first_part(summary, parameters);
+    json["variants"]      = summary.n_variants;
+    json["condensations"] = summary.n_condensations;
     json["verdicts"]    = object(summary.verdicts);
     json["sizes"]       = object(summary.sizes);
     json["events"]      = {{"total", summary.n_events},

@@ -118,6 +118,8 @@ namespace fuga
   struct SweepSummary : RunSummary
   {
     std::size_t n_variants = 0;
+    /** Times the bodies were condensed for them. */
+    std::size_t n_condensations = 0;
     /** Variants by verdict. */
     std::map<std::string, std::size_t> verdicts;
     std::size_t n_events     = 0;
