@@ -56,10 +56,8 @@ namespace fuga
       CheckedModel result;
       for (std::size_t c = 0; c < sweep.condensations.size(); ++c)
         {
-          const Parameters &parameters = *sweep.condensations[c];
-          const Model<dim> model(parameters, {}, Condensation::never);
-          check_variants(model, sweep, c);
-          const CheckedModel one = check_phases(parameters, model);
+          const auto model       = checked_model<dim>(sweep, c, Condensation::never);
+          const CheckedModel one = check_phases(model->parameters, *model);
           if (c == 0)
             result.echo = one.echo;
           for (const std::string &text : one.warnings)

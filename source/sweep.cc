@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
 #include <fuga/io/model_warnings.h>
@@ -12,41 +13,66 @@
 
 namespace fuga
 {
-  template <int dim>
-  void
-  check_variants(const Model<dim> &model,
-                 const Parameters &parameters,
-                 const std::size_t condensation)
+  namespace
   {
-    for (const Variant &variant : parameters.variants)
+    /** "Joints/base/Cohesion = 10, Constants/H = 5". */
+    std::string
+    description_of(const Parameters &sweep, const Variant &variant)
+    {
+      std::string text;
+      for (std::size_t i = 0; i < variant.settings.size(); ++i)
+        text +=
+          fmt::format("{}{} = {}", i == 0 ? "" : ", ", sweep.swept[i].name, variant.settings[i]);
+      return text;
+    }
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<const Model<dim>>
+  checked_model(const Parameters &sweep, const std::size_t condensation, const Condensation how)
+  {
+    std::unique_ptr<const Model<dim>> model;
+    for (const Variant &variant : sweep.variants)
       if (variant.condensation == condensation)
-        model.check_joints(variant.joints);
+        try
+          {
+            if (model == nullptr)
+              model = std::make_unique<const Model<dim>>(
+                *sweep.condensations[condensation], ConstructionState(), how);
+            model->check_joints(variant.joints);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(
+              fmt::format("{} (In the variant {}.)", error.what(), description_of(sweep, variant)));
+          }
+    return model;
   }
 
+  // Nothing is computed before all is checked.
   template <int dim>
   Sweep<dim>::Sweep(const Parameters &sweep_parameters)
     : parameters(sweep_parameters), log(parameters.output.directory + "/log.txt")
   {
-    for (std::size_t c = 1; c < parameters.condensations.size(); ++c)
-      check_variants(
-        Model<dim>(*parameters.condensations[c], {}, Condensation::never), parameters, c);
+    const std::size_t n = parameters.condensations.size();
+    for (std::size_t c = 0; n > 1 && c < n; ++c)
+      checked_model<dim>(parameters, c, Condensation::never);
     timer.finish("checks of the input");
-    condense(parameters.variants.front());
-    check_variants(*model, parameters, condensation);
+    condense(0);
   }
 
   // Two factorisations at once would take twice the memory.
   template <int dim>
   void
-  Sweep<dim>::condense(const Variant &variant)
+  Sweep<dim>::condense(const std::size_t number)
   {
     if (model != nullptr)
       count_model();
     layered.reset();
     driving.reset();
     model.reset();
-    condensation = variant.condensation;
-    model        = std::make_unique<const Model<dim>>(*parameters.condensations[condensation]);
+    condensation = number;
+    model        = checked_model<dim>(parameters, number, Condensation::with_loads);
     driving =
       std::make_unique<const DrivingQuantities>(model->parameters.model, model->loads.load_factors);
   }
@@ -191,7 +217,7 @@ namespace fuga
           "  {} {} {:.9g}", factor.method, factor.found() ? "=" : "above", factor.factor);
     say(fmt::format("{:>5}  {:<60} {:<15} {:<12} t = {:<12.9g} {}{}  certificate {:.1e}",
                     row.number,
-                    settings,
+                    description_of(parameters, parameters.variants[row.number - 1]),
                     row.verdict,
                     mechanism_name(row.path.mechanism),
                     row.path.t,
@@ -227,7 +253,7 @@ namespace fuga
         {
           if (variant.condensation != condensation)
             {
-              condense(variant);
+              condense(variant.condensation);
               say_model();
             }
           return run_variant(variant);
@@ -262,10 +288,10 @@ namespace fuga
     return code;
   }
 
-  template void
-  check_variants(const Model<2> &, const Parameters &, const std::size_t);
-  template void
-  check_variants(const Model<3> &, const Parameters &, const std::size_t);
+  template std::unique_ptr<const Model<2>>
+  checked_model(const Parameters &, const std::size_t, const Condensation);
+  template std::unique_ptr<const Model<3>>
+  checked_model(const Parameters &, const std::size_t, const Condensation);
   template class Sweep<2>;
   template class Sweep<3>;
 } // namespace fuga

@@ -113,14 +113,16 @@ namespace fuga
           observer.worst.absorb(judge.judge(end));
         if (search.is_wanted() && row.path.verdict == Verdict::done)
           {
-            observer.searching = true;
-            row.safety         = search.run(
+            JointState &last_state = observer.last_state;
+            Certificate &worst     = observer.worst;
+            observer.searching     = true;
+            row.safety             = search.run(
               path->last_cut(),
               judge,
               observer,
-              [&](const JointState &start) { observer.last_state = start; },
-              [&]() { observer.worst.absorb(judge.judge(observer.last_state)); });
-            observer.last_state = end;
+              [&last_state](const JointState &start) { last_state = start; },
+              [&worst, &judge, &last_state]() { worst.absorb(judge.judge(last_state)); });
+            last_state = end;
           }
         if (!(observer.worst.worst() <= model->parameters.solver.certificate_bound))
           row.exit_code = ExitCode::certificate_violated;

@@ -36,9 +36,9 @@ namespace fuga
     run();
 
   private:
-    /** Makes the model of the variants from @p variant on. */
+    /** Makes the model of the variants with this condensation. */
     void
-    condense(const Variant &variant);
+    condense(const std::size_t number);
     /** Adds what was done with the model to the summary. */
     void
     count_model();
@@ -76,12 +76,11 @@ namespace fuga
     SweepSummary summary;
   };
 
-  /** Checks the joints of all variants that share a condensation, of which @p model is. @throws InputError */
+  /** The model of a condensation, with the joints of all of its variants checked. @throws
+   * InputError that names the variant. */
   template <int dim>
-  void
-  check_variants(const Model<dim> &model,
-                 const Parameters &parameters,
-                 const std::size_t condensation);
+  std::unique_ptr<const Model<dim>>
+  checked_model(const Parameters &sweep, const std::size_t condensation, const Condensation how);
 } // namespace fuga
 
 #endif

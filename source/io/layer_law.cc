@@ -20,7 +20,7 @@ namespace fuga
       bool in_shear;
     };
 
-    constexpr LawWord words[] = {{LayerLaw::rigid, "rigid", true},
+    constexpr LawWord known_words[] = {{LayerLaw::rigid, "rigid", true},
                                  {LayerLaw::linear, "linear", true},
                                  {LayerLaw::cubic_root, "cubic root", true},
                                  {LayerLaw::hyperbolic, "hyperbolic", false},
@@ -55,7 +55,7 @@ namespace fuga
   std::string
   law_word(const LayerLaw law)
   {
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_words)
       if (known.law == law)
         return known.word;
     return "";
@@ -65,7 +65,7 @@ namespace fuga
   law_words(const LayerDirection direction)
   {
     std::vector<std::string> result;
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_words)
       if (known.in_shear || direction == LayerDirection::normal)
         result.emplace_back(known.word);
     return result;
@@ -74,7 +74,7 @@ namespace fuga
   std::optional<LayerLaw>
   law_of_word(const std::string &word, const LayerDirection direction)
   {
-    for (const LawWord &known : words)
+    for (const LawWord &known : known_words)
       if (known.word == word && (known.in_shear || direction == LayerDirection::normal))
         return known.law;
     return {};

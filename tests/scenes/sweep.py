@@ -106,6 +106,8 @@ def compare(what, folder, parameters, sweep, variants, fixed=(), condensations=1
         run = fuga(parameters, alone, (*settings, *fixed))
         expected = single_run(alone)
         check(run.returncode == int(row["exit_code"]), f"{what}, {settings}: exit code {run.returncode}, not {row['exit_code']}")
+        if not any(name.endswith(" uz") for name in row):  # monitors.csv has it also in the plane
+            expected = {name: value for name, value in expected.items() if not name.endswith(" uz")}
         for name, value in expected.items():
             check(same(row[name], value), f"{what}, {settings}: {name} = {row[name]} in the sweep, {value} in the run")
         check(f"t = {float(row['t']):<12.9g}" in log, f"{what}: no line of the log for variant {i + 1}")
@@ -175,8 +177,9 @@ def wrong_input(folder):
             (("Sweep/Joints/base/Friction coefficient=0.5, high",), ("Sweep/Joints/base", "= 'high'", "finite number")),
             (("Sweep/Loads/uplift/Drain positoin=3, 6",), ("unknown entry 'Drain positoin'", "Drain")),
             (("Sweep/Boundaries/crest/Fixed=free, all, held",), ("'held'",)),
-            (("Sweep/Loads/water/Boundaries=upstream | upstream, seabed",), ("seabed", "reservoir_bed")),
-            (("Sweep/Joints/base/Initial gap=0, -0.001",), ("initial gap", "-0.001"))):
+            (("Sweep/Loads/water/Boundaries=upstream, reservoir_bed | upstream, seabed",),
+             ("no boundary 'seabed'", "(In the variant Loads/water/Boundaries = upstream, seabed.)")),
+            (("Sweep/Joints/base/Initial gap=0, -0.001",), ("initial gap", "(In the variant Joints/base/Initial gap = -0.001.)"))):
         for option in ((), ("--check",)):
             out = folder / "nothing"
             words = [word for setting in settings for word in ("--set", setting)]
