@@ -6,7 +6,8 @@
 * Every row is the run of that variant alone, to the last digit: verdict, load time, number of events, what drives the stage,
   resultants, displacements, certificate, factors of safety. Varied are strength, layers, elasticity, drains, levels, seismic
   coefficients, constants, the mesh and the order of the stages.
-* Factors of safety of a block on a plane inclined by alpha: F = tan phi / tan alpha by statics. Tolerance 1e-9: rounding.
+* Factors of safety of a block on a plane inclined by alpha, F = tan phi / tan alpha, and of a dam that slides on its base,
+  F = f N / T, by statics. Tolerance 1e-9: rounding.
 * Variants that differ in their joints only share one condensation.
 * A wrong value is told before anything is computed, in the words of the parameter file with the line of the sweep.
 
@@ -131,10 +132,15 @@ def dams(folder):
                                                "Sweep/Combination=in step"],
             [(f"Loads/uplift/Drain distance={d}", f"Loads/uplift/Drain efficiency={e}") for d, e in ((3, 0.5), (6, 0.9))], condensations=2)
     compare("levels", folder / "levels", dam, ["Sweep/Loads/water, uplift/Level=1: 0; 2: 28 | 1: 0; 2: 36"], [low, high], condensations=2)
-    compare("levels and safety", folder / "safety", dam,
+    table = compare("levels and safety", folder / "safety", dam,
             ["Sweep/Loads/water, uplift/Level=1: 0; 2: 28 | 1: 0; 2: 36", f"Sweep/{strength}=0.7, 0.9"],
             [(*level, f"{strength}={f}") for level in (low, high) for f in (0.7, 0.9)], condensations=2,
             fixed=("Safety/Strength reduction=yes", "Safety/Load factor=water", "Safety/Largest factor=2"))
+    check([row["verdict"] for row in table][:2] == ["done", "done"], "the dam does not hold at 28 m")
+    for row in table[:2]:  # it slides as a whole
+        factor = float(row[strength]) * abs(float(row["base N"])) / float(row["base T"])
+        check(abs(float(row["safety_strength_reduction"]) - factor) <= ROUNDING * factor,
+              f"F = {row['safety_strength_reduction']} instead of f N / T = {factor}")
 
 
 def other_models(folder):
