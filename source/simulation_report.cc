@@ -231,7 +231,8 @@ namespace fuga
                                outcome.path.t,
                                reason_of(outcome.path)));
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
-          if (const std::string motion = model.motion(joint.elements, outcome.path); !motion.empty())
+          if (const std::string motion = model.motion(joint.elements, outcome.path);
+              !motion.empty())
             log.line("            " + motion);
           if (outcome.path.verdict == Verdict::limit_load)
             log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
