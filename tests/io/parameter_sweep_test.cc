@@ -179,8 +179,10 @@ TEST(Sweep, WrongValuesAreExplained)
 {
   using Texts                                      = std::vector<std::string>;
   const std::vector<std::pair<Texts, Texts>> wrong = {
-    {{"Sweep/Joints/base/Friction coefficient=0.2, x"},
-     {"--set \"Sweep/Joints/base", "Joints/base/Friction coefficient = 'x'", "finite number >= 0"}},
+    {{"Sweep/Joints/base/Friction coefficient=0.2, 0,3 m"},
+     {"--set \"Sweep/Joints/base",
+      "Joints/base/Friction coefficient = '3 m'",
+      "finite number >= 0"}},
     {{"Sweep/Joints/base/Friction coefficient=0.3, -0.2"}, {"= '-0.2'", ">= 0"}},
     {{"Sweep/Joints/base/Friction coefficient=0.2 : 0.6"}, {"first : step : last"}},
     {{"Sweep/Joints/base/Friction coefficient=0.2 : 0 : 0.6"}, {"step > 0"}},
