@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
 #include <fuga/contact/path_choice.h>
+#include <fuga/contact/virgin_state.h>
 #include <fuga/safety_search.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
@@ -111,6 +112,19 @@ namespace fuga
         const JointState end = observer.last_state;
         if (!end.states.empty())
           observer.worst.absorb(judge.judge(end));
+        if (row.path.verdict == Verdict::limit_load &&
+            row.path.beyond.end == BeyondLimit::End::none)
+          {
+            // What does not stand under its first load has no state yet.
+            const JointState state =
+              end.states.empty()
+                ? virgin_state(joint.elements, system.n_bars(), system.water_in_joints() != nullptr)
+                : end;
+            const std::string doubt =
+              doubt_about(judge.judge_mechanism(state, row.path.mechanism_jumps));
+            if (!doubt.empty())
+              row.warnings.push_back(doubt);
+          }
         if (search.is_wanted() && row.path.verdict == Verdict::done)
           {
             JointState &last_state = observer.last_state;
@@ -152,8 +166,9 @@ namespace fuga
     row.first_opening = observer.first_opening;
     row.first_slip    = observer.first_slip;
     row.certificate   = observer.worst.worst();
-    row.warnings =
-      observer.tables.template warnings<dim>(model->joint_names, parameters.output.units.stress());
+    for (const std::string &text : observer.tables.template warnings<dim>(
+           model->joint_names, parameters.output.units.stress()))
+      row.warnings.push_back(text);
     count(row, *path);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
