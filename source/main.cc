@@ -137,10 +137,9 @@ namespace
   find_checkpoint(const Parameters &parameters)
   {
     if (!parameters.variants.empty())
-      throw InputError(
-        fmt::format("{}: a sweep cannot be restarted. Its variants are short runs that share one "
-                    "condensation: run without --restart, or take the section Sweep out.",
-                    parameters.parameter_file));
+      throw InputError(fmt::format("{}: a sweep cannot be restarted. Its variants are short runs: "
+                                   "run without --restart, or take the section Sweep out.",
+                                   parameters.parameter_file));
     if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
       throw InputError(fmt::format(
         "{}: a run that finds its mesh cannot be restarted. Run without --restart; with "
@@ -240,15 +239,20 @@ namespace
     std::signal(SIGXFSZ, SIG_IGN); // a limit of the size of files is noticed where they are written
     auto waiting = std::make_unique<PassingLine>("Reading the mesh, condensing the bodies ...",
                                                  parameters.output.log != LogDetail::quiet);
-    auto model   = std::make_unique<const Model<dim>>(
-      parameters, checkpoint ? checkpoint->construction : ConstructionState());
+    std::unique_ptr<Sweep<dim>> sweep;
+    std::unique_ptr<const Model<dim>> model;
+    if (parameters.of_sweep)
+      sweep = std::make_unique<Sweep<dim>>(parameters);
+    else
+      model = std::make_unique<const Model<dim>>(
+        parameters, checkpoint ? checkpoint->construction : ConstructionState());
     waiting.reset();
     const auto run = [&] {
+      if (sweep != nullptr)
+        return sweep->run();
       if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
         return AdaptiveRun<dim>(std::move(model)).run();
-      return parameters.variants.empty()
-               ? run_all_phases<dim>(std::move(model), checkpoint ? &*checkpoint : nullptr)
-               : Sweep<dim>(*model).run();
+      return run_all_phases<dim>(std::move(model), checkpoint ? &*checkpoint : nullptr);
     };
     const ExitCode code = with_advice(run, parameters.output.directory);
     if (parameters.output.report && code != ExitCode::input_error && processes::is_first())

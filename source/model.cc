@@ -5,6 +5,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
 #include <fuga/contact/path_choice.h>
+#include <fuga/io/mechanism_text.h>
 #include <fuga/io/stiffness_need.h>
 #include <fuga/joint_model.h>
 #include <fuga/mesh/gmsh_mesh.h>
@@ -79,7 +80,7 @@ namespace fuga
     return definitions;
   }
 
-  // A joint without shear strength in every variant needs no tangential bars.
+  // A joint without shear strength needs no tangential bars.
   template <int dim>
   std::vector<bool>
   Model<dim>::frictionless_joints() const
@@ -87,9 +88,6 @@ namespace fuga
     std::vector<bool> frictionless;
     for (const JointParameters &joint : parameters.joints)
       frictionless.push_back(joint.friction.is_frictionless());
-    for (const Variant &variant : parameters.variants)
-      for (std::size_t j = 0; j < frictionless.size(); ++j)
-        frictionless[j] = frictionless[j] && variant.joints[j].friction.is_frictionless();
     return frictionless;
   }
 
@@ -99,9 +97,8 @@ namespace fuga
   Model<dim>::make_loads(const PhaseEnd *before, const Condensation condensation)
   {
     interruption::check("while the model was set up");
-    check_cones();
+    check_joints(parameters.joints);
     check_body_solver();
-    check_initial_gaps<dim>(bodies.elements(), parameters.joints, parameters.model.constants);
     LoadProgram program = make_load_program(parameters.model, bodies);
     if (construction.stage == 0)
       check_later_phases();
@@ -194,10 +191,29 @@ namespace fuga
       }
   }
 
+  template <int dim>
+  std::string
+  Model<dim>::motion(const std::vector<ContactElement> &elements, const PathResult &result) const
+  {
+    if (result.mechanism == MechanismKind::none || result.mechanism_jumps.empty())
+      return "";
+    return mechanism_text(
+      joint_motions(joint_names.size(), elements, frames, result.mechanism_jumps, dim == 3),
+      joint_names);
+  }
+
+  template <int dim>
+  void
+  Model<dim>::check_joints(const std::vector<JointParameters> &joints) const
+  {
+    check_cones(joints);
+    check_initial_gaps<dim>(bodies.elements(), joints, parameters.model.constants);
+  }
+
   // What a path on cones does not know, before anything is computed.
   template <int dim>
   void
-  Model<dim>::check_cones() const
+  Model<dim>::check_cones(const std::vector<JointParameters> &joints) const
   {
     if (!have_cones(bodies.elements()))
       return;
@@ -209,7 +225,7 @@ namespace fuga
     const auto is_simple = [](const LayerLaw law) {
       return law == LayerLaw::rigid || law == LayerLaw::linear;
     };
-    for (const JointParameters &joint : parameters.joints)
+    for (const JointParameters &joint : joints)
       {
         std::string what;
         if (!joint.friction.is_plain())

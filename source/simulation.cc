@@ -24,6 +24,7 @@ namespace fuga
     , accuracy(std::move(of_mesh))
     , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , layered(model.bodies, joint.elements)
+    , safety_search(model, parameters.joints, joint, layered)
     , loading(model.loads.history.until(model.loads.end_of_loading))
     , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
@@ -136,22 +137,14 @@ namespace fuga
   void
   Simulation<dim>::judge_limit(Outcome &outcome)
   {
-    constexpr double largest_error = 0.02;
     // What does not stand under its first load has no state yet.
     const JointState state =
       last_state.states.empty()
         ? virgin_state(joint.elements, layered.n_bars(), layered.water_in_joints() != nullptr)
         : last_state;
     outcome.mechanism = judge.judge_mechanism(state, outcome.path.mechanism_jumps);
-    if (!(outcome.mechanism.error() <= largest_error && outcome.mechanism.drive > 0.))
-      log.warning(fmt::format("The motion found does not prove the limit load: resistance {:.2g}, "
-                              "inadmissible part {:.2g}, balance of power {:.2g} (all should "
-                              "vanish), drive {:.2g} (should be positive). The structure may "
-                              "stand; try a smaller step of the load or softer joints.",
-                              outcome.mechanism.resistance,
-                              outcome.mechanism.inadmissible,
-                              outcome.mechanism.balance,
-                              outcome.mechanism.drive));
+    if (const std::string doubt = doubt_about(outcome.mechanism); !doubt.empty())
+      log.warning(doubt);
   }
 
   template <int dim>

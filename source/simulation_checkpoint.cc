@@ -18,7 +18,7 @@ namespace fuga
   bool
   Simulation<dim>::wants_cuts() const
   {
-    return keeps_checkpoints() || looks_for_safety();
+    return keeps_checkpoints() || safety_search.is_wanted();
   }
 
   template <int dim>

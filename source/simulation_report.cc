@@ -231,7 +231,8 @@ namespace fuga
                                outcome.path.t,
                                reason_of(outcome.path)));
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
-          if (const std::string motion = motion_of(outcome.path); !motion.empty())
+          if (const std::string motion = model.motion(joint.elements, outcome.path);
+              !motion.empty())
             log.line("            " + motion);
           if (outcome.path.verdict == Verdict::limit_load)
             log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
@@ -337,7 +338,7 @@ namespace fuga
     summary.stage                = model.stage_names[stage];
     summary.stage_fraction       = fraction;
     summary.drive                = context.driving.at(summary.t, stage);
-    summary.motion               = motion_of(outcome.path);
+    summary.motion               = model.motion(joint.elements, outcome.path);
     summary.proof                = outcome.mechanism;
     summary.path                 = outcome.path;
     for (const std::size_t k : outcome.path.critical.elements)

@@ -4,106 +4,96 @@
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
-#include <fuga/contact/certificate.h>
-#include <fuga/io/joint_resultant.h>
-#include <fuga/io/mechanism_text.h>
+#include <fuga/io/model_warnings.h>
 #include <fuga/io/version.h>
 #include <fuga/sweep.h>
-#include <fuga/table_range.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
-#include <limits>
 
 namespace fuga
 {
   namespace
   {
-    /** Notes what the table needs and has every event judged. */
-    class Observer : public PathObserver
+    /** "Joints/base/Cohesion = 10, Constants/H = 5". */
+    std::string
+    description_of(const Parameters &sweep, const Variant &variant)
     {
-    public:
-      Observer(Judge &judge_of_variant, const std::vector<ContactElement> &elements)
-        : judge(judge_of_variant), tables(elements)
-      {
-      }
-
-      void
-      advanced(const PathPoint &from, const PathPoint &to, const double length) override
-      {
-        judge.follow(from, to, length);
-        tables.watch(to.state);
-        last_state = to.state;
-      }
-
-      void
-      jumped(const JointState &to) override
-      {
-        judge.lose_track();
-        last_state = to;
-      }
-
-      void
-      changed(const std::vector<ContactEvent> &events, const JointState &state) override
-      {
-        last_state = state;
-        worst.absorb(judge.judge(state));
-        for (const ContactEvent &event : events)
-          {
-            if (event.to == ContactState::open && !(first_opening <= event.t))
-              first_opening = event.t;
-            if (is_slipping(event.to) && !(first_slip <= event.t))
-              first_slip = event.t;
-          }
-      }
-
-      void
-      reached(const std::size_t, const JointState &) override
-      {
-      }
-
-      Judge &judge;
-      TableRange tables;
-      JointState last_state;
-      Certificate worst;
-      double first_opening = std::numeric_limits<double>::quiet_NaN();
-      double first_slip    = std::numeric_limits<double>::quiet_NaN();
-    };
+      std::string text;
+      for (std::size_t i = 0; i < variant.settings.size(); ++i)
+        text +=
+          fmt::format("{}{} = {}", i == 0 ? "" : ", ", sweep.swept[i].name, variant.settings[i]);
+      return text;
+    }
   } // namespace
 
   template <int dim>
-  Sweep<dim>::Sweep(const Model<dim> &shared_model)
-    : model(shared_model), log(model.parameters.output.directory + "/log.txt")
+  std::unique_ptr<const Model<dim>>
+  checked_model(const Parameters &sweep, const std::size_t condensation, const Condensation how)
   {
+    std::unique_ptr<const Model<dim>> model;
+    for (const Variant &variant : sweep.variants)
+      if (variant.condensation == condensation)
+        try
+          {
+            if (model == nullptr)
+              model = std::make_unique<const Model<dim>>(
+                *sweep.condensations[condensation], ConstructionState(), how);
+            model->check_joints(variant.joints);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(
+              fmt::format("{} (In the variant {}.)", error.what(), description_of(sweep, variant)));
+          }
+    return model;
+  }
+
+  // Nothing is computed before all is checked.
+  template <int dim>
+  Sweep<dim>::Sweep(const Parameters &sweep_parameters)
+    : parameters(sweep_parameters), log(parameters.output.directory + "/log.txt")
+  {
+    const std::size_t n = parameters.condensations.size();
+    for (std::size_t c = 0; n > 1 && c < n; ++c)
+      checked_model<dim>(parameters, c, Condensation::never);
+    timer.finish("checks of the input");
+    condense(0);
+  }
+
+  // Two factorisations at once would take twice the memory.
+  template <int dim>
+  void
+  Sweep<dim>::condense(const std::size_t number)
+  {
+    if (model != nullptr)
+      count_model();
+    layered.reset();
+    driving.reset();
+    model.reset();
+    condensation = number;
+    model        = checked_model<dim>(parameters, number, Condensation::with_loads);
+    driving =
+      std::make_unique<const DrivingQuantities>(model->parameters.model, model->loads.load_factors);
   }
 
   template <int dim>
-  bool
-  Sweep<dim>::has_stages_of_model(const Variant &variant) const
+  void
+  Sweep<dim>::count_model()
   {
-    return variant.stages.size() == model.parameters.model.stages.size() &&
-           std::is_sorted(variant.stages.begin(), variant.stages.end());
-  }
-
-  template <int dim>
-  ModelDefinition
-  Sweep<dim>::definition_of(const Variant &variant) const
-  {
-    ModelDefinition definition = model.parameters.model;
-    definition.stages.clear();
-    for (const unsigned int stage : variant.stages)
-      definition.stages.push_back(model.parameters.model.stages[stage]);
-    return definition;
-  }
-
-  // The load patterns are those of the model; another order of stages only changes their factors.
-  template <int dim>
-  LoadHistory
-  Sweep<dim>::history_of(const Variant &variant) const
-  {
-    return has_stages_of_model(variant) ? model.loads.history
-                                        : make_load_history<dim>(definition_of(variant));
+    model->timer.finish("variants");
+    const BodiesWork work   = model->bodies.work();
+    BodiesWork &total       = summary.work.bodies;
+    const BodiesWork before = total;
+    total                   = work;
+    total.n_factorisations += before.n_factorisations;
+    total.n_condensed_loads += before.n_condensed_loads;
+    total.n_solutions += before.n_solutions;
+    total.n_recovered_fields += before.n_recovered_fields;
+    total.n_iterations += before.n_iterations;
+    for (const auto &[name, seconds] : model->timer.seconds())
+      if (name != "start" || condensation == 0)
+        timer.book(name, seconds);
   }
 
   // Only the compliances of the bars enter; friction and cohesion do not.
@@ -122,82 +112,10 @@ namespace fuga
       }
     if (!same)
       {
-        layered = std::make_unique<LayeredSystem>(model.bodies, joint.elements);
+        layered = std::make_unique<LayeredSystem>(model->bodies, joint.elements);
         ++summary.work.n_layered_systems;
       }
     return *layered;
-  }
-
-  template <int dim>
-  SweepRow
-  Sweep<dim>::run_variant(const Variant &variant)
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    const JointModel joint =
-      make_joint_model<dim>(model.bodies, variant.joints, model.parameters.model.constants);
-    const LoadHistory history   = history_of(variant);
-    const LayeredSystem &system = layered_system_of(joint);
-    Judge judge(model.bodies, joint.elements, history);
-    Observer observer(judge, joint.elements);
-    const auto path = make_contact_path(joint.elements, system, history, model.path_options());
-
-    SweepRow row;
-    for (const auto &setting : variant.settings)
-      row.settings.push_back(setting.second);
-    try
-      {
-        row.path    = path->run({}, observer);
-        row.verdict = verdict_name(row.path.verdict);
-      }
-    catch (const NumericalFailure &)
-      {
-        row.verdict = "numerical failure";
-        row.failed  = true;
-      }
-    if (!observer.last_state.states.empty())
-      {
-        observer.worst.absorb(judge.judge(observer.last_state));
-        const Vector jumps =
-          system.jumps(observer.last_state.dislocations, observer.last_state.forces);
-        const auto results = element_results(joint.elements, observer.last_state, jumps);
-        row.resultants     = model.resultants(results, judge.dissipation());
-        const Vector x     = judge.coordinates(jumps, observer.last_state.t),
-                     a     = history.factors(observer.last_state.t);
-        for (const Monitor &monitor : model.monitors)
-          row.displacements.push_back(monitor.displacement(x, a));
-      }
-    describe_end(variant, joint, history, row);
-    row.resultants.resize(variant.joints.size());
-    row.displacements.resize(model.monitors.size());
-    row.first_opening = observer.first_opening;
-    row.first_slip    = observer.first_slip;
-    row.certificate   = observer.worst.worst();
-    row.warnings      = observer.tables.template warnings<dim>(model.joint_names,
-                                                          model.parameters.output.units.stress());
-    count(row, *path);
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return row;
-  }
-
-  // Loads that change in time are several patterns; they keep the order of their stages.
-  template <int dim>
-  void
-  Sweep<dim>::describe_end(const Variant &variant,
-                           const JointModel &joint,
-                           const LoadHistory &history,
-                           SweepRow &row) const
-  {
-    const ModelDefinition definition = definition_of(variant);
-    const DrivingQuantities driving(
-      definition, has_stages_of_model(variant) ? model.loads.load_factors : history);
-    row.drive = driving.at(row.path.t, stage_of(row.path.t, variant.stages.size()).first);
-    if (row.path.mechanism != MechanismKind::none)
-      row.motion = mechanism_text(joint_motions(model.joint_names.size(),
-                                                joint.elements,
-                                                model.frames,
-                                                row.path.mechanism_jumps,
-                                                dim == 3),
-                                  model.joint_names);
   }
 
   template <int dim>
@@ -227,15 +145,15 @@ namespace fuga
   {
     summary.verdict           = verdict;
     summary.exit_code         = static_cast<int>(code);
-    summary.sizes             = model.sizes();
-    summary.work.bodies       = model.bodies.work();
-    summary.certificate_bound = model.parameters.solver.certificate_bound;
-    summary.phases            = model.timer.seconds();
-    summary.peaks             = model.timer.peak_megabytes();
+    summary.n_condensations   = parameters.condensations.size();
+    summary.sizes             = model->sizes();
+    summary.certificate_bound = parameters.solver.certificate_bound;
+    summary.phases            = timer.seconds();
+    summary.peaks             = timer.peak_megabytes();
     summary.memory_MB         = peak_memory_in_megabytes();
-    summary.split_report      = model.mesh.report;
-    write_complete_file(model.parameters.output.directory + "/summary.json",
-                        summary_json(summary, model.parameters));
+    summary.split_report      = model->mesh.report;
+    write_complete_file(parameters.output.directory + "/summary.json",
+                        summary_json(summary, parameters));
   }
 
   template <int dim>
@@ -243,42 +161,78 @@ namespace fuga
   Sweep<dim>::say(const std::string &text)
   {
     log.append(text + "\n");
-    if (model.parameters.output.log != LogDetail::quiet)
+    if (parameters.output.log != LogDetail::quiet)
       fmt::print("{}\n", text);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::warn(const std::string &indent, const std::string &text)
+  {
+    say(fmt::format("{}Warning: {}", indent, text));
+    summary.warnings.push_back(text);
   }
 
   template <int dim>
   void
   Sweep<dim>::say_header()
   {
-    say(fmt::format("fuga {}  {}", version, model.parameters.title));
-    for (const auto &lines : {model.mesh.report, model.bodies.report(), model.loads.report})
-      for (const std::string &line : lines)
-        say(line);
+    say(fmt::format("fuga {}  {}", version, parameters.title));
+    say(fmt::format("Sweep of {} runs on {} condensation{} of the bodies",
+                    parameters.variants.size(),
+                    parameters.condensations.size(),
+                    parameters.condensations.size() == 1 ? "" : "s"));
+    for (const SweptQuantity &quantity : parameters.swept)
+      if (!quantity.today.empty())
+        say(fmt::format(
+          "Sweep/{} is an older form of 'set {} = ...'", quantity.name, quantity.today));
   }
 
   template <int dim>
   void
-  Sweep<dim>::say_row(const Variant &variant, const SweepRow &row)
+  Sweep<dim>::say_model()
+  {
+    for (const auto &lines : {model->mesh.report, model->bodies.report(), model->loads.report})
+      for (const std::string &line : lines)
+        if (said.insert(line).second)
+          say(line);
+    for (const std::string &text : model_warnings(
+           model->parameters, model->bodies, model->loads.load_factors, 0, model->next_stage()))
+      if (said.insert(text).second)
+        warn("", text);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::say_row(const SweepRow &row)
   {
     std::string settings;
-    for (const auto &[name, value] : variant.settings)
-      settings += fmt::format("{}{} = {}", settings.empty() ? "" : ", ", name, value);
-    say(fmt::format("{:>5}  {:<60} {:<15} {:<12} t = {:<12.9g} {}  certificate {:.1e}",
+    for (std::size_t i = 0; i < row.settings.size(); ++i)
+      settings +=
+        fmt::format("{}{} = {}", i == 0 ? "" : ", ", parameters.swept[i].name, row.settings[i]);
+    std::string safety;
+    for (const SafetyFactor &factor : row.safety)
+      if (factor.verdict != SafetyFactor::not_computed)
+        safety += fmt::format(
+          "  {} {} {:.9g}", factor.method, factor.found() ? "=" : "above", factor.factor);
+    say(fmt::format("{:>5}  {:<60} {:<15} {:<12} t = {:<12.9g} {}{}  certificate {:.1e}",
                     row.number,
-                    settings,
+                    description_of(parameters, parameters.variants[row.number - 1]),
                     row.verdict,
                     mechanism_name(row.path.mechanism),
                     row.path.t,
                     row.drive.text(),
+                    safety,
                     row.certificate));
+    if (!row.message.empty())
+      say("       " + row.message);
     if (!row.motion.empty())
       say("       " + row.motion);
+    for (const SafetyFactor &factor : row.safety)
+      if (!factor.motion.empty())
+        say(fmt::format("       {}: {}", factor.method, factor.motion));
     for (const std::string &warning : row.warnings)
-      {
-        say("       Warning: " + warning);
-        summary.warnings.push_back(fmt::format("variant {}: {}", row.number, warning));
-      }
+      warn("       ", fmt::format("variant {}: {}", row.number, warning));
     log.publish(false);
   }
 
@@ -286,17 +240,23 @@ namespace fuga
   ExitCode
   Sweep<dim>::run()
   {
-    const Parameters &parameters = model.parameters;
     begin_results(parameters.output.directory,
                   [this]() { write_summary("unfinished", ExitCode::done); });
-    Table<SweepRow> table(parameters.output.directory + "/sweep.csv", sweep_columns(model));
+    Table<SweepRow> table(parameters.output.directory + "/sweep.csv",
+                          sweep_columns(*model, parameters));
     table.publish(true);
     say_header();
+    say_model();
     bool any_failed     = false;
-    const auto next_row = [&](const std::size_t i) {
+    const auto next_row = [&](const Variant &variant) {
       try
         {
-          return run_variant(parameters.variants[i]);
+          if (variant.condensation != condensation)
+            {
+              condense(variant.condensation);
+              say_model();
+            }
+          return run_variant(variant);
         }
       catch (const Interrupted &)
         {
@@ -306,29 +266,32 @@ namespace fuga
     };
     for (std::size_t i = 0; i < parameters.variants.size(); ++i)
       {
-        SweepRow row = next_row(i);
+        SweepRow row = next_row(parameters.variants[i]);
         row.number   = i + 1;
         table.add(row);
         table.publish(false);
-        say_row(parameters.variants[i], row);
-        any_failed = any_failed || row.failed;
+        say_row(row);
+        any_failed = any_failed || row.exit_code == ExitCode::numerical_failure;
       }
     table.publish(true);
-    model.timer.finish("variants");
+    count_model();
     const ExitCode code = any_failed ? ExitCode::numerical_failure
                           : summary.worst_certificate <= parameters.solver.certificate_bound
                             ? ExitCode::done
                             : ExitCode::certificate_violated;
-    say(
-      fmt::format("{} variants on one condensation, worst certificate {:.1e}. Results {}/sweep.csv",
-                  parameters.variants.size(),
-                  summary.worst_certificate,
-                  parameters.output.directory));
+    say(fmt::format("{} variants, worst certificate {:.1e}. Results {}/sweep.csv",
+                    parameters.variants.size(),
+                    summary.worst_certificate,
+                    parameters.output.directory));
     log.publish(true);
     write_summary(any_failed ? "numerical failure" : "done", code);
     return code;
   }
 
+  template std::unique_ptr<const Model<2>>
+  checked_model(const Parameters &, const std::size_t, const Condensation);
+  template std::unique_ptr<const Model<3>>
+  checked_model(const Parameters &, const std::size_t, const Condensation);
   template class Sweep<2>;
   template class Sweep<3>;
 } // namespace fuga

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/summary.h>
 #include <fuga/sweep_row.h>
+
+#include <algorithm>
+#include <limits>
 
 namespace fuga
 {
@@ -31,19 +33,60 @@ namespace fuga
               {joint + "cracked_length", u.length, of_joint(&JointResultant::cracked_length)}});
       return columns;
     }
+
+    /** The methods by which any of the variants looks for a factor of safety. */
+    std::vector<std::string>
+    methods(const Parameters &parameters)
+    {
+      std::vector<std::string> names;
+      for (const auto &condensation : parameters.condensations)
+        for (const StageDefinition &stage : condensation->model.stages)
+          if (stage.purpose != StagePurpose::loading &&
+              std::find(names.begin(), names.end(), stage.name) == names.end())
+            names.push_back(stage.name);
+      return names;
+    }
+
+    /** Factor and verdict of one method. */
+    Columns<SweepRow>
+    columns_of_safety(const std::string &method)
+    {
+      const auto of_row = [method](const SweepRow &row) {
+        const auto found =
+          std::find_if(row.safety.begin(), row.safety.end(), [&](const SafetyFactor &safety) {
+            return safety.method == method;
+          });
+        return found == row.safety.end() ? nullptr : &*found;
+      };
+      std::string name = "safety_" + method;
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return {{name,
+               "",
+               [of_row](const SweepRow &row) {
+                 const SafetyFactor *const safety = of_row(row);
+                 return safety != nullptr && safety->found()
+                          ? safety->factor
+                          : std::numeric_limits<double>::quiet_NaN();
+               }},
+              {name + "_verdict", "", [of_row](const SweepRow &row) {
+                 const SafetyFactor *const safety = of_row(row);
+                 return safety == nullptr ? SafetyFactor::not_computed : safety->verdict;
+               }}};
+    }
   } // namespace
 
   // The settings, joints and monitors of all variants are the same in number and order.
   template <int dim>
   Columns<SweepRow>
-  sweep_columns(const Model<dim> &model)
+  sweep_columns(const Model<dim> &model, const Parameters &parameters)
   {
-    const Units &u            = model.parameters.output.units;
+    const Units &u            = parameters.output.units;
     Columns<SweepRow> columns = {{"variant", "", [](const SweepRow &row) { return row.number; }}};
-    const auto &settings      = model.parameters.variants.front().settings;
-    for (std::size_t i = 0; i < settings.size(); ++i)
+    for (std::size_t i = 0; i < parameters.swept.size(); ++i)
       append(columns,
-             {{settings[i].first, "", [i](const SweepRow &row) { return row.settings[i]; }}});
+             {{parameters.swept[i].name, parameters.swept[i].unit, [i](const SweepRow &row) {
+                 return row.settings[i];
+               }}});
     append(
       columns,
       {{"verdict", "", [](const SweepRow &row) { return row.verdict; }},
@@ -65,12 +108,17 @@ namespace fuga
             {"seconds", "", [](const SweepRow &row) { return row.seconds; }},
             {"driven_by", "", [](const SweepRow &row) { return row.drive.name; }},
             {"drive", "", [](const SweepRow &row) { return row.drive.value; }},
-            {"motion", "", [](const SweepRow &row) { return row.motion; }}});
+            {"motion", "", [](const SweepRow &row) { return row.motion; }},
+            {"exit_code", "", [](const SweepRow &row) {
+               return static_cast<std::size_t>(row.exit_code);
+             }}});
+    for (const std::string &method : methods(parameters))
+      append(columns, columns_of_safety(method));
     return columns;
   }
 
   template Columns<SweepRow>
-  sweep_columns(const Model<2> &);
+  sweep_columns(const Model<2> &, const Parameters &);
   template Columns<SweepRow>
-  sweep_columns(const Model<3> &);
+  sweep_columns(const Model<3> &, const Parameters &);
 } // namespace fuga

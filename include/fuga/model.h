@@ -61,6 +61,15 @@ namespace fuga
     std::vector<JointResultant>
     resultants(const std::vector<ElementResult> &results, const Vector &dissipation) const;
 
+    /** The mechanism of a path in words, empty without one. @p elements: of the joints. */
+    std::string
+    motion(const std::vector<ContactElement> &elements, const PathResult &result) const;
+
+    /** @throws InputError if joints have what they cannot have here: see check_cones(), and
+     * negative gaps. */
+    void
+    check_joints(const std::vector<JointParameters> &joints) const;
+
     /** Sizes for the summary. */
     std::vector<std::pair<std::string, std::size_t>>
     sizes() const;
@@ -118,7 +127,7 @@ namespace fuga
     std::vector<ElementFrame>
     find_frames() const;
     void
-    check_cones() const;
+    check_cones(const std::vector<JointParameters> &joints) const;
     void
     check_body_solver() const;
     std::vector<bool>

@@ -10,6 +10,7 @@
 #include <fuga/io/summary.h>
 #include <fuga/joint_model.h>
 #include <fuga/model.h>
+#include <fuga/safety_search.h>
 #include <fuga/table_range.h>
 
 #include <functional>
@@ -108,19 +109,9 @@ namespace fuga
     /** Has the motion of a limit load judged, with a warning if it proves nothing. */
     void
     judge_limit(Outcome &outcome);
-    bool
-    looks_for_safety() const;
     /** Follows each search for a factor of safety from the end of the loads. */
     void
     find_safety(Outcome &outcome);
-    SafetyFactor
-    find_factor(const std::size_t search, const PathCut &end_of_loading);
-    SafetyFactor
-    announced_factor(const StageDefinition &search) const;
-    LoadHistory
-    history_of(const std::size_t search) const;
-    std::vector<std::string>
-    moving_joints(const Vector &mechanism_jumps) const;
     void
     log_safety(const SafetyFactor &safety);
     bool
@@ -173,9 +164,6 @@ namespace fuga
     describe_critical(const PathResult &result) const;
     std::string
     reason_of(const PathResult &result) const;
-    /** The mechanism in words, empty without one. */
-    std::string
-    motion_of(const PathResult &result) const;
     void
     log_closing_table(const Outcome &outcome);
     /** Those of the last state. */
@@ -189,6 +177,7 @@ namespace fuga
     const AccuracyReport accuracy;
     const JointModel joint;
     const LayeredSystem layered;
+    const SafetySearch<dim> safety_search;
     /** The loads without the searches for safety that follow them. */
     const LoadHistory loading;
     std::unique_ptr<ContactPath> path;

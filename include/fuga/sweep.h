@@ -10,19 +10,25 @@
 #include <fuga/simulation.h>
 #include <fuga/sweep_row.h>
 
+#include <set>
+
 namespace fuga
 {
   /**
-   * Runs all variants of section Sweep on one condensation of the bodies and writes one row each to
-   * sweep.csv, one line each to log.txt: limit load and mechanism, first opening, first slip,
-   * resultants at the end, certificate. Variants that differ in strength only also share the
-   * layered system.
+   * Runs all variants of section Sweep and writes one row each to sweep.csv, one line each to
+   * log.txt: verdict and mechanism, first opening, first slip, resultants at the end, factors of
+   * safety, certificate. Variants that differ in their joints only share one condensation of the
+   * bodies, and those that differ in strength only the layered system as well.
    */
   template <int dim>
   class Sweep
   {
   public:
-    explicit Sweep(const Model<dim> &model);
+    /**
+     * Checks all variants and condenses the bodies of the first ones; nothing is written.
+     * @throws InputError, NumericalFailure
+     */
+    explicit Sweep(const Parameters &parameters);
 
     /** The exit code is that of the worst certificate and of failures; a limit load is a result
      * here. */
@@ -30,21 +36,14 @@ namespace fuga
     run();
 
   private:
+    /** Makes the model of the variants with this condensation. */
+    void
+    condense(const std::size_t number);
+    /** Adds what was done with the model to the summary. */
+    void
+    count_model();
     SweepRow
     run_variant(const Variant &variant);
-    bool
-    has_stages_of_model(const Variant &variant) const;
-    /** The model with the stages of a variant. */
-    ModelDefinition
-    definition_of(const Variant &variant) const;
-    LoadHistory
-    history_of(const Variant &variant) const;
-    /** What drives the last stage, and the mechanism. */
-    void
-    describe_end(const Variant &variant,
-                 const JointModel &joint,
-                 const LoadHistory &history,
-                 SweepRow &row) const;
     const LayeredSystem &
     layered_system_of(const JointModel &joint);
     /** Adds a variant to the summary. */
@@ -58,14 +57,30 @@ namespace fuga
     say(const std::string &text);
     void
     say_header();
+    /** What the model of a condensation adds up to, unless it was said before. */
     void
-    say_row(const Variant &variant, const SweepRow &row);
+    say_model();
+    void
+    say_row(const SweepRow &row);
+    void
+    warn(const std::string &indent, const std::string &text);
 
-    const Model<dim> &model;
+    const Parameters &parameters;
     TextFile log;
+    std::set<std::string> said;
+    PhaseTimer timer;
+    std::unique_ptr<const Model<dim>> model;
+    std::unique_ptr<const DrivingQuantities> driving;
+    std::size_t condensation = 0;
     std::unique_ptr<LayeredSystem> layered;
     SweepSummary summary;
   };
+
+  /** The model of a condensation, with the joints of all of its variants checked. @throws
+   * InputError that names the variant. */
+  template <int dim>
+  std::unique_ptr<const Model<dim>>
+  checked_model(const Parameters &sweep, const std::size_t condensation, const Condensation how);
 } // namespace fuga
 
 #endif

@@ -7,8 +7,9 @@
 #include <fuga/bodies/driving_quantity.h>
 #include <fuga/contact/path_result.h>
 #include <fuga/io/joint_resultant.h>
+#include <fuga/io/summary.h>
 #include <fuga/io/table.h>
-#include <fuga/model.h>
+#include <fuga/simulation.h>
 
 #include <limits>
 
@@ -33,14 +34,18 @@ namespace fuga
     double first_slip    = std::numeric_limits<double>::quiet_NaN();
     double certificate   = 0.;
     double seconds       = 0.;
-    bool failed          = false;
+    /** That of a run of the variant alone. */
+    ExitCode exit_code = ExitCode::done;
+    /** Reason of a numerical failure. */
+    std::string message;
+    std::vector<SafetyFactor> safety;
     std::vector<std::string> warnings;
   };
 
-  /** The columns of sweep.csv: doc/sweeps.md. */
+  /** The columns of sweep.csv: doc/sweeps.md. @p model: of any of the variants. */
   template <int dim>
   Columns<SweepRow>
-  sweep_columns(const Model<dim> &model);
+  sweep_columns(const Model<dim> &model, const Parameters &parameters);
 } // namespace fuga
 
 #endif

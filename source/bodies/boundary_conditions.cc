@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fuga/base/errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/base/similar_names.h>
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/discretization.h>
@@ -64,69 +64,73 @@ namespace fuga
              !vertices_of_point(mesh, name).empty();
     }
 
-    void
-    check_materials(const JointedMesh &mesh, const ModelDefinition &model)
+    unsigned int
+    check_material(const JointedMesh &mesh, const Material &material)
     {
-      std::vector<unsigned int> count(mesh.body_names.size(), 0);
-      for (const auto &material : model.materials)
-        {
-          const unsigned int body = index_of(mesh.body_names, material.body);
-          if (body == mesh.body_names.size())
-            throw InputError(
-              with_hint(fmt::format("Material of body '{}': the mesh has no such body. Bodies: {}.",
-                                    material.body,
-                                    listed(mesh.body_names)),
-                        material.body,
-                        mesh.body_names));
-          ++count[body];
-          if (!(material.young_modulus > 0.) || !(material.poisson_ratio > -1.) ||
-              !(material.poisson_ratio < 0.5))
-            throw InputError(fmt::format("Material of body '{}': Young's modulus {:g} must be "
-                                         "positive and Poisson's ratio {:g} "
-                                         "between -1 and 0.5.",
-                                         material.body,
-                                         material.young_modulus,
-                                         material.poisson_ratio));
-        }
-      for (std::size_t body = 0; body < count.size(); ++body)
-        if (count[body] != 1)
-          throw InputError(fmt::format("Body '{}' has {} materials; give it exactly one.",
-                                       mesh.body_names[body],
-                                       count[body] == 0 ? "no" : std::to_string(count[body])));
+      const unsigned int body = index_of(mesh.body_names, material.body);
+      if (body == mesh.body_names.size())
+        throw InputError(
+          with_hint(fmt::format("Material of body '{}': the mesh has no such body. Bodies: {}.",
+                                material.body,
+                                listed(mesh.body_names)),
+                    material.body,
+                    mesh.body_names));
+      if (!(material.young_modulus > 0.) || !(material.poisson_ratio > -1.) ||
+          !(material.poisson_ratio < 0.5))
+        throw InputError(fmt::format("Material of body '{}': Young's modulus {:g} must be "
+                                     "positive and Poisson's ratio {:g} "
+                                     "between -1 and 0.5.",
+                                     material.body,
+                                     material.young_modulus,
+                                     material.poisson_ratio));
+      return body;
     }
 
+    // A body may be without material because its name is misspelt.
     void
-    check_conditions(const JointedMesh &mesh, const ModelDefinition &model)
+    check_materials(const JointedMesh &mesh, const ModelDefinition &model, InputErrors &errors)
     {
-      for (auto condition = model.boundary_conditions.begin();
-           condition != model.boundary_conditions.end();
-           ++condition)
-        {
-          const auto &fixed = condition->fixed;
-          const bool held   = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
-          if (!is_boundary_or_point(mesh, condition->boundary))
-            throw InputError(with_hint(
-              fmt::format("{}Boundary '{}' is not in the mesh. Boundaries: {}. Points: {}.",
-                          where(condition->origin),
-                          condition->boundary,
-                          listed(mesh.label_names),
-                          listed(point_names(mesh))),
-              condition->boundary,
-              boundaries_and_points(mesh)));
-          if (held == condition->named_free)
-            throw InputError(fmt::format(
-              held ? "{}Boundary '{}' is both held and named free; remove one of the two."
-                   : "{}Boundary '{}' holds no component; name it free or remove the condition.",
-              where(condition->origin),
-              condition->boundary));
-          for (auto other = model.boundary_conditions.begin(); other != condition; ++other)
-            if (other->boundary == condition->boundary)
-              throw InputError(
-                fmt::format("{}Boundary '{}' has a condition already{}; keep one of them.",
-                            where(condition->origin),
-                            condition->boundary,
-                            other->origin.empty() ? "" : " (" + other->origin + ")"));
-        }
+      std::vector<unsigned int> count(mesh.body_names.size(), 0);
+      bool all_known = true;
+      for (const auto &material : model.materials)
+        all_known &= errors.attempt([&]() { ++count[check_material(mesh, material)]; });
+      for (std::size_t body = 0; all_known && body < count.size(); ++body)
+        if (count[body] != 1)
+          errors.add(fmt::format("Body '{}' has {} materials; give it exactly one.",
+                                 mesh.body_names[body],
+                                 count[body] == 0 ? "no" : std::to_string(count[body])));
+    }
+
+    /** @p number: of the condition in the model. */
+    void
+    check_condition(const JointedMesh &mesh, const ModelDefinition &model, const std::size_t number)
+    {
+      const BoundaryCondition &condition = model.boundary_conditions[number];
+      const auto &fixed                  = condition.fixed;
+      const bool held = std::find(fixed.begin(), fixed.end(), true) != fixed.end();
+      if (!is_boundary_or_point(mesh, condition.boundary))
+        throw InputError(
+          with_hint(fmt::format("{}Boundary '{}' is not in the mesh. Boundaries: {}. Points: {}.",
+                                where(condition.origin),
+                                condition.boundary,
+                                listed(mesh.label_names),
+                                listed(point_names(mesh))),
+                    condition.boundary,
+                    boundaries_and_points(mesh)));
+      if (held == condition.named_free)
+        throw InputError(fmt::format(
+          held ? "{}Boundary '{}' is both held and named free; remove one of the two."
+               : "{}Boundary '{}' holds no component; name it free or remove the condition.",
+          where(condition.origin),
+          condition.boundary));
+      for (std::size_t other = 0; other < number; ++other)
+        if (const auto &earlier = model.boundary_conditions[other];
+            earlier.boundary == condition.boundary)
+          throw InputError(
+            fmt::format("{}Boundary '{}' has a condition already{}; keep one of them.",
+                        where(condition.origin),
+                        condition.boundary,
+                        earlier.origin.empty() ? "" : " (" + earlier.origin + ")"));
     }
 
     const BoundaryCondition *
@@ -200,7 +204,9 @@ namespace fuga
     }
 
     void
-    check_every_label_is_used(const JointedMesh &mesh, const ModelDefinition &model)
+    check_every_label_is_used(const JointedMesh &mesh,
+                              const ModelDefinition &model,
+                              InputErrors &errors)
     {
       std::vector<bool> used(mesh.label_names.size(), false);
       for (const auto &joint : mesh.joints)
@@ -214,7 +220,7 @@ namespace fuga
           const std::string &name            = mesh.label_names[label];
           const BoundaryCondition *condition = condition_of(model, name);
           if (used[label] && condition && !condition->named_free)
-            throw InputError(fmt::format(
+            errors.add(fmt::format(
               "{}Boundary '{}' is a lip of a joint and cannot be held. Hold other boundaries, or "
               "take the joint away.",
               where(condition->origin),
@@ -225,7 +231,7 @@ namespace fuga
                 load.kind == LoadKind::traction)
               used[label] = used[label] || index_of(load.targets, name) < load.targets.size();
           if (!used[label])
-            throw InputError(fmt::format(
+            errors.add(fmt::format(
               "Boundary '{}' of the mesh has no condition. Hold it, load it, use it in a joint, or "
               "name it free.",
               name));
@@ -266,12 +272,17 @@ namespace fuga
   void
   check_names(const JointedMesh &mesh, const ModelDefinition &model)
   {
-    check_materials(mesh, model);
-    check_conditions(mesh, model);
+    InputErrors errors;
+    check_materials(mesh, model, errors);
+    for (std::size_t i = 0; i < model.boundary_conditions.size(); ++i)
+      errors.attempt([&]() { check_condition(mesh, model, i); });
     for (const auto &load : model.loads)
       for (const auto &target : load.targets)
-        check_load_target(mesh, model, load, target);
-    check_every_label_is_used(mesh, model);
+        errors.attempt([&]() { check_load_target(mesh, model, load, target); });
+    // A boundary may seem unused because its name is misspelt.
+    if (!errors.any())
+      check_every_label_is_used(mesh, model, errors);
+    errors.throw_if_any();
   }
 
 

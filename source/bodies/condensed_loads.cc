@@ -26,13 +26,20 @@ namespace fuga
     timer.restart();
     const LoadDefinition &load = model.loads.at(number);
     LoadPattern pattern        = load.kind == LoadKind::uplift
-                                   ? uplift(number).assemble(levels_of_water(load, model.constants, t))
+                                   ? assemble_uplift(number, levels_of_water(load, model.constants, t))
                                    : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
     pattern.number_of_load     = number;
     if (load.kind == LoadKind::imposed_gap)
       pattern.jumps = imposed_gap<dim>(load, model.constants, t, mesh, *bars);
     timer.finish("loads");
     return pattern;
+  }
+
+  template <int dim>
+  LoadPattern
+  CondensedSystem<dim>::assemble_uplift(const std::size_t number, const WaterLevels &levels) const
+  {
+    return uplift(number).assemble(levels);
   }
 
   template <int dim>
@@ -221,6 +228,8 @@ namespace fuga
 
   template LoadPattern
   CondensedSystem<2>::assemble_load(const std::size_t, const double) const;
+  template LoadPattern
+  CondensedSystem<2>::assemble_uplift(const std::size_t, const WaterLevels &) const;
   template std::vector<double>
   CondensedSystem<2>::levels_of_kinks(const std::size_t) const;
   template void
@@ -238,6 +247,8 @@ namespace fuga
   CondensedSystem<2>::recover(const Vector &, const Vector &) const;
   template LoadPattern
   CondensedSystem<3>::assemble_load(const std::size_t, const double) const;
+  template LoadPattern
+  CondensedSystem<3>::assemble_uplift(const std::size_t, const WaterLevels &) const;
   template std::vector<double>
   CondensedSystem<3>::levels_of_kinks(const std::size_t) const;
   template void

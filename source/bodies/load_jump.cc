@@ -5,52 +5,116 @@
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/load_jump.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace fuga
 {
   namespace
   {
+    /** Which levels make a load more than nothing; of a depth pressure always the first one. */
+    struct ActingLevels
+    {
+      bool level     = true;
+      bool tailwater = false;
+    };
+
+    // One of both waters alone, the other one far below everything.
+    template <int dim>
+    ActingLevels
+    acting_levels(const ModelDefinition &model,
+                  const CondensedSystem<dim> &system,
+                  const std::size_t load,
+                  const double t)
+    {
+      if (model.loads[load].kind != LoadKind::uplift)
+        return {};
+      constexpr double nowhere = -1e100;
+      const auto acts          = [&](const WaterLevels &alone) {
+        const LoadPattern pattern = system.assemble_uplift(load, alone);
+        const auto is_any         = [](const Vector &values) {
+          return std::any_of(
+            values.begin(), values.end(), [](const double value) { return value != 0.; });
+        };
+        return is_any(pattern.closed_water) || is_any(pattern.opening_water);
+      };
+      const WaterLevels levels = levels_of_water(model.loads[load], model.constants, t);
+      return {acts({levels.reservoir, nowhere}), acts({nowhere, levels.tailwater})};
+    }
+
+    /** "its level is 5, the first one of the table, which begins only at 2". */
+    std::string
+    statement(const LoadDefinition &load,
+              const LevelDefinition &level,
+              const std::map<std::string, double> &constants,
+              const std::string &subject,
+              const double t)
+    {
+      const double height = LevelHistory(level, load, constants)(t);
+      std::string text    = fmt::format("{} {:g}", subject, height);
+      if (!level.level_table.empty() && level.level_table.front()[0] > t)
+        text += fmt::format(", the first one of the table, which begins only at {:g}",
+                            level.level_table.front()[0]);
+      return text;
+    }
+
     /** Why a load with a level is not zero at load time @p t. */
     std::string
     cause(const LoadDefinition &load,
           const std::map<std::string, double> &constants,
+          const ActingLevels &acting,
           const double t)
     {
-      const double level = LevelHistory(load, constants)(t);
-      const auto &table  = load.depth.level_table;
-      std::string text   = fmt::format("At load time {:g} its level is {:g}", t, level);
-      if (!table.empty() && table.front()[0] > t)
-        text +=
-          fmt::format(", the first one of the table, which begins only at {:g}", table.front()[0]);
-      if (load.uplift.has_tailwater)
-        text += fmt::format(", and the tailwater stands at {:g}",
-                            LevelHistory(load.uplift.tailwater, load, constants)(t));
+      std::string text = fmt::format("At load time {:g} ", t);
+      if (acting.level)
+        text += statement(load, load.depth, constants, "its level is", t);
+      if (acting.tailwater)
+        text += (acting.level ? ", and " : "") +
+                statement(load, load.uplift.tailwater, constants, "its tailwater stands at", t);
       return text + ": what lies below is loaded at once. ";
     }
 
     std::string
-    remedy(const LoadDefinition &load, const double t)
+    remedy(const LoadDefinition &load, const ActingLevels &acting, const double t)
     {
+      const bool one = acting.level != acting.tailwater;
       return fmt::format(
-        "let the water or the ground rise from below all that it loads: a level table that begins "
-        "with '{:g}: LEVEL', LEVEL being the lowest point that is loaded, or lower{}; or begin the "
-        "history with 0, for example '{}: t'.",
+        "let {} rise from below all that {}: a table for {} that begins with '{:g}: LEVEL', LEVEL "
+        "being the lowest point that is loaded, or lower; or begin the history with 0, for example "
+        "'{}: t'.",
+        acting.tailwater ? (acting.level ? "the reservoir and the tailwater" : "the tailwater")
+                         : "the water or the ground",
+        one ? "it loads" : "they load",
+        acting.tailwater ? (acting.level ? "'Level' and 'Tailwater level'" : "'Tailwater level'")
+                         : "'Level'",
         t,
-        load.uplift.has_tailwater ? " (the same holds for the tailwater)" : "",
         load.name);
     }
   } // namespace
 
 
+  template <int dim>
   void
-  throw_jump(const ModelDefinition &model, const LoadFactors::Jump &jump)
+  throw_jump(const ModelDefinition &model,
+             const CondensedSystem<dim> &system,
+             const LoadFactors::Jump &jump)
   {
     const StageDefinition &stage            = model.stages[jump.stage];
     const StageDefinition::History &history = stage.histories[jump.history];
     const LoadDefinition &load              = model.loads[history.load];
-    const bool is_by_level                  = load.has_level() && jump.from == 0.;
     const double t                          = static_cast<double>(jump.stage);
+    std::string why, what_to_do;
+    if (load.has_level() && jump.from == 0.)
+      {
+        const ActingLevels acting = acting_levels(model, system, history.load, t);
+        why                       = cause(load, model.constants, acting, t);
+        what_to_do                = remedy(load, acting, t);
+      }
+    else
+      what_to_do =
+        fmt::format("begin the history with {:g}; t is the fraction of the stage and goes "
+                    "from 0 to 1.",
+                    jump.from);
     throw InputError(fmt::format(
       "{}: stage '{}': the load '{}' jumps from the factor {:g} to {:g} at the beginning of "
       "the stage (history '{}' at t = 0). {}A load must grow from where it is, so that no "
@@ -61,10 +125,12 @@ namespace fuga
       jump.from,
       jump.to,
       history.expression,
-      is_by_level ? cause(load, model.constants, t) : "",
-      is_by_level ? remedy(load, t)
-                  : fmt::format("begin the history with {:g}; t is the fraction of the stage "
-                                "and goes from 0 to 1.",
-                                jump.from)));
+      why,
+      what_to_do));
   }
+
+  template void
+  throw_jump(const ModelDefinition &, const CondensedSystem<2> &, const LoadFactors::Jump &);
+  template void
+  throw_jump(const ModelDefinition &, const CondensedSystem<3> &, const LoadFactors::Jump &);
 } // namespace fuga

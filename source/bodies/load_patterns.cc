@@ -130,7 +130,7 @@ namespace fuga
       if (model.stages[jump.stage].histories[jump.history].load == load &&
           size_of(system.assemble_load(load, static_cast<double>(jump.stage))) >
             linear_tolerance * size)
-        throw_jump(model, jump);
+        throw_jump(model, system, jump);
   }
 
 

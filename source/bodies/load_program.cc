@@ -59,6 +59,7 @@ namespace fuga
     template <int dim>
     void
     add_stage(const ModelDefinition &model,
+              const CondensedSystem<dim> &system,
               const std::size_t number,
               const LoadKnots &knots,
               LoadFactors &factors,
@@ -83,7 +84,7 @@ namespace fuga
           if (std::abs(begin - last) <= linear_tolerance * std::max(1., std::abs(begin)))
             continue;
           if (!depends_on_time(model.loads[history.load]))
-            throw_jump(model, {number, h, last, begin});
+            throw_jump(model, system, {number, h, last, begin});
           factors.jumps.push_back({number, h, last, begin});
         }
       const std::vector<double> fractions = knots.fractions(number, courses, straight);
@@ -127,6 +128,7 @@ namespace fuga
     template <int dim>
     LoadFactors
     evaluate_stages(const ModelDefinition &model,
+                    const CondensedSystem<dim> &system,
                     const LoadKnots &knots,
                     std::vector<std::string> &report)
     {
@@ -135,7 +137,7 @@ namespace fuga
       for (std::size_t s = 0; s < model.stages.size(); ++s)
         if (model.stages[s].purpose == StagePurpose::loading)
           {
-            add_stage<dim>(model, s, knots, factors, report);
+            add_stage(model, system, s, knots, factors, report);
             factors.end_of_loading = static_cast<double>(s + 1);
           }
         else
@@ -173,21 +175,11 @@ namespace fuga
   } // namespace
 
   template <int dim>
-  LoadHistory
-  make_load_history(const ModelDefinition &model)
-  {
-    std::vector<std::string> unused;
-    const LoadKnots knots(model, std::vector<std::vector<double>>(model.loads.size()));
-    const LoadFactors factors = evaluate_stages<dim>(model, knots, unused);
-    return history_of(model, factors.corners, factors.values);
-  }
-
-  template <int dim>
   LoadProgram
   make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system)
   {
     std::vector<std::string> report;
-    const LoadFactors factors = evaluate_stages<dim>(model, make_knots(model, system), report);
+    const LoadFactors factors = evaluate_stages(model, system, make_knots(model, system), report);
     LoadPatterns<dim> loads(model, system, factors);
     report.insert(report.end(), loads.report.begin(), loads.report.end());
 
@@ -231,16 +223,12 @@ namespace fuga
     return result;
   }
 
-  template LoadHistory
-  make_load_history<2>(const ModelDefinition &);
   template LoadProgram
   make_load_program(const ModelDefinition &, const CondensedSystem<2> &);
   template TemperatureField<2>
   LoadProgram::temperature(const ModelDefinition &,
                            const std::vector<std::string> &,
                            const double) const;
-  template LoadHistory
-  make_load_history<3>(const ModelDefinition &);
   template LoadProgram
   make_load_program(const ModelDefinition &, const CondensedSystem<3> &);
   template TemperatureField<3>

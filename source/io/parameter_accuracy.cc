@@ -84,10 +84,10 @@ namespace fuga
     void
     check_combinations(const ParameterSection &section, const Parameters &parameters)
     {
-      if (!parameters.variants.empty())
+      if (parameters.of_sweep)
         section.fail(
           "Quantity",
-          "the variants of a sweep share one condensation, hence one mesh. Remove the "
+          "the variants of a sweep have the mesh of the file: none finds its own. Remove the "
           "section Sweep and run the variants one by one (--set), or remove this entry.");
       if (first_stages_of_phases(parameters.model).size() > 1)
         section.fail("Quantity",

@@ -145,13 +145,16 @@ namespace fuga
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model)
   {
     const std::vector<ParameterSection> sections = values.subsections("Loads");
+    // A variant may leave out the stages of a load.
+    const ParameterSection sweep = values.section("Sweep");
+    const bool stages_vary       = sweep.given("Stages") || sweep.given("Load sequences");
     for (std::size_t i = 0; i < sections.size(); ++i)
       values.attempt(sections[i], [&]() {
         check_free_boundaries(sections[i], model.loads[i], model);
         if (!values.is_broken("Boundaries"))
           check_displacement(sections[i], model.loads[i], model);
         check_joints(sections[i], model.loads[i], values.subsection_names("Joints"));
-        if (!values.is_broken("Stages") && !is_used(model, i))
+        if (!values.is_broken("Stages") && !stages_vary && !is_used(model, i))
           sections[i].fail(fmt::format(
             "no stage uses this load; the stages are {}. Add '{}: t' to the Loads of one, or "
             "remove the load.",

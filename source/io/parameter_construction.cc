@@ -96,11 +96,11 @@ namespace fuga
   void
   check_sweep_of_construction(const ParameterValues &values, const Parameters &parameters)
   {
-    if (!parameters.variants.empty() && first_stages_of_phases(parameters.model).size() > 1)
+    if (parameters.of_sweep && first_stages_of_phases(parameters.model).size() > 1)
       throw InputError(
-        fmt::format("{}: the variants of a sweep share one condensation, but here bodies are built "
-                    "or removed, or joints grouted, on the way. Take the section Sweep out and run "
-                    "the variants one by one (--set).",
+        fmt::format("{}: sweeps are of structures that are there from the start, but here bodies are "
+                    "built or removed, or joints grouted, on the way. Take the section Sweep out "
+                    "and run the variants one by one (--set).",
                     values.file()));
   }
 } // namespace fuga

@@ -94,21 +94,13 @@ namespace fuga
     }
 
 
-    /** Laws that section Sweep gives this joint; words it does not know are its own business. */
+    /** Laws that section Sweep gives this joint; other words are refused where they are read. */
     std::vector<LayerLaw>
-    swept_laws(const ParameterSection &sweep, const std::string &joint)
+    swept_laws(const ParameterSection &section, const LayerDirection direction)
     {
       std::vector<LayerLaw> laws;
-      if (!sweep.given("Normal law"))
-        return laws;
-      if (sweep.given("Joints"))
-        {
-          const std::vector<std::string> joints = sweep.list("Joints");
-          if (std::find(joints.begin(), joints.end(), joint) == joints.end())
-            return laws;
-        }
-      for (const std::string &word : sweep.list("Normal law"))
-        if (const auto law = law_of_word(word, LayerDirection::normal))
+      for (const std::string &word : section.swept(direction_word(direction) + " law"))
+        if (const auto law = law_of_word(word, direction))
           laws.push_back(*law);
       return laws;
     }
@@ -138,7 +130,8 @@ namespace fuga
       joint.thickness  = section.given("Thickness") ? section.number("Thickness") : 0.;
       const LayerSurroundings surroundings = {constants,
                                               largest_stress(values),
-                                              swept_laws(values.section("Sweep"), section.name()),
+                                              swept_laws(section, LayerDirection::normal),
+                                              swept_laws(section, LayerDirection::shear),
                                               !joint.friction.is_frictionless()};
       read_layer(section, LayerDirection::normal, surroundings, joint);
       read_layer(section, LayerDirection::shear, surroundings, joint);

@@ -124,7 +124,8 @@ namespace fuga
                       law_statement(section, direction)));
       if (law == LayerLaw::linear && rho == 0.)
         law = LayerLaw::rigid;
-      return rho;
+      // Entries of other laws of a sweep do not count.
+      return has_compliance_entry(law) ? rho : 0.;
     }
 
     double
@@ -249,7 +250,8 @@ namespace fuga
     LayerLaw &law          = normal ? joint.normal_law : joint.shear_law;
     law                    = *law_of_word(section.text(word + " law"), direction);
 
-    std::vector<LayerLaw> laws = normal ? surroundings.swept_laws : std::vector<LayerLaw>();
+    std::vector<LayerLaw> laws =
+      normal ? surroundings.swept_normal_laws : surroundings.swept_shear_laws;
     laws.push_back(law);
     refuse_foreign_entries(section, direction, laws);
     (normal ? joint.normal_compliance : joint.shear_compliance) =
@@ -259,12 +261,7 @@ namespace fuga
     if (const std::string missing = missing_entry(joint, direction); !missing.empty())
       section.fail(word + " law", missing);
 
-    for (const LayerLaw one : laws)
-      {
-        JointParameters variant                           = joint;
-        (normal ? variant.normal_law : variant.shear_law) = one == laws.back() ? law : one;
-        if (missing_entry(variant, direction).empty() && one != LayerLaw::linear)
-          check_layer(section, direction, surroundings, variant);
-      }
+    if (law != LayerLaw::linear)
+      check_layer(section, direction, surroundings, joint);
   }
 } // namespace fuga

@@ -149,9 +149,6 @@ namespace fuga
         add("load factor", StagePurpose::load_factor, "Load factor");
         searches.back().increased_loads = read_increased_loads(section, model);
       }
-    if (!searches.empty() && !parameters.variants.empty())
-      section.fail("factors of safety are not found in a sweep. Remove this section or section "
-                   "Sweep.");
     for (const StageDefinition &search : searches)
       for (const StageDefinition &stage : model.stages)
         if (stage.name == search.name)

@@ -43,6 +43,30 @@ namespace fuga
     }
 
 
+    /** An entry in a subsection of Sweep becomes one of Sweep itself. */
+    void
+    fold_into_sweep(ScannedEntry &entry)
+    {
+      if (entry.path.size() < 2 || entry.path.front() != "Sweep")
+        return;
+      entry.name = path_name({entry.path.begin() + 1, entry.path.end()}) + "/" + entry.name;
+      entry.path.resize(1);
+    }
+
+
+    void
+    fold_into_sweep(ParameterScan &scan)
+    {
+      for (ScannedEntry &entry : scan.entries)
+        fold_into_sweep(entry);
+      const auto is_inside = [](const ScannedSection &section) {
+        return section.path.size() > 1 && section.path.front() == "Sweep";
+      };
+      scan.sections.erase(std::remove_if(scan.sections.begin(), scan.sections.end(), is_inside),
+                          scan.sections.end());
+    }
+
+
     /** The lines of a .prm file one after the other. */
     class PrmScanner
     {
@@ -254,7 +278,9 @@ namespace fuga
         fmt::format("{}: the parameter file is empty. 'fuga --print-parameters' prints "
                     "one to begin with.",
                     file));
-    return extension == ".json" ? scan_json(file, text) : scan_prm(file, text);
+    ParameterScan scan = extension == ".json" ? scan_json(file, text) : scan_prm(file, text);
+    fold_into_sweep(scan);
+    return scan;
   }
 
 
@@ -273,7 +299,8 @@ namespace fuga
             fmt::format("{}: this is not of the form \"Section/Sub/Entry=value\".", origin));
         const std::string name = path.back();
         path.pop_back();
-        const ScannedEntry entry{path, name, normalise_blanks(text.substr(equals + 1)), origin};
+        ScannedEntry entry{path, name, normalise_blanks(text.substr(equals + 1)), origin};
+        fold_into_sweep(entry);
 
         const auto [earlier, is_new] = applied.emplace(entry.full_name(), origin);
         if (!is_new)
@@ -283,7 +310,7 @@ namespace fuga
                                        earlier->second));
         const auto same =
           std::find_if(scan.entries.begin(), scan.entries.end(), [&](const auto &e) {
-            return e.path == path && e.name == name;
+            return e.path == entry.path && e.name == entry.name;
           });
         if (entry.value.empty())
           {

@@ -62,6 +62,14 @@ namespace fuga
   }
 
 
+  std::vector<std::string>
+  ParameterSection::swept(const std::string &entry) const
+  {
+    const auto found = values->swept.find(ScannedEntry{path, entry, "", ""}.full_name());
+    return found == values->swept.end() ? std::vector<std::string>() : found->second;
+  }
+
+
   std::string
   ParameterSection::origin(const std::string &entry) const
   {

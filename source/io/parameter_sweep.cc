@@ -1,317 +1,236 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/load_assembly.h>
-#include <fuga/io/layer_law.h>
-#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_readers.h>
-#include <fuga/io/parameter_strength.h>
+#include <fuga/io/unit_text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <set>
 
 namespace fuga
 {
   namespace
   {
-    /** More variants than this are a slip of the pen. */
-    constexpr std::size_t max_variants = 100000;
+    /** Behind an error so many further variants are read: they may have errors of their own. */
+    constexpr std::size_t n_read_behind_error = 200;
 
+    /** The name of an entry of a joint, empty for another one. */
     std::string
-    trimmed(const std::string &text)
+    entry_of_joint(const std::string &full_name)
     {
-      const char *const blank = " \t";
-      const std::size_t begin = text.find_first_not_of(blank);
-      return begin == std::string::npos
-               ? ""
-               : text.substr(begin, text.find_last_not_of(blank) - begin + 1);
+      const std::string section = "Joints/";
+      return full_name.compare(0, section.size(), section) == 0
+               ? full_name.substr(full_name.rfind('/') + 1)
+               : "";
     }
 
+    /**
+     * What decides about the condensation: all but laws and strength of the joints. A joint without
+     * shear strength has no tangential bars.
+     */
+    std::string
+    condensation_key(const Parameters &parameters)
+    {
+      static const std::set<std::string> places = {
+        "Line", "Plus body", "Minus body", "Plus lip", "Minus lip"};
+      std::string key;
+      for (const auto &[name, value] : parameters.echo)
+        if (const std::string entry = entry_of_joint(name);
+            entry.empty() || places.count(entry) > 0)
+          key += name + "=" + value + "\n";
+      for (const JointParameters &joint : parameters.joints)
+        key += joint.friction.is_frictionless() ? '0' : '1';
+      return key;
+    }
+
+    /** What decides about the layers of the joints: all of them but their strength. */
+    std::string
+    layer_key(const Parameters &parameters)
+    {
+      static const std::vector<EntryDeclaration> strength =
+        parameter_entries::joint_strength_entries();
+      std::string key;
+      for (const auto &[name, value] : parameters.echo)
+        if (const std::string entry = entry_of_joint(name);
+            !entry.empty() &&
+            std::none_of(strength.begin(), strength.end(), [&](const EntryDeclaration &one) {
+              return one.name == entry;
+            }))
+          key += name + "=" + value + "\n";
+      return key;
+    }
+
+    /** The unit in the meaning of an entry whose value is a number, with the units of the user. */
+    std::string
+    unit_of(const SweptLine &line, const Units &units)
+    {
+      if (line.targets.empty())
+        return "";
+      const ScannedEntry &target        = line.targets.front();
+      const SectionDeclaration *section = find_section(target.path.front());
+      const EntryDeclaration *entry     = section == nullptr ? nullptr : section->find(target.name);
+      static const std::set<std::string> levels = {"Level", "Tailwater level"};
+      if (entry == nullptr || !(entry->is_number() || levels.count(entry->name) > 0))
+        return "";
+      const std::size_t begin = entry->documentation.find('[');
+      const std::size_t end   = entry->documentation.find(']');
+      if (begin == std::string::npos)
+        return "";
+      const std::string unit = in_units(entry->documentation.substr(begin, end + 1 - begin), units);
+      return unit.substr(1, unit.size() - 2);
+    }
+
+    /** The values of a variant, as they are read: expressions of constants are numbers. */
     std::vector<std::string>
-    split(const std::string &text, const char separator)
+    settings_of(const SweepPlan &plan, const std::size_t i, const Parameters &parameters)
     {
-      std::vector<std::string> pieces;
-      std::size_t begin = 0;
-      while (true)
+      const std::vector<std::size_t> choice = plan.choice(i);
+      std::vector<std::string> settings;
+      for (std::size_t l = 0; l < choice.size(); ++l)
         {
-          const std::size_t end = text.find(separator, begin);
-          pieces.push_back(trimmed(text.substr(begin, end - begin)));
-          if (end == std::string::npos)
-            return pieces;
-          begin = end + 1;
+          const SweptLine &line = plan.lines()[l];
+          const auto read =
+            std::find_if(parameters.echo.begin(), parameters.echo.end(), [&](const auto &entry) {
+              return !line.targets.empty() && entry.first == line.targets.front().full_name();
+            });
+          settings.push_back(read == parameters.echo.end() ? line.values[choice[l]] : read->second);
         }
+      return settings;
     }
 
-    double
-    parse_number(const ParameterSection &section, const std::string &entry, const std::string &word)
+    /** Collects the errors of variants, each once however many of them have it. */
+    class ErrorsOfVariants
     {
-      double value      = 0.;
-      const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (result.ec != std::errc() || result.ptr != word.data() + word.size() ||
-          !std::isfinite(value))
-        section.fail(entry,
-                     fmt::format("'{}' is not a number. Write numbers a, b, c or a range "
-                                 "first : step : last.",
-                                 word));
-      if (value < 0.)
-        section.fail(entry,
-                     fmt::format("{} is negative; values from 0 upwards are allowed.", word));
-      return value;
-    }
+    public:
+      explicit ErrorsOfVariants(const SweepPlan &plan_of_sweep)
+        : plan(plan_of_sweep), errors(plan.file().file)
+      {
+      }
 
-    std::vector<double>
-    parse_range(const ParameterSection &section, const std::string &entry)
-    {
-      const std::vector<std::string> words = split(section.text(entry), ':');
-      if (words.size() != 3)
-        section.fail(entry, "a range is written first : step : last.");
-      const double first = parse_number(section, entry, words[0]);
-      const double step  = parse_number(section, entry, words[1]);
-      const double last  = parse_number(section, entry, words[2]);
-      if (step == 0. || last < first || (last - first) / step > static_cast<double>(max_variants))
-        section.fail(entry, "a range needs a step > 0 and a last value not below the first.");
-      std::vector<double> values;
-      const double rounding = 1e-9;
-      for (int i = 0; first + i * step <= last + rounding * step; ++i)
-        values.push_back(first + i * step);
-      return values;
-    }
+      void
+      add(const std::size_t variant, const std::vector<std::string> &messages)
+      {
+        for (const std::string &message : messages)
+          if (known.insert(without_value(message)).second)
+            errors.add(is_of_line(message) ? message : message + where(variant));
+      }
 
-    std::vector<double>
-    parse_values(const ParameterSection &section, const std::string &entry)
-    {
-      if (section.text(entry).find(':') != std::string::npos)
-        return parse_range(section, entry);
-      std::vector<double> values;
-      for (const std::string &word : section.list(entry))
-        values.push_back(parse_number(section, entry, word));
-      return values;
-    }
+      bool
+      any() const
+      {
+        return errors.any();
+      }
 
-    /** Which joints are varied. */
-    std::vector<bool>
-    varied_joints(const ParameterSection &section, const std::vector<JointParameters> &joints)
-    {
-      std::vector<bool> varied(joints.size(), !section.given("Joints"));
-      if (!section.given("Joints"))
-        return varied;
-      std::vector<std::string> names;
-      for (const JointParameters &joint : joints)
-        names.push_back(joint.definition.name);
-      for (const std::string &name : section.list("Joints"))
-        {
-          const auto place = std::find(names.begin(), names.end(), name);
-          if (place == names.end())
-            section.fail("Joints", "there is no such joint. " + name_hint(name, names, "joints"));
-          varied[static_cast<std::size_t>(place - names.begin())] = true;
-        }
-      return varied;
-    }
+      void
+      throw_if_any() const
+      {
+        errors.throw_if_any();
+      }
 
-    LayerLaw
-    law_named(const ParameterSection &section, const std::string &word)
-    {
-      const auto law = law_of_word(word, LayerDirection::normal);
-      if (!law)
-        section.fail("Normal law",
-                     fmt::format("there is no law '{}'. Known are {}.",
-                                 word,
-                                 quoted_list(law_words(LayerDirection::normal))));
-      return *law;
-    }
+    private:
+      /** A message without "= 'value'": an unknown entry is one mistake, however many values it
+       * has. */
+      static std::string
+      without_value(const std::string &message)
+      {
+        const std::size_t begin = message.find(" = '"), end = message.find("': ");
+        return begin == std::string::npos || end == std::string::npos || end < begin
+                 ? message
+                 : message.substr(0, begin) + message.substr(end);
+      }
 
-    /** Makes laws and compliances of a combination agree, or says why they cannot. */
-    void
-    reconcile(const ParameterSection &section, JointParameters &joint)
-    {
-      if (joint.normal_law == LayerLaw::linear && joint.normal_compliance == 0.)
-        joint.normal_law = LayerLaw::rigid;
-      if (joint.normal_law == LayerLaw::rigid)
-        joint.normal_compliance = 0.;
-      else if (section.given("Normal compliance") && !has_compliance_entry(joint.normal_law))
-        section.fail("Normal compliance",
-                     fmt::format("the {} law of joint '{}' has no compliance that could be varied. "
-                                 "Take the law or the joint out of the sweep, or this entry.",
-                                 law_word(joint.normal_law),
-                                 joint.definition.name));
-      if (const std::string missing = missing_entry(joint, LayerDirection::normal);
-          !missing.empty())
-        section.fail(
-          section.given("Normal law") ? "Normal law" : "Normal compliance",
-          fmt::format("for joint '{}' ({}) {}", joint.definition.name, joint.origin, missing));
-      if (joint.shear_law == LayerLaw::linear && joint.shear_compliance == 0.)
-        joint.shear_law = LayerLaw::rigid;
-    }
-
-    /** Multiplies the variants by the values of one entry; @p set puts value i into a joint. */
-    template <typename Set>
-    void
-    multiply(std::vector<Variant> &variants,
-             const std::string &entry,
-             const std::vector<std::string> &words,
-             const std::vector<bool> &varied,
-             const Set &set)
-    {
-      std::vector<Variant> result;
-      for (const Variant &variant : variants)
-        for (std::size_t i = 0; i < words.size(); ++i)
-          {
-            result.push_back(variant);
-            result.back().settings.emplace_back(entry, words[i]);
-            for (std::size_t j = 0; j < varied.size(); ++j)
-              if (varied[j])
-                set(result.back().joints[j], i);
-          }
-      variants = std::move(result);
-    }
-
-    void
-    vary_numbers(std::vector<Variant> &variants,
-                 const ParameterSection &section,
-                 const std::string &entry,
-                 const std::vector<bool> &varied,
-                 void (*set)(JointParameters &, const double))
-    {
-      if (!section.given(entry))
-        return;
-      const std::vector<double> values = parse_values(section, entry);
-      if (variants.size() * values.size() > max_variants)
-        section.fail(entry, fmt::format("that makes more than {} variants.", max_variants));
-      std::vector<std::string> words;
-      for (const double value : values)
-        words.push_back(fmt::format("{:.12g}", value));
-      multiply(variants, entry, words, varied, [&](JointParameters &joint, const std::size_t i) {
-        set(joint, values[i]);
-      });
-    }
-
-    void
-    vary_law(std::vector<Variant> &variants,
-             const ParameterSection &section,
-             const std::vector<bool> &varied)
-    {
-      if (!section.given("Normal law"))
-        return;
-      const std::vector<std::string> words = section.list("Normal law");
-      std::vector<LayerLaw> laws;
-      for (const std::string &word : words)
-        laws.push_back(law_named(section, word));
-      multiply(
-        variants, "Normal law", words, varied, [&](JointParameters &joint, const std::size_t i) {
-          joint.normal_law = laws[i];
+      bool
+      is_of_line(const std::string &message) const
+      {
+        return std::any_of(plan.lines().begin(), plan.lines().end(), [&](const SweptLine &line) {
+          return message.compare(0, line.line.origin.size() + 1, line.line.origin + ":") == 0;
         });
-    }
+      }
 
-    void
-    vary_sequence(std::vector<Variant> &variants,
-                  const ParameterSection &section,
-                  const ModelDefinition &model)
+      std::string
+      where(const std::size_t variant) const
+      {
+        const std::vector<std::size_t> choice = plan.choice(variant);
+        std::string text;
+        for (std::size_t l = 0; l < choice.size(); ++l)
+          text += fmt::format("{}{} = {}",
+                              l == 0 ? "" : ", ",
+                              plan.lines()[l].line.name,
+                              plan.lines()[l].values[choice[l]]);
+        return fmt::format(" (In the variant {} of section Sweep.)", text);
+      }
+
+      const SweepPlan &plan;
+      InputErrors errors;
+      std::set<std::string> known;
+    };
+
+    /** A variant with its place in the order of computation. */
+    struct ReadVariant
     {
-      if (!section.given("Load sequences"))
-        return;
-      for (const LoadDefinition &load : model.loads)
-        if (depends_on_time(load))
-          section.fail(
-            "Load sequences",
-            fmt::format(
-              "the load '{}' ({}) depends on the load time t, which a new order of the stages "
-              "would change. Put its growth into the histories of the stages.",
-              load.name,
-              load.origin));
-      std::vector<std::string> names;
-      for (const StageDefinition &stage : model.stages)
-        names.push_back(stage.name);
-      std::vector<Variant> result;
-      for (const Variant &variant : variants)
-        for (const std::string &sequence : split(section.text("Load sequences"), ';'))
-          {
-            result.push_back(variant);
-            result.back().settings.emplace_back("Load sequence", sequence);
-            result.back().stages.clear();
-            for (const std::string &name : split(sequence, ','))
-              {
-                const auto place = std::find(names.begin(), names.end(), name);
-                if (place == names.end())
-                  section.fail("Load sequences",
-                               "there is no such stage. " + name_hint(name, names, "stages"));
-                result.back().stages.push_back(static_cast<unsigned int>(place - names.begin()));
-              }
-          }
-      variants = std::move(result);
+      Variant variant;
+      std::size_t layers = 0;
+    };
+
+    /** The number of a key, in the order in which keys come. */
+    std::size_t
+    number_of(const std::string &key, std::map<std::string, std::size_t> &known)
+    {
+      return known.emplace(key, known.size()).first->second;
     }
   } // namespace
 
-  std::vector<Variant>
-  read_variants(const ParameterValues &values,
-                const std::vector<JointParameters> &joints,
-                const ModelDefinition &model)
-  {
-    const ParameterSection section = values.section("Sweep");
-    const auto entries             = {"Friction coefficient",
-                                      "Cohesion",
-                                      "Normal compliance",
-                                      "Shear compliance",
-                                      "Normal law",
-                                      "Load sequences"};
-    if (std::none_of(
-          entries.begin(), entries.end(), [&](const char *entry) { return section.given(entry); }))
-      return {};
 
-    const std::vector<bool> varied = varied_joints(section, joints);
-    std::vector<Variant> variants(1);
-    variants[0].joints = joints;
-    for (unsigned int s = 0; s < model.stages.size(); ++s)
-      variants[0].stages.push_back(s);
-    // Friction varies fastest: neighbours in the table then share the layered system.
-    vary_sequence(variants, section, model);
-    vary_law(variants, section, varied);
-    vary_numbers(
-      variants, section, "Normal compliance", varied, [](JointParameters &joint, const double v) {
-        joint.normal_compliance = v;
-      });
-    vary_numbers(
-      variants, section, "Shear compliance", varied, [](JointParameters &joint, const double v) {
-        joint.shear_compliance = v;
-        joint.shear_law        = LayerLaw::linear;
-      });
-    vary_numbers(variants, section, "Cohesion", varied, [](JointParameters &joint, const double v) {
-      joint.friction.cohesion = v;
+  Parameters
+  read_sweep(const SweepPlan &plan)
+  {
+    ErrorsOfVariants errors(plan);
+    Parameters result;
+    std::vector<ReadVariant> variants;
+    std::map<std::string, std::size_t> condensations, layers;
+    std::size_t n = plan.n_variants();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        InputErrors of_variant(plan.file().file);
+        try
+          {
+            Parameters one = read_scan(plan.variant(i), of_variant);
+            ReadVariant read;
+            read.variant.settings     = settings_of(plan, i, one);
+            read.variant.joints       = one.joints;
+            read.variant.condensation = number_of(condensation_key(one), condensations);
+            read.layers               = number_of(layer_key(one), layers);
+            variants.push_back(std::move(read));
+            if (i == 0)
+              result = one;
+            if (result.condensations.size() < condensations.size())
+              result.condensations.push_back(std::make_shared<const Parameters>(std::move(one)));
+          }
+        catch (const InputError &error)
+          {
+            if (!errors.any())
+              n = std::min(n, i + 1 + n_read_behind_error);
+            errors.add(
+              i, of_variant.any() ? of_variant.all() : std::vector<std::string>{error.what()});
+          }
+      }
+    errors.throw_if_any();
+
+    std::stable_sort(variants.begin(), variants.end(), [](const auto &a, const auto &b) {
+      return std::pair(a.variant.condensation, a.layers) <
+             std::pair(b.variant.condensation, b.layers);
     });
-    vary_numbers(variants,
-                 section,
-                 "Friction coefficient",
-                 varied,
-                 [](JointParameters &joint, const double v) {
-                   // What is lost by slip is lost from the new value; residual friction stays.
-                   const double residual = residual_friction(joint.friction);
-                   joint.friction.friction_loss =
-                     joint.friction.friction_loss > 0. ? v - residual : 0.;
-                   joint.friction.coefficient = v;
-                 });
-    const bool law_given = section.given("Normal law");
-    for (Variant &variant : variants)
-      for (JointParameters &joint : variant.joints)
-        {
-          // Without a list of laws a compliance above zero makes a rigid joint linear.
-          if (!law_given && joint.normal_law == LayerLaw::rigid && joint.normal_compliance > 0.)
-            joint.normal_law = LayerLaw::linear;
-          reconcile(section, joint);
-          if (const std::optional<StrengthProblem> problem = find_strength_problem(joint.friction))
-            section.fail(fmt::format("joint '{}' at friction {:g}, cohesion {:g}: {}",
-                                     joint.definition.name,
-                                     joint.friction.coefficient,
-                                     joint.friction.cohesion,
-                                     problem->text));
-          if (joint.shear_growth.kind != ShearGrowth::Kind::none &&
-              (joint.normal_law == LayerLaw::rigid || joint.shear_law != LayerLaw::linear))
-            section.fail(
-              fmt::format("joint '{}' has a shear stiffness that grows: neither its normal "
-                          "nor its shear law may become rigid.",
-                          joint.definition.name));
-        }
-    return variants;
+    for (ReadVariant &read : variants)
+      result.variants.push_back(std::move(read.variant));
+    for (const SweptLine &line : plan.lines())
+      {
+        result.swept.push_back({line.line.name, unit_of(line, result.output.units), line.today});
+        if (line.line.name.find('/') != std::string::npos)
+          result.echo.emplace_back(line.line.full_name(), line.line.value);
+      }
+    return result;
   }
 } // namespace fuga

@@ -96,27 +96,37 @@ namespace fuga
   SectionDeclaration
   parameter_entries::sweep_section()
   {
-    const std::string values = " Numbers a, b, c or a range first : step : last.";
+    const auto older = [](const std::string &name) {
+      return optional(name,
+                      text(),
+                      "Older form of the line Joints/*/" + name + ", or Joints/NAMES/" + name +
+                        " with the NAMES of the entry Joints.");
+    };
     return {
       "Sweep",
-      "Runs all combinations of these values on one condensation of the bodies and writes one "
-      "table, "
-      "sweep.csv. An entry that is not given is not varied.",
-      {optional("Joints", text(), "List of the joints that are varied; without it all."),
-       optional("Friction coefficient", text(), "Values of f." + values),
-       optional("Cohesion", text(), "Values of c." + values),
+      "Runs variants of the file and writes one table of them, sweep.csv (doc/sweeps.md). A line "
+      "'set SECTION/ENTRY = values' or 'set SECTION/NAME/ENTRY = values' varies any entry of the "
+      "file; several NAMES are separated by commas, and * stands for all. Values are a, b, c, or "
+      "a | b | c where they contain commas, or a range first : step : last; numbers may be "
+      "expressions of constants. For example: set Joints/base/Friction angle = 30, 35, 40.",
+      {defaulted(
+         "Combination",
+         "all",
+         choice("all|in step"),
+         "Of several lines: all combinations of their values, the first line varying slowest; "
+         "or the first values of all lines, the second ones and so on."),
        optional(
-         "Normal compliance", text(), "Values of the normal compliance; 0 is rigid." + values),
-       optional("Shear compliance", text(), "Values of the shear compliance; 0 is rigid." + values),
-       optional(
-         "Normal law",
+         "Stages",
          text(),
-         "List out of the words of Joints/NAME/Normal law; the joints have the entries of all of "
-         "these laws."),
-       optional("Load sequences",
-                text(),
-                "Sequences of stages separated by ';', each a list of stage names: weight, push; "
-                "weight, push, back.")},
+         "Varies the order of the stages: sequences of their names, separated by '|', such as "
+         "weight, push | weight, push, back."),
+       optional("Joints", text(), "For the older forms below: list of the joints; without it all."),
+       older("Friction coefficient"),
+       older("Cohesion"),
+       older("Normal compliance"),
+       older("Shear compliance"),
+       older("Normal law"),
+       optional("Load sequences", text(), "Older form of Stages, separated by ';'.")},
       {}};
   }
 

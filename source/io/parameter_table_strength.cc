@@ -16,14 +16,14 @@ namespace fuga
                "Limit of shear/pressure. Either this or Friction angle; neither = 0.",
                {"0.2"}),
       optional(
-        "Friction angle", number_between(0, true, 90), "In degrees, in place of the coefficient."),
+        "Friction angle", number_between(0, true, 90), "In place of the coefficient [degrees]."),
       optional("Residual friction coefficient",
                number_from(0),
                "Friction after the first slip or opening. Either this or Residual friction angle; "
                "neither: nothing is lost."),
       optional("Residual friction angle",
                number_between(0, true, 90),
-               "In degrees, in place of the residual coefficient."),
+               "In place of the residual coefficient [degrees]."),
       defaulted("Cohesion", "0", number_from(0), "Shear strength without pressure [MPa]."),
       defaulted("Tensile strength",
                 "0",

@@ -81,7 +81,7 @@ namespace fuga
 
 
   ParameterValues::ParameterValues(const ParameterScan &scan, InputErrors &collected)
-    : file_name(scan.file), errors(collected)
+    : file_name(scan.file), of_sweep(scan.is_variant), swept(scan.swept), errors(collected)
   {
     for (const SectionDeclaration &section : parameter_declarations())
       if (section.name.empty())

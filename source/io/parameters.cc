@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/input_errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/parameter_values.h>
@@ -193,13 +193,25 @@ namespace fuga
   {
     ParameterScan scan = scan_parameter_file(file);
     apply_overrides(scan, overrides);
+    const SweepPlan plan(std::move(scan));
+    if (plan.n_variants() > 0)
+      return read_sweep(plan);
     InputErrors errors(file);
+    return read_scan(plan.file(), errors);
+  }
+
+
+  Parameters
+  read_scan(const ParameterScan &scan, InputErrors &errors)
+  {
+    const std::string &file = scan.file;
     const ParameterValues values(scan, errors);
     // All else depends on the dimension, and expressions on the constants.
     if (values.is_broken("") || values.is_broken("Constants") || values.is_broken("Solver"))
       errors.throw_if_any();
 
     Parameters parameters;
+    parameters.of_sweep       = values.is_variant();
     parameters.parameter_file = file;
     parameters.title          = values.section("").text("Title");
     if (!errors.attempt([&]() { parameters.model = read_model(values); }))
@@ -214,9 +226,8 @@ namespace fuga
     values.attempt(mesh, [&]() { parameters.mesh_file = read_mesh_file(mesh, file); });
     errors.throw_if_any(); // what follows needs all that is above
 
-    errors.attempt([&]() { read_construction(values, parameters.model); });
     errors.attempt([&]() {
-      parameters.variants = read_variants(values, parameters.joints, parameters.model);
+      read_construction(values, parameters.model);
       check_sweep_of_construction(values, parameters);
     });
     errors.attempt([&]() { read_safety(values, parameters); });

@@ -41,7 +41,7 @@ namespace fuga
       return "following the loads from event to event (Solver/Follow = events) is";
     if (first_stages_of_phases(model).size() > 1)
       return "construction in stages is";
-    if (!parameters.variants.empty())
+    if (parameters.of_sweep)
       return "a sweep is";
     if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
       return "a target accuracy is";

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace fuga
 {
@@ -65,6 +66,22 @@ namespace fuga
           return "no continuation";
       }
     return "";
+  }
+
+  std::string
+  doubt_about(const MechanismCertificate &proof)
+  {
+    constexpr double largest_error = 0.02;
+    if (proof.error() <= largest_error && proof.drive > 0.)
+      return "";
+    return fmt::format("The motion found does not prove the limit load: resistance {:.2g}, "
+                       "inadmissible part {:.2g}, balance of power {:.2g} (all should "
+                       "vanish), drive {:.2g} (should be positive). The structure may "
+                       "stand; try a smaller step of the load or softer joints.",
+                       proof.resistance,
+                       proof.inadmissible,
+                       proof.balance,
+                       proof.drive);
   }
 
   const char *const SafetyFactor::largest_factor_reached = "largest factor reached";
@@ -306,17 +323,18 @@ namespace fuga
   std::string
   summary_json(const SweepSummary &summary, const Parameters &parameters)
   {
-    Json json           = first_part(summary, parameters);
-    json["variants"]    = summary.n_variants;
-    json["verdicts"]    = object(summary.verdicts);
-    json["sizes"]       = object(summary.sizes);
-    json["events"]      = {{"total", summary.n_events},
-                           {"steps", summary.n_steps},
-                           {"implicit_steps", summary.n_jumps},
-                           {"schemes_tried", summary.n_schemes}};
-    json["iterations"]  = {{"iterations", summary.n_iterations}};
-    json["certificate"] = {{"worst", summary.worst_certificate},
-                           {"bound", summary.certificate_bound}};
+    Json json             = first_part(summary, parameters);
+    json["variants"]      = summary.n_variants;
+    json["condensations"] = summary.n_condensations;
+    json["verdicts"]      = object(summary.verdicts);
+    json["sizes"]         = object(summary.sizes);
+    json["events"]        = {{"total", summary.n_events},
+                             {"steps", summary.n_steps},
+                             {"implicit_steps", summary.n_jumps},
+                             {"schemes_tried", summary.n_schemes}};
+    json["iterations"]    = {{"iterations", summary.n_iterations}};
+    json["certificate"]   = {{"worst", summary.worst_certificate},
+                             {"bound", summary.certificate_bound}};
     return with_last_part(std::move(json), summary, parameters);
   }
 } // namespace fuga

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/base/similar_names.h>
 #include <fuga/mesh/cell_geometry.h>
 #include <fuga/mesh/joint_resolver.h>
@@ -28,24 +28,10 @@ namespace fuga
     check_names_differ();
     ResolvedFaces result;
     result.openings.resize(joints.size());
+    InputErrors errors;
     for (unsigned int j = 0; j < joints.size(); ++j)
-      {
-        check_definition(joints[j]);
-        if (!joints[j].line.empty())
-          {
-            claim_line(j);
-            const Group &line = group(joints[j], joints[j].line);
-            for (std::size_t f = 0; f < line.half_faces.size(); ++f)
-              result.openings[j].push_back(opening(joints[j], line, f));
-            continue;
-          }
-        claim_lip(joints[j], joints[j].plus_lip, joints[j].plus_body);
-        if (!joints[j].against_rigid)
-          {
-            claim_lip(joints[j], joints[j].minus_lip, joints[j].minus_body);
-            check_lengths(joints[j]);
-          }
-      }
+      errors.attempt([&]() { claim(j, result.openings[j]); });
+    errors.throw_if_any();
     for (const Group &g : groups)
       if (g.joint == FaceTable::none)
         {
@@ -139,6 +125,28 @@ namespace fuga
         mesh.dimension == 2 ? "Curve" : "Surface",
         name,
         did_you_mean(name, names, ". ")));
+  }
+
+
+  void
+  JointResolver::claim(const unsigned int j, std::vector<ResolvedFaces::Opening> &openings)
+  {
+    const JointDefinition &joint = joints[j];
+    check_definition(joint);
+    if (!joint.line.empty())
+      {
+        claim_line(j);
+        const Group &line = group(joint, joint.line);
+        for (std::size_t f = 0; f < line.half_faces.size(); ++f)
+          openings.push_back(opening(joint, line, f));
+        return;
+      }
+    claim_lip(joint, joint.plus_lip, joint.plus_body);
+    if (!joint.against_rigid)
+      {
+        claim_lip(joint, joint.minus_lip, joint.minus_body);
+        check_lengths(joint);
+      }
   }
 
 

@@ -16,7 +16,7 @@ def available():
 def sections(scene, count):
     """A sweep over the friction coefficient: `count` values around 0.6, that of the separate run."""
     values = ", ".join("%.4f" % (0.6 + 0.002 * (k - (count - 1) / 2)) for k in range(count))
-    return {**scene.sections(fuga_runs.scene_mesh(scene)), "Sweep": {"Friction coefficient": values}}
+    return {**scene.sections(fuga_runs.scene_mesh(scene)), "Sweep": {"Joints/*/Friction coefficient": values}}
 
 
 def run(scene, count):

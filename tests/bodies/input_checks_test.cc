@@ -54,6 +54,25 @@ TEST(InputChecks, boundaries)
 }
 
 
+// All wrong names at once; what may follow from them, a body or a boundary left over, is not told.
+TEST(InputChecks, several_names)
+{
+  BlockMesh mesh                            = two_blocks();
+  ModelDefinition model                     = two_block_model();
+  model.materials.back().body               = "uper";
+  model.boundary_conditions.back().boundary = "fre";
+  add_load(model, LoadKind::pressure, {"bsae"}, {"1"});
+  const std::string message = message_of(mesh.mesh, model);
+  expect_message(message,
+                 {"'uper': the mesh has no such body",
+                  "'fre' is not in the mesh",
+                  "there is no boundary 'bsae'",
+                  "3 errors"});
+  EXPECT_EQ(message.find("no condition"), std::string::npos) << message;
+  EXPECT_EQ(message.find("no materials"), std::string::npos) << message;
+}
+
+
 TEST(InputChecks, lips_that_do_not_match)
 {
   BlockMesh mesh;

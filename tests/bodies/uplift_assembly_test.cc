@@ -4,6 +4,7 @@
 #include "block_mesh.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/bodies/load_program.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -118,6 +119,43 @@ TEST_P(WaterInJoint, closed)
         }
       EXPECT_NEAR(x, force * 1.5 / length, 1e-12 * force);
       EXPECT_NEAR(y, force * 6. / length, 1e-12 * force);
+    }
+}
+
+
+// A load that jumps says which of its waters stands above the joint, which falls from 2 to 0.5.
+TEST_P(WaterInJoint, jumps)
+{
+  load().uplift.has_tailwater = true;
+  model.stages                = {{"water", {{0, "1"}}, 1, ""}};
+  struct Case
+  {
+    std::string level, tailwater, told, not_told;
+  };
+  for (const auto &[level, tailwater, told, not_told] :
+       {Case{"0.4 + 4*t", "0.3", "", "jumps"},
+        Case{"0.4 + 4*t", "1.3", "its tailwater stands at 1.3: what lies below", "its level is"},
+        Case{"7", "0.3", "its level is 7: what lies below", "its tailwater stands"},
+        Case{"7 + t",
+             "1.3",
+             "its level is 7, and its tailwater stands at 1.3",
+             "'Level' that begins"}})
+    {
+      load().depth.level            = level;
+      load().uplift.tailwater.level = tailwater;
+      const CondensedSystem<2> system(mesh.mesh, model, {false}, Condensation::with_loads);
+      std::string message;
+      try
+        {
+          make_load_program(model, system);
+        }
+      catch (const InputError &error)
+        {
+          message = error.what();
+        }
+      EXPECT_EQ(message.empty(), told.empty()) << message;
+      EXPECT_NE(message.find(told), std::string::npos) << message;
+      EXPECT_EQ(message.find(not_told), std::string::npos) << message;
     }
 }
 

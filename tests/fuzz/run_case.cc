@@ -6,6 +6,7 @@
 #include "fuzz/mutator.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/model_check.h>
 #include <fuga/simulation.h>
 #include <fuga/sweep.h>
 
@@ -51,13 +52,13 @@ namespace fuga::fuzz
     {
       if (reach != Reach::run || !is_small_run(parameters))
         {
-          const Model<dim> checked(parameters, {}, Condensation::never); // as fuga --check does
+          check_model<dim>(parameters);
           return;
         }
       result.was_run = true;
-      const Model<dim> model(parameters);
-      result.exit_code = static_cast<int>(parameters.variants.empty() ? Simulation<dim>(model).run()
-                                                                      : Sweep<dim>(model).run());
+      result.exit_code =
+        static_cast<int>(parameters.of_sweep ? Sweep<dim>(parameters).run()
+                                             : Simulation<dim>(Model<dim>(parameters)).run());
     }
 
     void

@@ -189,13 +189,13 @@ namespace fuga
       {"SweepNeedsEntries",
        {},
        {"Sweep/Normal law=linear, hyperbolic", "Sweep/Joints=base"},
-       {"for joint 'base'", "'Normal closure limit' is missing"}},
+       {"Joints/base/Normal law = 'hyperbolic'", "'Normal closure limit' is missing"}},
       {"SweepOfCompliance",
        with_layer("set Normal law = exponential\nset Normal reference closure = 1e-3\n"
                   "set Normal reference stress = 1\n" +
                   shear),
        {"Sweep/Normal compliance=1e-4, 1e-3", "Sweep/Joints=base"},
-       {"exponential law of joint 'base' has no compliance"}},
+       {"Joints/base/Normal compliance = '1e-4'", "does not use this entry"}},
     };
     INSTANTIATE_TEST_SUITE_P(Layers, WrongLayers, testing::ValuesIn(layers), name_of);
 

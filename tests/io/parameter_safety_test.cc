@@ -54,8 +54,8 @@ namespace fuga
        {"Largest factor = '10'", "create energy", "2.28"}},
       {"InASweep",
        unchanged,
-       {"Safety/Load factor=push", "Sweep/Friction coefficient=0.2, 0.3"},
-       {"Safety", "sweep"}}};
+       {"Safety/Load factor=push", "Sweep/Safety/Largest factor=2, 1"},
+       {"Largest factor = '1'"}}};
 
     INSTANTIATE_TEST_SUITE_P(Safety, WrongSafety, testing::ValuesIn(wrong), name_of);
 

@@ -31,8 +31,14 @@ TEST(JointSplitter, ComplainsAboutLines)
   expect_joint_complaint(builder,
                          {line_joint("bottom", "upper", "lower")},
                          {"'bottom' is on the outer boundary", "(0.5, 0)"});
-  JointDefinition again = good;
+  JointDefinition again = line_joint("base", "upper", "soil");
   again.name            = "again";
+  expect_joint_complaint(
+    builder,
+    {line_joint("basis", "upper", "lower"), again},
+    {"no group of faces 'basis'", "joint 'again'", "no body 'soil'", "2 errors"});
+  again      = good;
+  again.name = "again";
   expect_joint_complaint(builder, {good, again}, {"joint 'again'", "already that of joint 'base'"});
   expect_joint_complaint(builder, {good, good}, {"two joints of this name"});
   expect_joint_complaint(builder,

@@ -21,6 +21,7 @@ FUGA = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "source/python"))
 from fuga_results import Results  # noqa: E402
+from report.load_states import describe  # noqa: E402
 
 FRICTION, LEVEL = 0.7, 28.0
 SHEAR = 9.81 * LEVEL ** 2 / 2
@@ -80,6 +81,9 @@ def check_safety(folder):
     check("level of water = 28 " in screen, "the level in the log")
     results = Results(folder)
     check(results.describe_time(float(last["t"])) == f"F = {safety['factor']:.4g}", "F in the words of the scripts")
+    check(describe(results, 1.5) == "50 % of 'reservoir', level of water 14.00 m", f"words of the report: {describe(results, 1.5)}")
+    check(describe(results, 1.0) == "end of 'weight'", f"words of the report: {describe(results, 1.0)}")
+    check(describe(results, float(last["t"])) == f"F = {safety['factor']:.3f}", "F in the words of the report")
     check(results.describe_state(1.5) == "50 % of stage 'reservoir', level of water = 14", f"words: {results.describe_state(1.5)}")
 
 

@@ -302,9 +302,9 @@ def boundaries(directory):
 
 
 def words():
-    """Numbers as an engineer writes them, by hand; levels of water out of the entries."""
+    """Numbers as an engineer writes them, by hand; levels to which arrows are drawn out of the entries."""
     sys.path.insert(0, str(ROOT / "source/python"))
-    from report.load_states import level_of  # pylint: disable=import-outside-toplevel
+    from report.load_arrows import level_of  # pylint: disable=import-outside-toplevel
     from report.numbers import rounded  # pylint: disable=import-outside-toplevel
 
     for value, digits, text in ((7920.0000000000027, 4, "7920"), (-6353.3066, 4, "\u22126353"), (123456., 4, "123500"),

@@ -20,6 +20,7 @@ MONITOR = "\nsubsection Monitors\n  subsection crest\n    set Point = {}\n    se
 # Parameter file, point of the monitor, further settings.
 RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7",)),
         ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
+        ("dam", "1, 10", ("Sweep/Joints/base/Cohesion=0, 10", "Safety/Strength reduction=yes", "Safety/Load factor=water")),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
 PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
@@ -69,7 +70,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         headers = written(pathlib.Path(folder))
     # What was varied is a column of its own.
-    headers["sweep"] = {name for name in headers["sweep"] if name not in ("Cohesion", "Friction coefficient")}
+    headers["sweep"] = {name for name in headers["sweep"] if name not in ("Cohesion", "Friction coefficient", "Joints/base/Cohesion")}
     if missing := headers.keys() - {name for names in PAGES.values() for name in names}:
         complaints.append(f"no page describes {missing}")
     for page, files in PAGES.items():

@@ -182,6 +182,10 @@ namespace fuga
     LoadPattern
     assemble_load(const std::size_t number, const double t) const;
 
+    /** The pattern of load @p number, an uplift, were its levels these. */
+    LoadPattern
+    assemble_uplift(const std::size_t number, const WaterLevels &levels) const;
+
     /** What set_load_patterns() checks before it begins. @throws InputError for a settlement that
      * tears the two sides of a joint apart. */
     void

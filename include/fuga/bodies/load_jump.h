@@ -10,8 +10,11 @@ namespace fuga
 {
   /** Throws the InputError for a load that jumps: which load, by which factor, for which level of
    * water or ground it is not zero there, and what to write. */
+  template <int dim>
   [[noreturn]] void
-  throw_jump(const ModelDefinition &model, const LoadFactors::Jump &jump);
+  throw_jump(const ModelDefinition &model,
+             const CondensedSystem<dim> &system,
+             const LoadFactors::Jump &jump);
 } // namespace fuga
 
 #endif

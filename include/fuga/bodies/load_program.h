@@ -58,11 +58,6 @@ namespace fuga
   template <int dim>
   LoadProgram
   make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
-
-  /** Factors of the loads (not patterns) in the stages of @p model; for loads fixed in space both are one. */
-  template <int dim>
-  LoadHistory
-  make_load_history(const ModelDefinition &model);
 } // namespace fuga
 
 #endif

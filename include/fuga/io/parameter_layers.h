@@ -19,8 +19,9 @@ namespace fuga
     const std::map<std::string, double> &constants;
     /** Stress up to which laws are checked [MPa]. */
     double largest_stress;
-    /** Laws that section Sweep gives the joint in the normal direction. */
-    std::vector<LayerLaw> swept_laws;
+    /** Laws that section Sweep gives the joint: the section of the joint has the entries of all of
+     * them. */
+    std::vector<LayerLaw> swept_normal_laws, swept_shear_laws;
     /** The joint has shear strength, so that it needs a shear law. */
     bool has_shear;
   };

@@ -7,6 +7,7 @@
 #include <fuga/io/parameter_expressions.h>
 #include <fuga/io/parameter_values.h>
 #include <fuga/io/parameters.h>
+#include <fuga/io/sweep_plan.h>
 
 #include <map>
 #include <string>
@@ -90,11 +91,13 @@ namespace fuga
   void
   check_sweep_of_construction(const ParameterValues &values, const Parameters &parameters);
 
-  /** All combinations of section Sweep; none without that section. @throws InputError */
-  std::vector<Variant>
-  read_variants(const ParameterValues &values,
-                const std::vector<JointParameters> &joints,
-                const ModelDefinition &model);
+  /** A file, or a variant of it. Errors go to @p errors and are thrown. */
+  Parameters
+  read_scan(const ParameterScan &scan, InputErrors &errors);
+
+  /** All variants of a sweep. @throws InputError with the errors of all of them. */
+  Parameters
+  read_sweep(const SweepPlan &plan);
 
   /**
    * Section Safety: appends the stages that look for a factor of safety and marks the joints whose

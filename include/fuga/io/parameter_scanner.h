@@ -4,6 +4,7 @@
 #ifndef fuga_io_parameter_scanner_h
 #define fuga_io_parameter_scanner_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -52,10 +53,16 @@ namespace fuga
     std::string file;
     std::vector<ScannedSection> sections;
     std::vector<ScannedEntry> entries;
+    /** Whether this is one of the variants of a sweep. */
+    bool is_variant = false;
+    /** The full names of the entries that the sweep varies, with all their values. */
+    std::map<std::string, std::vector<std::string>> swept;
   };
 
   /**
-   * Reads a file in the format that its extension says.
+   * Reads a file in the format that its extension says. Section Sweep repeats the sections of the
+   * file inside itself: "Sweep", "Joints", "base" with the entry "Cohesion" is the same as "Sweep"
+   * with the entry "Joints/base/Cohesion", and becomes that.
    * @throws InputError for a file that cannot be read, is empty or breaks the rules of its format.
    */
   ParameterScan

@@ -5,7 +5,7 @@
 #define fuga_io_parameter_values_h
 
 #include <fuga/io/constant_expressions.h>
-#include <fuga/io/input_errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/unit_text.h>
 
@@ -52,6 +52,10 @@ namespace fuga
     /** The pieces between commas. @throws InputError for empty or repeated ones. */
     std::vector<std::string>
     list(const std::string &entry) const;
+
+    /** The values that the variants of a sweep give the entry; none if it is not varied. */
+    std::vector<std::string>
+    swept(const std::string &entry) const;
 
     /** Where the entry is set, else where the section is opened, else the file. */
     std::string
@@ -124,6 +128,13 @@ namespace fuga
       return file_name;
     }
 
+    /** Whether this is one of the variants of a sweep. */
+    bool
+    is_variant() const
+    {
+      return of_sweep;
+    }
+
   private:
     friend class ParameterSection;
 
@@ -163,6 +174,8 @@ namespace fuga
     all_paths() const;
 
     std::string file_name;
+    const bool of_sweep;
+    const std::map<std::string, std::vector<std::string>> swept;
     InputErrors &errors;
     mutable std::set<SectionPath> broken;
     Units units;

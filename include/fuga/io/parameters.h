@@ -10,6 +10,7 @@
 #include <fuga/laws/tabular_law.h>
 #include <fuga/mesh/joint_splitter.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -209,15 +210,28 @@ namespace fuga
     std::string origin;
   };
 
-  /** One combination of the values of section Sweep. */
+  struct Parameters;
+
+  /** What a line of section Sweep varies. */
+  struct SweptQuantity
+  {
+    /** As written in the file, for the table. */
+    std::string name;
+    /** Empty for words, ratios and texts. */
+    std::string unit;
+    /** How the line is written today, if it has an older form. */
+    std::string today;
+  };
+
+  /** One of the runs of a sweep. */
   struct Variant
   {
-    /** (entry, value) of what was varied, for the table. */
-    std::vector<std::pair<std::string, std::string>> settings;
+    /** Values of what is varied, in the order of Parameters::swept. */
+    std::vector<std::string> settings;
     /** All joints, as they are in this variant. */
     std::vector<JointParameters> joints;
-    /** Order of the stages: indices into ModelDefinition::stages. */
-    std::vector<unsigned int> stages;
+    /** Index into Parameters::condensations, for all else. */
+    std::size_t condensation = 0;
   };
 
   /** Everything a parameter file says. */
@@ -232,8 +246,15 @@ namespace fuga
     /** The constants contain "pi" besides those of the user. */
     ModelDefinition model;
     std::vector<JointParameters> joints;
-    /** All combinations of section Sweep; empty without it. */
+    /** Of section Sweep, all empty without it. Variants with the same condensation follow one
+     * another, and among them those that differ in strength only. */
+    std::vector<SweptQuantity> swept;
     std::vector<Variant> variants;
+    /** What variants share that have the same mesh, bodies, supports, loads and settings. Their
+     * joints are those of the first of them. */
+    std::vector<std::shared_ptr<const Parameters>> condensations;
+    /** These are the parameters of variants. All else is then that of the first variant. */
+    bool of_sweep = false;
     AccuracyTarget accuracy;
     SolverSettings solver;
     OutputSettings output;

@@ -25,6 +25,10 @@ namespace fuga
   std::string
   beyond_limit_end_name(const BeyondLimit::End end);
 
+  /** A warning if a motion does not prove the limit load, else nothing. */
+  std::string
+  doubt_about(const MechanismCertificate &proof);
+
   /** A contact element as the user knows it. */
   struct NamedElement
   {
@@ -118,6 +122,8 @@ namespace fuga
   struct SweepSummary : RunSummary
   {
     std::size_t n_variants = 0;
+    /** Times the bodies were condensed for them. */
+    std::size_t n_condensations = 0;
     /** Variants by verdict. */
     std::map<std::string, std::size_t> verdicts;
     std::size_t n_events     = 0;

@@ -71,6 +71,10 @@ namespace fuga
     check_names_differ() const;
     void
     check_body(const JointDefinition &definition, const std::string &body) const;
+    /** Finds the faces that joint @p j opens, or that are its lips. */
+    void
+    claim(const unsigned int j, std::vector<ResolvedFaces::Opening> &openings);
+
     void
     claim_line(const unsigned int joint);
     void

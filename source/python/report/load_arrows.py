@@ -4,15 +4,49 @@
 
 import dataclasses
 import math
+import re
 
 import numpy
 
 from report.boundaries import centre_of
-from report.load_states import level_of, value_of
 from report.numbers import rounded
 
 ARROWS = 12  # on a boundary
 LONGEST = 0.09  # arrow, as share of the size of the model
+
+# Words of an expression that Python reads otherwise or not at all.
+_FUNCTIONS = {name: getattr(math, name) for name in ("sin", "cos", "tan", "exp", "sqrt", "log", "pi")}
+_FUNCTIONS.update({"abs": abs, "min": min, "max": max})
+_ARITHMETIC = re.compile(r"[\w\s.+\-*/^(),]+")
+
+
+def value_of(text, constants, t, **places):
+    """An entry that is a number or a simple expression of the load time and of `places`; None for others."""
+    if not _ARITHMETIC.fullmatch(text) or "__" in text:
+        return None
+    names = {**_FUNCTIONS, **{name: float(number) for name, number in constants.items()}, "t": t, **places}
+    try:
+        return float(eval(text.replace("^", "**"), {"__builtins__": {}}, names))
+    except (ArithmeticError, NameError, SyntaxError, TypeError, ValueError):
+        return None
+
+
+def level_of(load, constants, t):
+    """The level up to which the arrows of a load reach [length]; None where its entry says it in other words."""
+    text = load.get("Level")
+    if text is None:
+        return None
+    if ":" not in text:
+        return value_of(text, constants, t)
+    points = [[value_of(word, constants, t) for word in pair.split(":")] for pair in text.split(";") if pair.strip()]
+    if any(len(point) != 2 or None in point for point in points):
+        return None
+    if t <= points[0][0]:
+        return points[0][1]
+    for (t0, h0), (t1, h1) in zip(points, points[1:]):
+        if t < t1:
+            return h0 + (h1 - h0) * (t - t0) / (t1 - t0)
+    return points[-1][1]
 
 
 @dataclasses.dataclass

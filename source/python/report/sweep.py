@@ -19,12 +19,6 @@ def varied(table):
     return names[names.index("variant") + 1:names.index("verdict")]
 
 
-def unit_of(table, entry):
-    """The unit of a varied entry in brackets, as far as the units of the results tell it."""
-    stress = next((unit for name, unit in table.units.items() if name.endswith(" largest_pressure")), None)
-    return f" [{stress}]" if entry == "Cohesion" and stress else ""
-
-
 def _axis_values(column):
     """Numbers stay numbers; words become places along the axis, with their names."""
     numbers = pandas.to_numeric(column, errors="coerce")
@@ -71,7 +65,7 @@ def diagrams(table):
                 one.set_ylim(bottom=0.0)
         if words:
             axes[-1, 0].set_xticks(range(len(words)), [short(str(word), 24) for word in words])
-        axes[-1, 0].set_xlabel(entry + unit_of(table, entry))
+        axes[-1, 0].set_xlabel(table.label(entry))
         figure.align_ylabels(axes[:, 0])
         handles = axes[0, 0].get_legend_handles_labels()[0]
         if len(curves) > 1:

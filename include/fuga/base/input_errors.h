@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_io_input_errors_h
-#define fuga_io_input_errors_h
+#ifndef fuga_base_input_errors_h
+#define fuga_base_input_errors_h
 
 #include <fuga/base/errors.h>
 
@@ -11,12 +11,13 @@
 namespace fuga
 {
   /**
-   * The mistakes of one file, collected so that they can be told at once instead of one per run.
+   * The mistakes of one input, collected so that they can be told at once instead of one per run.
    */
   class InputErrors
   {
   public:
-    explicit InputErrors(std::string file);
+    /** @p file: whose lines order the messages; without it they come as they were found. */
+    explicit InputErrors(std::string file = {});
 
     /** Whether @p action ended without an InputError; one that it throws is kept. */
     template <typename Action>
@@ -47,6 +48,18 @@ namespace fuga
     any() const
     {
       return !messages.empty();
+    }
+
+    void
+    add(const std::string &message)
+    {
+      messages.push_back(message);
+    }
+
+    const std::vector<std::string> &
+    all() const
+    {
+      return messages;
     }
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/input_errors.h>
+#include <fuga/base/input_errors.h>
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ namespace fuga
   InputErrors::line_of(const std::string &message) const
   {
     const std::size_t at = file.size() + 1;
-    if (message.compare(0, at, file + ":") != 0 || at >= message.size() ||
+    if (file.empty() || message.compare(0, at, file + ":") != 0 || at >= message.size() ||
         std::isdigit(static_cast<unsigned char>(message[at])) == 0)
       return std::numeric_limits<unsigned long>::max();
     return std::stoul(message.substr(at));
