@@ -61,4 +61,13 @@ namespace fuga::tests
     scene["Stages"]["push"]   = {{"Loads", "push: t"}};
     return scene;
   }
+
+  nlohmann::ordered_json
+  deep_blocks(const std::array<double, 2> &traction)
+  {
+    nlohmann::ordered_json scene = in_space(keyed_blocks(traction), "free");
+    for (const char *load : {"weight", "push"})
+      scene["Loads"][load]["Value"] = scene["Loads"][load]["Value"].get<std::string>() + "; 0";
+    return scene;
+  }
 } // namespace fuga::tests

@@ -31,6 +31,10 @@ namespace fuga::tests
    * top in a second one. All is turned about z by @p angle. */
   nlohmann::ordered_json
   keyed_blocks(const std::array<double, 2> &traction, const double angle = 0.);
+
+  /** The same in space, with free ends. */
+  nlohmann::ordered_json
+  deep_blocks(const std::array<double, 2> &traction);
 } // namespace fuga::tests
 
 #endif
