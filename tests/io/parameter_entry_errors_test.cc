@@ -137,7 +137,7 @@ namespace fuga
       {"CornerAngleTooSmall",
        {{"set Initial gap = 0.001*x", "set Corner angle = 0.5"}},
        {},
-       {".prm:34", "Corner angle = '0.5'", "out of range", "from 1 to 180"}},
+       {".prm:32", "Corner angle = '0.5'", "out of range", "from 1 to 180"}},
       {"CornerAngleTooLarge",
        {{"set Initial gap = 0.001*x", "set Corner angle = 181"}},
        {},
