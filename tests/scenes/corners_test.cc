@@ -199,16 +199,19 @@ TEST(Corners, NextPhase)
     cell.physical_tag = 90;
     cell.vertices     = {{first, first + 1, first + 2, first + 3}};
     mesh.cells.push_back(cell);
-    mesh.physical_names[{1, 91}] = "bank foot";
-    MeshEntity foot;
-    foot.shape        = CellShape::line;
-    foot.physical_tag = 91;
-    foot.vertices     = {{first, first + 1}};
-    mesh.faces.push_back(foot);
+    mesh.physical_names[{1, 91}] = "bank sides";
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        MeshEntity side;
+        side.shape        = CellShape::line;
+        side.physical_tag = 91;
+        side.vertices     = {{first + k, first + (k + 1) % 4}};
+        mesh.faces.push_back(side);
+      }
     return mesh;
   };
   scene["Bodies"]["bank"]                   = {{"Young modulus", 100.}, {"Poisson ratio", 0.}};
-  scene["Boundaries"]["bank foot"]          = {{"Fixed", "all"}};
+  scene["Boundaries"]["bank sides"]         = {{"Fixed", "all"}};
   scene["Stages"]["rest"]                   = {{"Loads", "push: 1-t"}};
   const GmshMesh mesh                       = with_bank(keyed_mesh(Profile::key, 2));
   const SceneRun whole                      = run_scene(write_scene(mesh, scene));
