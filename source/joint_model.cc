@@ -153,6 +153,8 @@ namespace fuga
       const double stiffness = largest_diagonal(system.stiffness());
       const std::vector<bool> repeated =
         find_repeated(system.jump_operator(), model.elements, stiffness);
+      std::vector<dealii::Point<dim>> places;
+      double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
       for (ContactElement &element : model.elements)
         {
           const bool normal = repeated[element.normal_bar];
@@ -167,12 +169,18 @@ namespace fuga
             element.normal_law = model.laws.back().get();
           if (shear)
             element.shear_law = model.laws.back().get();
-          model.report.push_back(
-            fmt::format("rigid, or almost rigid, joints cross at {}: the element there gets the "
-                        "compliance {:.3g}, so that its forces are unique",
-                        text_of(place_of<dim>(element)),
-                        compliance));
+          smallest = std::min(smallest, compliance);
+          largest  = std::max(largest, compliance);
+          places.push_back(place_of<dim>(element));
         }
+      if (!places.empty())
+        model.report.push_back(fmt::format(
+          "rigid, or almost rigid, joints cross or have corners at {}: the {} elements there get "
+          "compliances from {:.3g} to {:.3g}, so that their forces are unique",
+          text_of_first(places),
+          places.size(),
+          smallest,
+          largest));
     }
   } // namespace
 

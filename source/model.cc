@@ -263,7 +263,7 @@ namespace fuga
       return;
     std::string what = what_needs_stiffness(parameters);
     if (what.empty() && !bodies.jump_operator().empty())
-      what = "the crossing of joints is";
+      what = "the crossing of joints, or a corner of one ('Corner angle' below 180), is";
     if (!what.empty())
       throw InputError(fmt::format(
         "{}: Solver/Bodies = iterative matrix-free: {} not available without the stiffness of the "

@@ -30,9 +30,10 @@ namespace fuga
   /**
    * Gives elements, whose geometry the bodies know, the laws, frictions and initial gaps of @p joints.
    *
-   * Where rigid joints, or almost rigid ones, cross, their bars repeat each other: the forces of
-   * the elements at the crossing are not unique. Only these elements get a compliance, a
-   * ten-thousandth of that of the bodies there, which makes them unique; the report says so.
+   * Where rigid joints, or almost rigid ones, cross or have corners, their bars repeat each other:
+   * how the elements there share the force between the bodies is not unique. Only these elements get
+   * a compliance, a ten-thousandth of that of the bodies there, which makes it unique; the report
+   * says so.
    */
   template <int dim>
   JointModel

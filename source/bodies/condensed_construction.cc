@@ -47,7 +47,8 @@ namespace fuga
           {{pair.joint,
             space->dof(pair.plus_node, 0),
             pair.minus_node == Discretization<dim>::no_node ? static_cast<std::size_t>(-1)
-                                                            : space->dof(pair.minus_node, 0)}});
+                                                            : space->dof(pair.minus_node, 0),
+            pair.part}});
       }
     return result;
   }

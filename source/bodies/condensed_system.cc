@@ -10,6 +10,7 @@
 #include <fuga/bodies/condensed_system.h>
 #include <fuga/bodies/elastic_bodies.h>
 #include <fuga/bodies/iterative_solver.h>
+#include <fuga/bodies/joint_corners.h>
 #include <fuga/bodies/joint_water_model.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
@@ -72,7 +73,8 @@ namespace fuga
     pieces->require_held_by(*bars);
     if (space->is_axisymmetric())
       lines.push_back("axisymmetric: areas and forces of the full circle; the axis is held in x");
-    lines.insert(lines.end(), bars->report().begin(), bars->report().end());
+    for (const auto &more : {corner_report(geometry->pairs(), mesh), bars->report()})
+      lines.insert(lines.end(), more.begin(), more.end());
     bodies = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
     coordinates =
       std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed, bodies->node_moduli());

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace fuga
 {
@@ -17,16 +18,20 @@ namespace fuga
     /** A support counts as aligned with the frame of a joint up to this sine. */
     constexpr double alignment_tolerance = 1e-10;
 
-    /** How many node pairs every node belongs to: more than one where joints cross or touch. */
+    /** How many nodes every node faces: more than one where joints cross or touch. */
     template <int dim>
-    std::map<unsigned int, unsigned int>
-    count_pairs(const std::vector<NodePair<dim>> &pairs)
+    std::map<unsigned int, std::size_t>
+    count_partners(const std::vector<NodePair<dim>> &pairs)
     {
-      std::map<unsigned int, unsigned int> result;
+      std::map<unsigned int, std::set<unsigned int>> partners;
       for (const auto &pair : pairs)
-        for (const unsigned int node : {pair.plus_node, pair.minus_node})
-          ++result[node];
-      result.erase(Discretization<dim>::no_node);
+        {
+          partners[pair.plus_node].insert(pair.minus_node);
+          partners[pair.minus_node].insert(pair.plus_node);
+        }
+      std::map<unsigned int, std::size_t> result;
+      for (const auto &[node, of_node] : partners)
+        result[node] = node == Discretization<dim>::no_node ? 0 : of_node.size();
       return result;
     }
   } // namespace
@@ -40,7 +45,7 @@ namespace fuga
     : geometry(joint_geometry), pair_elements(geometry.pairs().size(), no_element)
   {
     std::vector<unsigned int> count(mesh.joints.size(), 0), left_out(mesh.joints.size(), 0);
-    const std::map<unsigned int, unsigned int> n_pairs = count_pairs<dim>(geometry.pairs());
+    const std::map<unsigned int, std::size_t> n_partners = count_partners<dim>(geometry.pairs());
     for (unsigned int i = 0; i < geometry.pairs().size(); ++i)
       {
         const auto &pair = geometry.pairs()[i];
@@ -62,8 +67,7 @@ namespace fuga
           }
         // Where joints cross, the jumps of all bars determine the motion: none may be missing.
         const bool crossing =
-          n_pairs.at(pair.plus_node) > 1 ||
-          (pair.minus_node != Discretization<dim>::no_node && n_pairs.at(pair.minus_node) > 1);
+          n_partners.at(pair.plus_node) > 1 || n_partners.at(pair.minus_node) > 1;
         add_element(i, count[pair.joint]++, jump, !frictionless[pair.joint] || crossing);
       }
     for (std::size_t joint = 0; joint < left_out.size(); ++joint)

@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/face_map.h>
-#include <fuga/bodies/joint_geometry.h>
-#include <fuga/bodies/joint_order.h>
-#include <fuga/bodies/point_matcher.h>
+#include <fuga/bodies/joint_corners.h>
 #include <fuga/bodies/point_text.h>
 
 #include <algorithm>
@@ -16,149 +14,62 @@
 
 namespace fuga
 {
-  namespace
-  {
-    template <int dim>
-    [[noreturn]] void
-    throw_unmatched(const std::string &joint, const dealii::Point<dim> &at, const std::string &lip)
-    {
-      throw InputError(fmt::format("Joint '{}': the {} lip at {} has no partner on the "
-                                   "other lip. Both lips must have "
-                                   "the same {} and the same division: give both the same "
-                                   "transfinite or periodic mesh, or let "
-                                   "the program open a conforming mesh along a named {}.",
-                                   joint,
-                                   lip,
-                                   text_of(at),
-                                   dim == 2 ? "line" : "surface",
-                                   dim == 2 ? "line" : "surface"));
-    }
-  } // namespace
-
-
   template <int dim>
   JointGeometry<dim>::JointGeometry(const Discretization<dim> &space, const JointedMesh &mesh)
     : discretization(space)
   {
     for (unsigned int joint = 0; joint < mesh.joints.size(); ++joint)
-      add_pairs(joint, walk(match_lips(mesh.joints[joint])));
-  }
-
-
-  // A joint is built as a whole, so that the areas of its elements and what they have felt remain.
-  template <int dim>
-  bool
-  JointGeometry<dim>::is_there(const JointedMesh::Joint &joint) const
-  {
-    const bool obstacle = joint.minus_label == JointedMesh::no_label;
-    if (!discretization.lacks_faces_of(joint.plus_label) &&
-        (obstacle || !discretization.lacks_faces_of(joint.minus_label)))
-      return true;
-    std::size_t n_plus = 0, n_minus = 0;
-    for (const auto &face : discretization.boundary_faces())
-      if (face.label == joint.plus_label)
-        ++n_plus;
-      else if (!obstacle && face.label == joint.minus_label)
-        ++n_minus;
-    if (n_plus == 0 || (!obstacle && n_minus == 0))
-      return false;
-    throw InputError(
-      fmt::format("Joint '{}': the bodies along one of its sides are not all there at "
-                  "the same time. A joint is built, or removed, as a whole: divide its "
-                  "line into one per stage and make every part a joint.",
-                  joint.name));
-  }
-
-
-  template <int dim>
-  auto
-  JointGeometry<dim>::match_lips(const JointedMesh::Joint &joint) const -> std::vector<MatchedFace>
-  {
-    if (!is_there(joint))
-      return {};
-    std::vector<MatchedFace> matched;
-    std::vector<const BoundaryFace *> minus;
-    std::vector<dealii::Point<dim>> centers;
-    for (const auto &face : discretization.boundary_faces())
-      if (face.label == joint.plus_label)
-        {
-          MatchedFace lip;
-          lip.plus       = &face;
-          const auto &on = discretization.reference_element().face(face.number);
-          for (std::size_t k = 0; k < on.nodes.size(); ++k)
-            lip.plus_nodes.push_back(discretization.face_node(face, k));
-          lip.minus_nodes.assign(on.nodes.size(), Discretization<dim>::no_node);
-          matched.push_back(std::move(lip));
-        }
-      else if (joint.minus_label != JointedMesh::no_label && face.label == joint.minus_label)
-        {
-          minus.push_back(&face);
-          centers.push_back(discretization.face_center(face));
-        }
-    if (joint.minus_label == JointedMesh::no_label)
-      return matched;
-
-    const PointMatcher<dim> matcher(centers);
-    std::vector<bool> used(minus.size(), false);
-    for (auto &lip : matched)
-      {
-        const auto center          = discretization.face_center(*lip.plus);
-        const double tolerance     = matching_tolerance * discretization.face_length(*lip.plus);
-        const unsigned int partner = matcher.find(center, tolerance);
-        if (partner == PointMatcher<dim>::not_found || used[partner])
-          throw_unmatched(joint.name, center, "plus");
-        used[partner] = true;
-        match_nodes(joint.name, lip, *minus[partner]);
-      }
-    for (std::size_t i = 0; i < used.size(); ++i)
-      if (!used[i])
-        throw_unmatched(joint.name, centers[i], "minus");
-    return matched;
+      add_joint(joint, mesh.joints[joint]);
   }
 
 
   template <int dim>
   void
-  JointGeometry<dim>::match_nodes(const std::string &name,
-                                  MatchedFace &lip,
-                                  const BoundaryFace &minus) const
+  JointGeometry<dim>::add_joint(const unsigned int joint, const JointedMesh::Joint &definition)
   {
-    const std::size_t n    = lip.plus_nodes.size();
-    const double tolerance = matching_tolerance * discretization.face_length(*lip.plus);
-    const auto is_near     = [&](const unsigned int a, const unsigned int b) {
-      return discretization.position(a).distance(discretization.position(b)) <= tolerance;
-    };
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        for (std::size_t l = 0; l < n; ++l)
-          if (is_near(lip.plus_nodes[k], discretization.face_node(minus, l)))
-            lip.minus_nodes[k] = discretization.face_node(minus, l);
-        if (lip.minus_nodes[k] == Discretization<dim>::no_node)
-          throw_unmatched(name, discretization.position(lip.plus_nodes[k]), "plus");
-      }
+    const std::vector<MatchedFace<dim>> faces = match_lips(discretization, definition);
+    const auto parts                          = parts_of_faces(faces, definition.corner_angle);
+    KnownPairs known;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      add_face(joint, faces[f], parts[f], known);
+    if (!discretization.hanging_nodes().masters().empty())
+      move_to_masters(definition.corner_angle, known);
+    for (const auto &of_nodes : known)
+      for (const KnownPair &pair : of_nodes.second)
+        finish_normal(all_pairs[pair.index]);
   }
 
 
   template <int dim>
-  auto
-  JointGeometry<dim>::walk(const std::vector<MatchedFace> &faces) const -> std::vector<MatchedFace>
+  std::vector<std::vector<unsigned int>>
+  JointGeometry<dim>::parts_of_faces(const std::vector<MatchedFace<dim>> &faces,
+                                     const double corner_angle) const
   {
-    std::vector<std::vector<dealii::Point<dim>>> corners;
+    std::map<Nodes, std::vector<Normal>> normals;
     for (const auto &face : faces)
-      corners.push_back(FaceMap<dim>(discretization, *face.plus).corners());
-    std::vector<MatchedFace> sorted;
-    for (const auto &[number, backwards] : joint_order(corners))
-      {
-        sorted.push_back(faces[number]);
-        if (backwards)
-          {
-            auto &face     = sorted.back();
-            face.backwards = true;
-            std::reverse(face.plus_nodes.begin(), face.plus_nodes.end());
-            std::reverse(face.minus_nodes.begin(), face.minus_nodes.end());
-          }
-      }
-    return sorted;
+      for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
+        normals[{face.plus_nodes[k], face.minus_nodes[k]}].push_back(normal_of(face));
+    std::map<Nodes, std::vector<unsigned int>> parts_at;
+    for (const auto &[nodes, around] : normals)
+      parts_at[nodes] = straight_parts(around, corner_angle);
+    std::map<Nodes, std::size_t> n_read;
+    std::vector<std::vector<unsigned int>> parts(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t k = 0; k < faces[f].plus_nodes.size(); ++k)
+        {
+          const Nodes nodes(faces[f].plus_nodes[k], faces[f].minus_nodes[k]);
+          parts[f].push_back(parts_at[nodes][n_read[nodes]++]);
+        }
+    return parts;
+  }
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  JointGeometry<dim>::normal_of(const MatchedFace<dim> &face) const
+  {
+    const auto &table = discretization.reference_element().face(face.plus->number);
+    return -FaceMap<dim>(discretization, *face.plus).normal(table.points[0]);
   }
 
 
@@ -168,7 +79,7 @@ namespace fuga
   // areas.
   template <int dim>
   Vector
-  JointGeometry<dim>::node_areas(const MatchedFace &face) const
+  JointGeometry<dim>::node_areas(const MatchedFace<dim> &face) const
   {
     const auto &table = discretization.reference_element().face(face.plus->number);
     const FaceMap<dim> map(discretization, *face.plus);
@@ -198,73 +109,75 @@ namespace fuga
 
   template <int dim>
   void
-  JointGeometry<dim>::add_pairs(const unsigned int joint, const std::vector<MatchedFace> &faces)
+  JointGeometry<dim>::add_face(const unsigned int joint,
+                               const MatchedFace<dim> &face,
+                               const std::vector<unsigned int> &parts,
+                               KnownPairs &known)
   {
-    KnownPairs known;
-    for (const auto &face : faces)
+    const Normal normal = normal_of(face);
+    const Vector areas  = node_areas(face);
+    if (discretization.is_on_axis(face.plus_nodes.front()) &&
+        discretization.is_on_axis(face.plus_nodes.back()))
+      throw InputError(fmt::format(
+        "A joint runs along the axis of revolution at y = {:g}, where it has no area. End "
+        "it there.",
+        discretization.position(face.plus_nodes.front())[1]));
+    Face joint_face;
+    joint_face.joint     = joint;
+    joint_face.boundary  = *face.plus;
+    joint_face.backwards = face.backwards;
+    for (const double area : areas)
+      joint_face.area += area;
+    for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
       {
-        const auto &table  = discretization.reference_element().face(face.plus->number);
-        const auto normal  = -FaceMap<dim>(discretization, *face.plus).normal(table.points[0]);
-        const Vector areas = node_areas(face);
-        if (discretization.is_on_axis(face.plus_nodes.front()) &&
-            discretization.is_on_axis(face.plus_nodes.back()))
-          throw InputError(fmt::format(
-            "A joint runs along the axis of revolution at y = {:g}, where it has no area. End it "
-            "there.",
-            discretization.position(face.plus_nodes.front())[1]));
-        Face joint_face;
-        joint_face.joint     = joint;
-        joint_face.boundary  = *face.plus;
-        joint_face.backwards = face.backwards;
-        for (const double area : areas)
-          joint_face.area += area;
-        for (std::size_t k = 0; k < face.plus_nodes.size(); ++k)
-          {
-            const unsigned int pair =
-              find_or_add(joint, face.plus_nodes[k], face.minus_nodes[k], known);
-            all_pairs[pair].area += areas[k];
-            all_pairs[pair].normal += (areas[k] > 0. ? areas[k] : 1.) * normal;
-            joint_face.pairs.push_back(pair);
-          }
-        all_faces.push_back(std::move(joint_face));
+        KnownPair &pair =
+          find_or_add(joint, {face.plus_nodes[k], face.minus_nodes[k]}, parts[k], known);
+        pair.normals.push_back(normal);
+        all_pairs[pair.index].area += areas[k];
+        all_pairs[pair.index].normal += (areas[k] > 0. ? areas[k] : 1.) * normal;
+        joint_face.pairs.push_back(pair.index);
       }
-    if (!discretization.hanging_nodes().masters().empty())
-      move_to_masters(known);
-    for (const auto &entry : known)
-      {
-        auto &pair = all_pairs[entry.second];
-        // On the axis the mirror image of the line counts too.
-        if (discretization.is_on_axis(pair.plus_node))
-          pair.normal[0] = 0.;
-        if (pair.normal.norm() < 1e-3 * pair.area)
-          throw InputError(
-            fmt::format("A joint turns back on itself at {}; it has no normal there. Mend the {}.",
-                        text_of(pair.position),
-                        dim == 2 ? "line" : "surface"));
-        pair.normal /= pair.normal.norm();
-      }
+    all_faces.push_back(std::move(joint_face));
   }
 
 
   template <int dim>
-  unsigned int
-  JointGeometry<dim>::find_or_add(const unsigned int joint,
-                                  const unsigned int plus_node,
-                                  const unsigned int minus_node,
-                                  KnownPairs &known)
+  void
+  JointGeometry<dim>::finish_normal(NodePair<dim> &pair) const
   {
-    const auto [entry, is_new] =
-      known.try_emplace({plus_node, minus_node}, static_cast<unsigned int>(all_pairs.size()));
-    if (is_new)
+    // On the axis the mirror image of the line counts too.
+    if (discretization.is_on_axis(pair.plus_node))
+      pair.normal[0] = 0.;
+    if (pair.normal.norm() < 1e-3 * pair.area)
+      throw InputError(
+        fmt::format("A joint turns back on itself at {}; it has no normal there. Mend the {}.",
+                    text_of(pair.position),
+                    dim == 2 ? "line" : "surface"));
+    pair.normal /= pair.normal.norm();
+  }
+
+
+  template <int dim>
+  auto
+  JointGeometry<dim>::find_or_add(const unsigned int joint,
+                                  const Nodes &nodes,
+                                  const unsigned int part,
+                                  KnownPairs &known) -> KnownPair &
+  {
+    std::vector<KnownPair> &parts = known[nodes];
+    Assert(part <= parts.size(), dealii::ExcInternalError());
+    if (part == parts.size())
       {
         NodePair<dim> pair;
         pair.joint      = joint;
-        pair.plus_node  = plus_node;
-        pair.minus_node = minus_node;
-        pair.position   = discretization.position(plus_node);
+        pair.plus_node  = nodes.first;
+        pair.minus_node = nodes.second;
+        pair.part       = part;
+        pair.position   = discretization.position(nodes.first);
+        parts.push_back({static_cast<unsigned int>(all_pairs.size()), {}});
         all_pairs.push_back(pair);
       }
-    return entry->second;
+    return parts[part];
   }
 
 
@@ -273,23 +186,23 @@ namespace fuga
   // space with its constraints.
   template <int dim>
   void
-  JointGeometry<dim>::move_to_masters(KnownPairs &known)
+  JointGeometry<dim>::move_to_masters(const double corner_angle, KnownPairs &known)
   {
-    std::vector<unsigned int> hanging;
-    for (const auto &[nodes, pair] : known)
+    std::map<unsigned int, KnownPair> hanging; // by number
+    for (const auto &[nodes, parts] : known)
       if (discretization.hanging_nodes().contain(nodes.first) ||
           discretization.hanging_nodes().contain(nodes.second))
-        hanging.push_back(pair);
-    std::sort(hanging.begin(), hanging.end());
-    for (const unsigned int pair : hanging)
+        for (const KnownPair &pair : parts)
+          hanging[pair.index] = pair;
+    for (const auto &[number, pair] : hanging)
       {
-        find_masters(pair, known);
-        for (const auto &[master, weight] : all_pairs[pair].masters)
+        find_masters(pair, corner_angle, known);
+        for (const auto &[master, weight] : all_pairs[number].masters)
           {
-            all_pairs[master].area += weight * all_pairs[pair].area;
-            all_pairs[master].normal += weight * all_pairs[pair].normal;
+            all_pairs[master].area += weight * all_pairs[number].area;
+            all_pairs[master].normal += weight * all_pairs[number].normal;
           }
-        all_pairs[pair].area = 0.;
+        all_pairs[number].area = 0.;
       }
   }
 
@@ -298,9 +211,11 @@ namespace fuga
   // their masters face each other. One that only a cell beside the joint has becomes a pair here.
   template <int dim>
   void
-  JointGeometry<dim>::find_masters(const unsigned int hanging_pair, KnownPairs &known)
+  JointGeometry<dim>::find_masters(const KnownPair &hanging_pair,
+                                   const double corner_angle,
+                                   KnownPairs &known)
   {
-    const NodePair<dim> pair = all_pairs[hanging_pair]; // a copy: pairs may be added
+    const NodePair<dim> pair = all_pairs[hanging_pair.index]; // a copy: pairs may be added
     const auto &hanging      = discretization.hanging_nodes();
     const bool obstacle      = pair.minus_node == Discretization<dim>::no_node;
     Assert(hanging.contain(pair.plus_node) && (obstacle || hanging.contain(pair.minus_node)),
@@ -321,9 +236,34 @@ namespace fuga
                   minus = candidate.first;
                 }
           }
-        masters.emplace_back(find_or_add(pair.joint, plus, minus, known), weight);
+        const Nodes nodes(plus, minus);
+        const unsigned int part = part_of_master(known[nodes], hanging_pair.normals, corner_angle);
+        KnownPair &master       = find_or_add(pair.joint, nodes, part, known);
+        if (master.normals.empty())
+          master.normals = hanging_pair.normals;
+        masters.emplace_back(master.index, weight);
       }
-    all_pairs[hanging_pair].masters = std::move(masters);
+    all_pairs[hanging_pair.index].masters = std::move(masters);
+  }
+
+
+  template <int dim>
+  unsigned int
+  JointGeometry<dim>::part_of_master(const std::vector<KnownPair> &of_master,
+                                     const std::vector<Normal> &normals,
+                                     const double corner_angle) const
+  {
+    auto nearest     = static_cast<unsigned int>(of_master.size());
+    double alignment = -2.;
+    for (unsigned int part = 0; part < of_master.size(); ++part)
+      for (const Normal &of_part : of_master[part].normals)
+        for (const Normal &normal : normals)
+          if (!is_corner(of_part, normal, corner_angle) && of_part * normal > alignment)
+            {
+              nearest   = part;
+              alignment = of_part * normal;
+            }
+    return nearest;
   }
 
 

@@ -24,38 +24,6 @@ namespace fuga
           A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
     }
 
-    /** Adds the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
-    void
-    insert_stiff_bars(DenseMatrix &W, DenseMatrix &R, const Indices &stiff, const Vector &D)
-    {
-      Vector roots(D.size());
-      std::transform(
-        D.begin(), D.end(), roots.begin(), [](const double d) { return std::sqrt(d); });
-
-      DenseMatrix E_W = submatrix(W, stiff, all_columns(W));
-      DenseMatrix E_R = submatrix(R, stiff, all_columns(R));
-      scale_rows(E_W, roots);
-      scale_rows(E_R, roots);
-      DenseMatrix H(stiff.size(), stiff.size());
-      for (std::size_t j = 0; j < stiff.size(); ++j)
-        for (std::size_t i = 0; i < stiff.size(); ++i)
-          H(i, j) = E_W(i, stiff[j]) * roots[j] + (i == j ? 1. : 0.);
-
-      DenseMatrix Z(stiff.size(), W.n_columns() + R.n_columns());
-      std::copy_n(E_W.data(), E_W.n_rows() * E_W.n_columns(), Z.data());
-      std::copy_n(E_R.data(), E_R.n_rows() * E_R.n_columns(), Z.column(W.n_columns()));
-      if (!solve_positive_definite(H, Z))
-        throw_unheld();
-
-      const DenseMatrix change = multiply_transposed(E_W, Z);
-      for (std::size_t j = 0; j < W.n_columns(); ++j)
-        for (std::size_t i = 0; i < W.n_rows(); ++i)
-          W(i, j) -= change(i, j);
-      for (std::size_t j = 0; j < R.n_columns(); ++j)
-        for (std::size_t i = 0; i < R.n_rows(); ++i)
-          R(i, j) -= change(i, W.n_columns() + j);
-    }
-
     /** A X = B, with residuals in extended precision where soft bars beside stiff ones would
      * otherwise cost the soft ones their digits. */
     void
@@ -112,7 +80,7 @@ namespace fuga
       return; // forces are found otherwise
     if (system.jump_operator().empty())
       eliminate_in_jumps(system);
-    else
+    else if (!eliminate_at_corners(system))
       eliminate_with_jump_operator(system);
     symmetrise(W);
     largest = largest_diagonal(W);
@@ -137,46 +105,18 @@ namespace fuga
           blas::axpy(n_bars(), E(bar, j), W.column(bar), R.column(j));
   }
 
-  // The bars are split at the bodies' own stiffness: each half uses the formula that does not
-  // cancel.
   void
   LayeredSystem::eliminate_in_jumps(const ContactSystem &system)
   {
     W        = system.stiffness();
     R        = system.load_patterns();
     delicate = has_soft_joint();
-
-    Indices soft, stiff_or_rigid, stiff;
-    Vector soft_stiffness, stiff_compliance;
-    for (std::size_t i = 0; i < n_bars(); ++i)
-      if (compliances[i] * W(i, i) >= 1.)
-        {
-          soft.push_back(i);
-          soft_stiffness.push_back(1. / compliances[i]);
-        }
-      else
-        {
-          stiff_or_rigid.push_back(i);
-          if (compliances[i] > 0.)
-            {
-              stiff.push_back(i);
-              stiff_compliance.push_back(compliances[i]);
-            }
-        }
-    if (!soft.empty())
-      insert_soft_bars(W,
-                       R,
-                       soft,
-                       stiff_or_rigid,
-                       soft_stiffness,
-                       {system.rigid_motions(), system.rigid_motion_loads()});
-    if (!stiff.empty())
-      insert_stiff_bars(W, R, stiff, stiff_compliance);
+    insert_bars(W, R, compliances, {system.rigid_motions(), system.rigid_motion_loads()});
   }
 
-  // With more bars than coordinates (crossing joints, a rigid body on many bars) the saddle point
-  // problem [S Bᵀ; B -D] [x; p] = [F a; d] is solved as it stands, scaled to the size of its
-  // blocks.
+  // With more bars than coordinates (crossing joints, corners, a rigid body on many bars) the
+  // saddle point problem [S Bᵀ; B -D] [x; p] = [F a; d] is solved as it stands, scaled to the size
+  // of its blocks.
   void
   LayeredSystem::eliminate_with_jump_operator(const ContactSystem &system)
   {
@@ -213,10 +153,7 @@ namespace fuga
     LuFactors factors(std::move(saddle));
     const double smallest_trusted_condition = 1e-15, harmless_condition = 1e-8;
     if (factors.reciprocal_condition() < smallest_trusted_condition)
-      throw NumericalFailure(
-        "The forces in the bars are not unique: rigid bars repeat each other "
-        "(rigid joints that cross, or several rigid bars under one rigid body). "
-        "Give one of the joints there a compliance.");
+      throw_repeated_bars();
     solve_accurately(matrix, factors, rhs);
     delicate = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
     if (delicate)

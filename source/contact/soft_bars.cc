@@ -99,16 +99,6 @@ namespace fuga
         add(A, -1., multiply(G, multiply_transposed(G, A)));
     }
 
-    DenseMatrix
-    transposed(const DenseMatrix &A)
-    {
-      DenseMatrix result(A.n_columns(), A.n_rows());
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        for (std::size_t i = 0; i < A.n_rows(); ++i)
-          result(j, i) = A(i, j);
-      return result;
-    }
-
     /** P (S + C) P + σ G Gᵀ: the stiffness against deformation, made definite by the motions. */
     DenseMatrix
     deformation_stiffness(const DenseMatrix &S, const Vector &C, const DenseMatrix &G)
@@ -128,7 +118,49 @@ namespace fuga
       add(H, sigma, multiply(G, transposed(G)));
       return H;
     }
+
+    /** Adds the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
+    void
+    insert_stiff_bars(DenseMatrix &W, DenseMatrix &R, const Indices &stiff, const Vector &D)
+    {
+      Vector roots(D.size());
+      std::transform(
+        D.begin(), D.end(), roots.begin(), [](const double d) { return std::sqrt(d); });
+
+      DenseMatrix E_W = submatrix(W, stiff, all_columns(W));
+      DenseMatrix E_R = submatrix(R, stiff, all_columns(R));
+      scale_rows(E_W, roots);
+      scale_rows(E_R, roots);
+      DenseMatrix H(stiff.size(), stiff.size());
+      for (std::size_t j = 0; j < stiff.size(); ++j)
+        for (std::size_t i = 0; i < stiff.size(); ++i)
+          H(i, j) = E_W(i, stiff[j]) * roots[j] + (i == j ? 1. : 0.);
+
+      DenseMatrix Z(stiff.size(), W.n_columns() + R.n_columns());
+      std::copy_n(E_W.data(), E_W.n_rows() * E_W.n_columns(), Z.data());
+      std::copy_n(E_R.data(), E_R.n_rows() * E_R.n_columns(), Z.column(W.n_columns()));
+      if (!solve_positive_definite(H, Z))
+        throw_unheld();
+
+      const DenseMatrix change = multiply_transposed(E_W, Z);
+      for (std::size_t j = 0; j < W.n_columns(); ++j)
+        for (std::size_t i = 0; i < W.n_rows(); ++i)
+          W(i, j) -= change(i, j);
+      for (std::size_t j = 0; j < R.n_columns(); ++j)
+        for (std::size_t i = 0; i < R.n_rows(); ++i)
+          R(i, j) -= change(i, W.n_columns() + j);
+    }
   } // namespace
+
+  DenseMatrix
+  transposed(const DenseMatrix &A)
+  {
+    DenseMatrix result(A.n_columns(), A.n_rows());
+    for (std::size_t j = 0; j < A.n_columns(); ++j)
+      for (std::size_t i = 0; i < A.n_rows(); ++i)
+        result(j, i) = A(i, j);
+    return result;
+  }
 
   DenseMatrix
   submatrix(const DenseMatrix &A, const Indices &rows, const Indices &columns)
@@ -246,5 +278,31 @@ namespace fuga
         for (std::size_t j = 0; j < n_p; ++j)
           R(soft[i], j) = Y(i, n_c + n_r + j);
       }
+  }
+
+  void
+  insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions)
+  {
+    Indices soft, stiff_or_rigid, stiff;
+    Vector soft_stiffness, stiff_compliance;
+    for (std::size_t i = 0; i < D.size(); ++i)
+      if (D[i] * W(i, i) >= 1.)
+        {
+          soft.push_back(i);
+          soft_stiffness.push_back(1. / D[i]);
+        }
+      else
+        {
+          stiff_or_rigid.push_back(i);
+          if (D[i] > 0.)
+            {
+              stiff.push_back(i);
+              stiff_compliance.push_back(D[i]);
+            }
+        }
+    if (!soft.empty())
+      insert_soft_bars(W, R, soft, stiff_or_rigid, soft_stiffness, motions);
+    if (!stiff.empty())
+      insert_stiff_bars(W, R, stiff, stiff_compliance);
   }
 } // namespace fuga

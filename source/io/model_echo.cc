@@ -3,6 +3,7 @@
 
 #include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/field_expression.h>
+#include <fuga/bodies/joint_corners.h>
 #include <fuga/bodies/level_history.h>
 #include <fuga/bodies/model_sizes.h>
 #include <fuga/io/model_echo.h>
@@ -199,7 +200,9 @@ namespace fuga
                    readable(sizes[j].distance, extent),
                    readable(largest_initial_gap(j), extent),
                    point_cells<dim>(sizes[j].normal, 1.)});
-    return titled("Joints (largest distances and gaps of the undeformed model)", table);
+    Lines lines = titled("Joints (largest distances and gaps of the undeformed model)", table);
+    append(lines, corner_report(system.joint_geometry().pairs(), system.jointed_mesh()));
+    return lines;
   }
 
 

@@ -90,6 +90,7 @@ namespace fuga
         section.fail(
           "it is not said where the joint is. Give 'Line', 'Plus body' and 'Minus body', or "
           "'Plus lip' and 'Minus lip'.");
+      joint.corner_angle = section.number("Corner angle");
       return joint;
     }
 

@@ -107,7 +107,15 @@ namespace fuga
         optional("Plus lip", text(), "Boundary of a mesh which is already open."),
         optional("Minus lip",
                  text(),
-                 "Boundary opposite to Plus lip, or the word rigid: a fixed rigid obstacle.")};
+                 "Boundary opposite to Plus lip, or the word rigid: a fixed rigid obstacle."),
+        defaulted(
+          "Corner angle",
+          "30",
+          number_in(1, 180),
+          "Neighbouring faces that meet at more than this [degrees] belong to different "
+          "straight parts of the joint (a key, a step): where parts meet, each has an "
+          "element of its own, with its own normal and area. 180: no such corners; elements "
+          "have the average normal of their faces.")};
     }
 
     SectionDeclaration

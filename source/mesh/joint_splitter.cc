@@ -230,7 +230,8 @@ namespace fuga
           result.joints.push_back(
             {joints[j].name,
              label(joints[j].plus_lip),
-             joints[j].against_rigid ? JointedMesh::no_label : label(joints[j].minus_lip)});
+             joints[j].against_rigid ? JointedMesh::no_label : label(joints[j].minus_lip),
+             joints[j].corner_angle});
       add_unlabelled_faces(table, resolved);
     }
 
@@ -270,7 +271,7 @@ namespace fuga
               joints[j].name,
               face_centre(minus.shape, minus.vertices, result.vertices)));
         }
-      result.joints.push_back({joints[j].name, first, first + 1});
+      result.joints.push_back({joints[j].name, first, first + 1, joints[j].corner_angle});
     }
 
 

@@ -134,6 +134,14 @@ namespace fuga
        {{"set Title = An example", "set Dimension = 4"}},
        {},
        {"Dimension", "out of range"}},
+      {"CornerAngleTooSmall",
+       {{"set Initial gap = 0.001*x", "set Corner angle = 0.5"}},
+       {},
+       {".prm:32", "Corner angle = '0.5'", "out of range", "from 1 to 180"}},
+      {"CornerAngleTooLarge",
+       {{"set Initial gap = 0.001*x", "set Corner angle = 181"}},
+       {},
+       {"Corner angle = '181'", "out of range"}},
       {"NegativeDensity", {{"= 0.024", "= -1"}}, {}, {".prm:15", "Weight density", ">= 0"}},
     };
     INSTANTIATE_TEST_SUITE_P(Numbers, WrongEntries, testing::ValuesIn(numbers), name_of);

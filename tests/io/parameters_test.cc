@@ -98,6 +98,7 @@ namespace fuga
     EXPECT_EQ(base.shear_compliance, 1.25e-4);
     EXPECT_EQ(base.friction.coefficient, 0.2);
     EXPECT_EQ(base.initial_gap, "0.001*x");
+    EXPECT_EQ(base.definition.corner_angle, 30.);
 
     const JointParameters &wall = joints[1];
     EXPECT_TRUE(wall.definition.against_rigid);

@@ -433,11 +433,11 @@ def high_dam(folder):
             close(row["sliding_safety"], (dam.friction * N + dam.cohesion * dam.seam) / T, STATICS,
                   f"high_dam, shear-friction factor at t = {t}")
             check(run.joint("crack", t)["share_open"] > 1 - STATICS, f"high_dam, the crack is open at t = {t}")
-            # Elements at the corners of the key have one normal for two directions (0.03 to 0.25 % of N and T), and one
-            # element of the key is open and isolated, so that it keeps the pressure it had.
+            # At the corners of the key every straight part has an element of its own; what is open there is isolated and
+            # has the pressure of the closed joint.
             x, y = dam.uplift_of_base(h)
-            close(run.joint("base", t)["N"], y - dam.dam, 2.5e-3, f"high_dam, N on the base at t = {t}")
-            close(run.joint("base", t)["T"], dam.gamma * h**2 / 2 + x + force, 2.5e-3, f"high_dam, T on the base at t = {t}")
+            close(run.joint("base", t)["N"], y - dam.dam, STATICS, f"high_dam, N on the base at t = {t}")
+            close(run.joint("base", t)["T"], dam.gamma * h**2 / 2 + x + force, STATICS, f"high_dam, T on the base at t = {t}")
     flood = 45.0
     for rule, settings in (("crack tip", ()), ("joint", ("Loads/water in seam/Profile from=joint",)),
                            ("unchanged", ("Loads/water in seam/Cracks=unchanged",))):

@@ -3,6 +3,7 @@
 
 // Restart: the oracle is the unbroken run, the tolerance is no byte.
 
+#include "scenes/keyed_blocks.h"
 #include "scenes/scene_run.h"
 
 #include <fuga/base/errors.h>
@@ -166,6 +167,14 @@ TEST(Restart, FactorsOfSafety)
 TEST(Restart, LawNine)
 {
   EXPECT_GT(check("paper_3_cubic_root.prm", {"Output/Fields=never"}, 12), 11u);
+}
+
+// Two elements at every corner.
+TEST(Restart, Corners)
+{
+  const std::string file =
+    write_scene(keyed_mesh(Profile::key, 2), keyed_blocks({{0.012, -0.006}}));
+  EXPECT_GT(check(file, {"Output/Fields=never"}, 8), 15u);
 }
 
 TEST(Restart, RigidLayer)

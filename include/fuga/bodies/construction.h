@@ -31,9 +31,10 @@ namespace fuga
   unsigned int
   end_of_phase(const ModelDefinition &model, const unsigned int first);
 
-  /** Tells a contact element in all phases of construction: its joint, and degrees of freedom of
-   * its nodes (Discretization::dof(); the largest number for an obstacle). */
-  using ElementIdentity = std::array<std::size_t, 3>;
+  /** Tells a contact element in all phases of construction: its joint, degrees of freedom of its
+   * nodes (Discretization::dof(); the largest number for an obstacle), and the straight part of the
+   * joint at a corner (NodePair::part). */
+  using ElementIdentity = std::array<std::size_t, 4>;
 
   /**
    * The displacement in which bodies that were built later are free of stress: on the nodes that

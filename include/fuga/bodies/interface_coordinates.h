@@ -4,7 +4,7 @@
 #ifndef fuga_bodies_interface_coordinates_h
 #define fuga_bodies_interface_coordinates_h
 
-#include <fuga/bodies/contact_bars.h>
+#include <fuga/bodies/interface_rows.h>
 
 #include <optional>
 
@@ -19,10 +19,10 @@ namespace fuga
    *
    * Every degree of freedom (entry node * dim + component) is a sum of coordinates with factors,
    * plus a prescribed part: that of the support it hangs on. Coordinates are numbered from 0; the
-   * interface coordinates come last. Where more than two nodes meet (joints cross or touch), or
-   * several elements tie the same nodes, the interface coordinates are offsets from one of the
-   * nodes in global directions, and the jump operator is not the identity. Hanging nodes have the
-   * coordinates of their masters.
+   * interface coordinates come last. Where more than two nodes meet (joints cross or touch) the
+   * interface coordinates are offsets from one of the nodes in global directions; there, and where
+   * several elements tie the same nodes (the corner of a joint), the jump operator is not the
+   * identity. Hanging nodes have the coordinates of their masters.
    */
   template <int dim>
   class InterfaceCoordinates
@@ -108,25 +108,8 @@ namespace fuga
     }
 
   private:
-    /** What a term of a special row refers to before the coordinates have their final numbers. */
-    enum class Kind
-    {
-      interface,
-      slide,
-      dof
-    };
-
-    struct RawTerm
-    {
-      Kind kind;
-      std::size_t index;
-      double factor;
-    };
-
-    class Builder;
-
     void
-    number(const Builder &builder);
+    number(const InterfaceRows<dim> &at_joints);
 
     /** The rows of hanging nodes, from those of their masters. */
     void

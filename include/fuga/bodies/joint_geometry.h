@@ -5,7 +5,7 @@
 #define fuga_bodies_joint_geometry_h
 
 #include <fuga/base/dense_matrix.h>
-#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/joint_lips.h>
 
 #include <array>
 #include <cmath>
@@ -15,7 +15,8 @@
 
 namespace fuga
 {
-  /** Two nodes that face each other across a joint, or one node and the rigid obstacle. */
+  /** Two nodes that face each other across a straight part of a joint, or one node and the rigid
+   * obstacle. */
   template <int dim>
   struct NodePair
   {
@@ -23,6 +24,8 @@ namespace fuga
     unsigned int plus_node = 0;
     /** Discretization::no_node for the obstacle. */
     unsigned int minus_node = 0;
+    /** Number of the straight part among those that meet at these nodes; 0 but at corners. */
+    unsigned int part = 0;
     /** Unit vector from the minus to the plus side. */
     dealii::Tensor<1, dim> normal;
     dealii::Point<dim> position;
@@ -59,8 +62,10 @@ namespace fuga
 
   /**
    * Node pairs of all joints. The lips are matched face by face, not node by node, so that where
-   * joints cross every pair of copies that really faces each other is found. At a kink the normal
-   * is the average of the neighbouring faces weighted by tributary areas.
+   * joints cross every pair of copies that really faces each other is found. At a corner
+   * (JointedMesh::Joint::corner_angle) the nodes have a pair for every straight part, with the area
+   * and the normal of the faces of this part alone. Within a part the normal is the average of the
+   * neighbouring faces weighted by tributary areas.
    */
   template <int dim>
   class JointGeometry
@@ -105,53 +110,63 @@ namespace fuga
     }
 
   private:
-    using BoundaryFace = typename Discretization<dim>::BoundaryFace;
+    using Normal = dealii::Tensor<1, dim>;
 
-    /** A face of the plus lip and the nodes of both lips along it. */
-    struct MatchedFace
+    /** A pair, and the normals of the faces that made it. */
+    struct KnownPair
     {
-      const BoundaryFace *plus = nullptr;
-      std::vector<unsigned int> plus_nodes, minus_nodes;
-      bool backwards = false;
+      unsigned int index = 0;
+      std::vector<Normal> normals;
     };
 
-    /** Whether it has bodies on both sides. @throws InputError if only parts of it have. */
-    bool
-    is_there(const JointedMesh::Joint &joint) const;
-
-    std::vector<MatchedFace>
-    match_lips(const JointedMesh::Joint &joint) const;
+    /** The pairs of one joint by their nodes on the plus and the minus side, and by their parts. */
+    using Nodes      = std::pair<unsigned int, unsigned int>;
+    using KnownPairs = std::map<Nodes, std::vector<KnownPair>>;
 
     void
-    match_nodes(const std::string &name, MatchedFace &face, const BoundaryFace &minus) const;
+    add_joint(const unsigned int joint, const JointedMesh::Joint &definition);
 
-    /** Sorts the faces along the joint and turns their nodes into the direction of the walk. */
-    std::vector<MatchedFace>
-    walk(const std::vector<MatchedFace> &faces) const;
+    /** The parts that the faces belong to, for every node of each. */
+    std::vector<std::vector<unsigned int>>
+    parts_of_faces(const std::vector<MatchedFace<dim>> &faces, const double corner_angle) const;
 
-    void
-    add_pairs(const unsigned int joint, const std::vector<MatchedFace> &faces);
+    /** Of the first point, from the minus to the plus side. */
+    Normal
+    normal_of(const MatchedFace<dim> &face) const;
 
     /** ∫ N over the area of a face, for all its nodes. */
     Vector
-    node_areas(const MatchedFace &face) const;
+    node_areas(const MatchedFace<dim> &face) const;
 
-    /** Pairs by their nodes on the plus and the minus side. */
-    using KnownPairs = std::map<std::pair<unsigned int, unsigned int>, unsigned int>;
+    void
+    add_face(const unsigned int joint,
+             const MatchedFace<dim> &face,
+             const std::vector<unsigned int> &parts,
+             KnownPairs &known);
 
-    unsigned int
+    /** The pair of a part of the nodes; parts come in the order of their numbers. */
+    KnownPair &
     find_or_add(const unsigned int joint,
-                const unsigned int plus_node,
-                const unsigned int minus_node,
+                const Nodes &nodes,
+                const unsigned int part,
                 KnownPairs &known);
 
     /** Gives the areas of hanging pairs to their masters. */
     void
-    move_to_masters(KnownPairs &known);
+    move_to_masters(const double corner_angle, KnownPairs &known);
 
     /** The pairs a hanging pair moves with. */
     void
-    find_masters(const unsigned int hanging_pair, KnownPairs &known);
+    find_masters(const KnownPair &hanging_pair, const double corner_angle, KnownPairs &known);
+
+    /** The part of the nodes in which the normals of a hanging pair are; a new one if none is. */
+    unsigned int
+    part_of_master(const std::vector<KnownPair> &of_master,
+                   const std::vector<Normal> &normals,
+                   const double corner_angle) const;
+
+    void
+    finish_normal(NodePair<dim> &pair) const;
 
     const Discretization<dim> &discretization;
     std::vector<NodePair<dim>> all_pairs;

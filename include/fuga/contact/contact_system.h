@@ -14,9 +14,10 @@ namespace fuga
    *     S x + Bᵀ p = F a(t),      δ = B x + E a(t),                    (doc/theory.md, eq. 2, 2a)
    *
    * with x the interface coordinates (in a finite element model the jumps themselves, B = I, but
-   * for the nodes where joints cross), p the bar forces (tension positive), δ the jumps
-   * (plus minus minus, opening positive) that the joints feel, E the imposed jumps (what is sawn
-   * off, or filled in, between the lips) and a(t) the factors of the load patterns at load time t.
+   * for the nodes where joints cross and at their corners), p the bar forces (tension positive), δ
+   * the jumps (plus minus minus, opening positive) that the joints feel, E the imposed jumps (what
+   * is sawn off, or filled in, between the lips) and a(t) the factors of the load patterns at load
+   * time t.
    *
    * S is symmetric and positive semidefinite; S + Bᵀ B must be positive definite: the bodies are
    * held when every bar is rigid. Units: forces MN, jumps m (any consistent system).

@@ -121,6 +121,10 @@ namespace fuga
   private:
     void
     eliminate_in_jumps(const ContactSystem &system);
+    /** False if it is not the corners alone that have more bars than coordinates, or if a joint is
+     * very soft. */
+    bool
+    eliminate_at_corners(const ContactSystem &system);
     void
     eliminate_with_jump_operator(const ContactSystem &system);
     void
@@ -159,6 +163,10 @@ namespace fuga
   /** D = ρ/A of a bar with the given law [m/MN]. */
   double
   bar_compliance(const ComplianceLaw &law, const double area);
+
+  /** @throws NumericalFailure */
+  [[noreturn]] void
+  throw_repeated_bars();
 } // namespace fuga
 
 #endif

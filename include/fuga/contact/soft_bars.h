@@ -36,11 +36,23 @@ namespace fuga
                    const Vector &C,
                    const RigidMotions &motions);
 
+  /**
+   * Inserts a bar of the compliance D between the bodies along every coordinate. The bars are split
+   * at the bodies' own stiffness: each half uses the formula that does not cancel. W and R (on
+   * entry S and F of the bodies) are overwritten.
+   * @throws NumericalFailure, see insert_soft_bars().
+   */
+  void
+  insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions);
+
   /** Rows @p rows and columns @p columns of A. */
   DenseMatrix
   submatrix(const DenseMatrix &A,
             const std::vector<std::size_t> &rows,
             const std::vector<std::size_t> &columns);
+
+  DenseMatrix
+  transposed(const DenseMatrix &A);
 
   /** All column numbers of A. */
   std::vector<std::size_t>

@@ -16,6 +16,9 @@ namespace fuga
    *  - `plus_lip` and `minus_lip`, named boundary groups of a mesh that is already open;
    *    an empty minus_lip with `against_rigid` set means a rigid, fixed obstacle.
    * The normal points from the minus to the plus side. `line` with `against_rigid` is not allowed.
+   *
+   * Neighbouring faces that meet at more than `corner_angle` degrees belong to different straight
+   * parts of the joint; at 180 there is one part.
    */
   struct JointDefinition
   {
@@ -25,7 +28,8 @@ namespace fuga
     std::string minus_body;
     std::string plus_lip;
     std::string minus_lip;
-    bool against_rigid = false;
+    bool against_rigid  = false;
+    double corner_angle = 30.;
   };
 
   /** The mesh as the bodies need it: open along every joint, with groups resolved to numbers. */
@@ -63,6 +67,8 @@ namespace fuga
       std::string name;
       unsigned int plus_label  = 0;
       unsigned int minus_label = no_label; // no_label: against a rigid obstacle
+      /** See JointDefinition. */
+      double corner_angle = 30.;
     };
 
     unsigned int dimension = 0;
