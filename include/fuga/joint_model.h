@@ -31,9 +31,9 @@ namespace fuga
    * Gives elements, whose geometry the bodies know, the laws, frictions and initial gaps of @p joints.
    *
    * Where rigid joints, or almost rigid ones, cross or have corners, their bars repeat each other:
-   * how the elements there share the force between the bodies is not unique. Only these elements get
-   * a compliance, a ten-thousandth of that of the bodies there, which makes it unique; the report
-   * says so.
+   * how the elements there share the force between the bodies is not unique. Only these elements
+   * get a compliance, a ten-thousandth of that of the bodies there, which makes it unique; the
+   * report says so.
    */
   template <int dim>
   JointModel

@@ -35,13 +35,13 @@ namespace
             const PathOptions &options,
             const bool nonlinear_shear = false)
   {
-    const std::size_t n = 8;
-    const ToyJoint joint =
-      rigid_block_joint(n,
-                        1.,
-                        std::make_unique<CubicRootLaw>(1., thickness),
-                        nonlinear_shear ? std::make_unique<CubicRootLaw>(1., thickness) : make_linear_law(1.),
-                        {0.3, 0.});
+    const std::size_t n  = 8;
+    const ToyJoint joint = rigid_block_joint(
+      n,
+      1.,
+      std::make_unique<CubicRootLaw>(1., thickness),
+      nonlinear_shear ? std::make_unique<CubicRootLaw>(1., thickness) : make_linear_law(1.),
+      {0.3, 0.});
     const ToySystem system = rigid_block(n, 1.);
     const LayeredSystem layered(system, joint.elements);
     const LoadHistory history({0., 1., 2., 3.},

@@ -209,7 +209,8 @@ TEST(StateChanges, NormalForcesOfRoundingOnly)
 // exact as the iteration (1e-13) over the slope dṡ/dt, of order one: 1e-11.
 TEST(StateChanges, RestickInsideCurvedSegment)
 {
-  const ToyJoint joint(1, 1., std::make_unique<CubicRootLaw>(1., 1.), make_linear_law(2.), {0.5, 0.});
+  const ToyJoint joint(
+    1, 1., std::make_unique<CubicRootLaw>(1., 1.), make_linear_law(2.), {0.5, 0.});
   const ToySystem system = separate_elements(1);
   const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1.}, {{0., 0.}, {1., 1.}});

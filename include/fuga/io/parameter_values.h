@@ -4,8 +4,8 @@
 #ifndef fuga_io_parameter_values_h
 #define fuga_io_parameter_values_h
 
-#include <fuga/io/constant_expressions.h>
 #include <fuga/base/input_errors.h>
+#include <fuga/io/constant_expressions.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/unit_text.h>
 
