@@ -184,8 +184,7 @@ namespace fuga
                     parameters.condensations.size() == 1 ? "" : "s"));
     for (const SweptQuantity &quantity : parameters.swept)
       if (!quantity.today.empty())
-        say(fmt::format(
-          "Sweep/{} is an older form of 'set {} = ...'", quantity.name, quantity.today));
+        say(fmt::format("Sweep/{} is an older form of 'set {}'", quantity.name, quantity.today));
   }
 
   template <int dim>

@@ -137,7 +137,8 @@ namespace fuga
     const ScannedEntry *const listed = find(scan, {sweep}, "Joints");
     const std::string name =
       fmt::format("Joints/{}/{}", listed == nullptr ? "*" : listed->value, entry.name);
-    swept_lines.push_back({entry, targets_of(name, entry), split_swept_values(entry, scan), name});
+    swept_lines.push_back(
+      {entry, targets_of(name, entry), split_swept_values(entry, scan), name + " = ..."});
   }
 
   void

@@ -153,8 +153,8 @@ TEST(Sweep, OlderForms)
   const Parameters today =
     read({"Sweep/Joints/base/Friction coefficient=0.2, 0.3", "Sweep/Stages=weight | weight, push"});
   EXPECT_EQ(settings(older), settings(today));
-  EXPECT_EQ(older.swept[0].today, "Joints/base/Friction coefficient");
-  EXPECT_EQ(older.swept[1].today, "Stages");
+  EXPECT_EQ(older.swept[0].today, "Joints/base/Friction coefficient = ...");
+  EXPECT_EQ(older.swept[1].today, "Stages = weight | weight, push");
   EXPECT_EQ(today.swept[0].today, "");
 }
 

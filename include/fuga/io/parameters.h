@@ -219,7 +219,7 @@ namespace fuga
     std::string name;
     /** Empty for words, ratios and texts. */
     std::string unit;
-    /** How the line is written today, if it has an older form. */
+    /** How the line is written today, after `set`, if it has an older form. */
     std::string today;
   };
 

@@ -16,7 +16,7 @@ namespace fuga
     /** Entries without values; none if the line varies the order of the stages. */
     std::vector<ScannedEntry> targets;
     std::vector<std::string> values;
-    /** How the line is written today, if it has an older form. */
+    /** How the line is written today, after `set`, if it has an older form. */
     std::string today;
   };
 
