@@ -200,5 +200,5 @@ TEST(Construction, Mistakes)
   expect("Bodies/fill/Removed at stage=wall", "removed before it has stood");
   expect("Stages/dig/Grouted joints=bed, bod", "there is no joint 'bod'");
   expect("Stages/rock/Grouted joints=bed", "nothing has opened");
-  expect("Sweep/Friction coefficient=0.1, 0.2", "share one condensation");
+  expect("Sweep/Friction coefficient=0.1, 0.2", "sweeps are of structures that are there from the start");
 }

@@ -120,8 +120,7 @@ TEST(LawCases, SoftFootOfAPowerLaw)
                                   "Joints/base/Normal law=power",
                                   "Joints/base/Normal reference closure=0.001",
                                   "Joints/base/Normal reference stress=1000",
-                                  "Joints/base/Normal exponent=2",
-                                  "Output/Fields=never"});
+                                  "Joints/base/Normal exponent=2"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_LE(run.certificate(), 1e-9);
   const double t = run.last_t();
@@ -134,8 +133,8 @@ TEST(LawCases, SoftFootOfAPowerLaw)
 TEST(LawCases, NoisyExpression)
 {
   const std::string root             = "(w/0.003)^(1/3)";
-  const std::vector<std::string> all = {
-    "Mesh/File=../meshes/scene_g_9.msh", "Joints/base/Normal stiffness=", "Output/Fields=never"};
+  const std::vector<std::string> all = {"Mesh/File=../meshes/scene_g_9.msh",
+                                        "Joints/base/Normal stiffness="};
   std::vector<std::string> named = all, expressions = all;
   for (const char *entry :
        {"Normal law=cubic root tangent", "Normal compliance=1e-6", "Thickness=0.003"})

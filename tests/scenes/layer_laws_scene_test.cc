@@ -233,7 +233,10 @@ namespace
 // slides on every law; the joint carries the weight 0.024·4·12, and the judge finds nothing.
 TEST_P(FloatingBlock, StandsOnEveryLaw)
 {
-  std::vector<std::string> overrides = {"Joints/base/Normal compliance=", "Joints/base/Thickness="};
+  std::vector<std::string> overrides;
+  for (const char *entry : {"Normal compliance", "Thickness"})
+    if (std::string(GetParam().layer).find(entry) == std::string::npos)
+      overrides.push_back(fmt::format("Joints/base/{}=", entry));
   std::stringstream lines(GetParam().layer);
   for (std::string line; std::getline(lines, line);)
     {

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -134,6 +135,31 @@ namespace
     return block_mesh(uniform(0., width, 3), uniform(0., height, 3), width);
   }
 
+  /** Loads at which an element takes the state; where coupled layers share a load, one may pass
+   * through slip at the apex of its cone on the way, at the same load. */
+  Vector
+  times_of(const SceneRun &run, const std::string &state)
+  {
+    Vector result;
+    for (std::size_t i = 0; i < run.events.rows.size(); ++i)
+      if (run.events.text(i, "to") == state)
+        result.push_back(run.events.number(i, "t"));
+    return result;
+  }
+
+  /** Every other event of the run is at one of these loads. */
+  void
+  expect_no_other_loads(const SceneRun &run, const Vector &loads)
+  {
+    for (std::size_t i = 0; i < run.events.rows.size(); ++i)
+      {
+        double nearest = 1.;
+        for (const double load : loads)
+          nearest = std::min(nearest, std::abs(run.events.number(i, "t") - load));
+        EXPECT_LE(nearest, 1e-11);
+      }
+  }
+
   class HeldColumn : public testing::TestWithParam<LawCase>
   {
   };
@@ -158,13 +184,14 @@ TEST_P(HeldColumn, LiftsOffAndComesDown)
   ASSERT_EQ(run.exit_code, 0) << run.summary.dump();
   EXPECT_LE(run.certificate(), 1e-9);
 
-  const Vector times = run.event_times(0.);
-  ASSERT_EQ(times.size(), 8u);
-  for (std::size_t i = 0; i < 8; ++i)
-    {
-      EXPECT_EQ(run.events.text(i, "to"), i < 4 ? "open" : "stick");
-      EXPECT_NEAR(times[i], i < 4 ? 1. + 1. / (1. + law.up) : 2. + law.up / (1. + law.up), 1e-11);
-    }
+  const double lifts = 1. + 1. / (1. + law.up), lands = 2. + law.up / (1. + law.up);
+  EXPECT_EQ(times_of(run, "open").size(), 4u);
+  EXPECT_EQ(times_of(run, "stick").size(), 4u);
+  for (const double t : times_of(run, "open"))
+    EXPECT_NEAR(t, lifts, 1e-11);
+  for (const double t : times_of(run, "stick"))
+    EXPECT_NEAR(t, lands, 1e-11);
+  expect_no_other_loads(run, {lifts, lands});
   EXPECT_EQ(run.count("open", 2.), 4u);
   for (const double g : run.values("gap", 2.))
     EXPECT_NEAR(g, law.up * law.down, 1e-12 * law.down);
@@ -172,10 +199,13 @@ TEST_P(HeldColumn, LiftsOffAndComesDown)
   for (const double t : {1., 3.})
     for (const double p : run.values("pressure", t))
       EXPECT_NEAR(p, stress, 1e-9 * stress) << t;
+  // Below 1e-6 of its reference closure a root has a polynomial foot, with less energy than σ w
+  // there.
+  const double foot   = width * law.stress(1e-9) * 1e-9;
   const double stored = width * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
                                   law.stress, 0., w, 15, 1e-13);
   for (const double t : {1., 3.})
-    EXPECT_NEAR(run.resultant("energy_layer", t), stored, 1e-9 * stored) << t;
+    EXPECT_NEAR(run.resultant("energy_layer", t), stored, 1e-9 * stored + foot) << t;
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HeldColumn, testing::ValuesIn(laws), [](const auto &law) {
@@ -204,10 +234,8 @@ TEST_P(FreeColumn, IsLiftedAtNoLoad)
   EXPECT_EQ(run.summary.at("verdict"), "limit load");
   EXPECT_NEAR(run.summary.at("t").get<double>(), 1. + 1. / 1.01, 1e-11);
   EXPECT_LE(run.certificate(), 1e-9);
-  const Vector times = run.event_times(0.);
-  ASSERT_EQ(times.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_EQ(run.events.text(i, "to"), "open");
+  EXPECT_EQ(times_of(run, "open").size(), 4u);
+  expect_no_other_loads(run, {1. + 1. / 1.01});
   for (const double jump : run.values("jump_n", 1.))
     EXPECT_NEAR(law.stress(-jump), 0.4, 1e-9 * 0.4);
 }
