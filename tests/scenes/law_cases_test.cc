@@ -132,7 +132,7 @@ TEST(LawCases, SoftFootOfAPowerLaw)
 // the 1e-12 by which step control lets energies differ times some 100, and in seconds.
 TEST(LawCases, NoisyExpression)
 {
-  const std::string root             = "(w/0.003)^(1/3)";
+  const std::string root             = "((w/0.003)^(1/3))";
   const std::vector<std::string> all = {"Mesh/File=../meshes/scene_g_9.msh",
                                         "Joints/base/Normal stiffness="};
   std::vector<std::string> named = all, expressions = all;
