@@ -30,22 +30,44 @@ namespace fuga
         sum += power / k;
       return sum;
     }
-
-    double
-    root_of(const double w, const double thickness)
-    {
-      return std::cbrt(w / thickness);
-    }
   } // namespace
 
-  CubicRootLaw::CubicRootLaw(const double rho, const double zeta) : compliance(rho), thickness(zeta)
+  LawNine::LawNine(const double rho, const double zeta) : compliance(rho), thickness(zeta)
   {
   }
 
   double
-  CubicRootLaw::initial_compliance() const
+  LawNine::initial_compliance() const
   {
     return compliance;
+  }
+
+  double
+  LawNine::deformation_limit() const
+  {
+    return thickness;
+  }
+
+  double
+  LawNine::deformation_scale() const
+  {
+    return thickness;
+  }
+
+  double
+  LawNine::root(const double w) const
+  {
+    return std::cbrt(w / thickness);
+  }
+
+  double
+  LawNine::stiffness(const double w) const
+  {
+    return 1. / (compliance * (1. - root(w)));
+  }
+
+  CubicRootLaw::CubicRootLaw(const double rho, const double zeta) : LawNine(rho, zeta)
+  {
   }
 
   double
@@ -57,21 +79,21 @@ namespace fuga
   double
   CubicRootLaw::tangent(const double w) const
   {
-    const double q = root_of(w, thickness);
+    const double q = root(w);
     return (1. - 2. / 3. * q) / (compliance * (1. - q) * (1. - q));
   }
 
   double
   CubicRootLaw::secant(const double w) const
   {
-    return 1. / (compliance * (1. - root_of(w, thickness)));
+    return stiffness(w);
   }
 
   // ∫σ dw with w = ζq³ is (3ζ²/ρ)∫q⁵/(1-q) dq.
   double
   CubicRootLaw::energy(const double w) const
   {
-    return 3. * thickness * thickness / compliance * rest_of_logarithm(root_of(w, thickness), 6);
+    return 3. * thickness * thickness / compliance * rest_of_logarithm(root(w), 6);
   }
 
   // σρ/ζ = q³/(1-q) is increasing and convex in q: Newton from the right converges monotonically.
@@ -94,18 +116,6 @@ namespace fuga
     return thickness * q * q * q;
   }
 
-  double
-  CubicRootLaw::deformation_limit() const
-  {
-    return thickness;
-  }
-
-  double
-  CubicRootLaw::deformation_scale() const
-  {
-    return thickness;
-  }
-
   std::string
   CubicRootLaw::description() const
   {
@@ -113,35 +123,28 @@ namespace fuga
       "cubic root law (9), initial compliance {:g}, thickness {:g}", compliance, thickness);
   }
 
-  CubicRootTangentLaw::CubicRootTangentLaw(const double rho, const double zeta)
-    : compliance(rho), thickness(zeta)
+  CubicRootTangentLaw::CubicRootTangentLaw(const double rho, const double zeta) : LawNine(rho, zeta)
   {
-  }
-
-  double
-  CubicRootTangentLaw::initial_compliance() const
-  {
-    return compliance;
   }
 
   // ∫dw/(1-q) with w = ζq³ is 3ζ∫q²/(1-q) dq.
   double
   CubicRootTangentLaw::stress(const double w) const
   {
-    return 3. * thickness / compliance * rest_of_logarithm(root_of(w, thickness), 3);
+    return 3. * thickness / compliance * rest_of_logarithm(root(w), 3);
   }
 
   double
   CubicRootTangentLaw::tangent(const double w) const
   {
-    return 1. / (compliance * (1. - root_of(w, thickness)));
+    return stiffness(w);
   }
 
   // By parts: ∫σ dw = σw - ∫w dσ, and ∫w dσ = (3ζ²/ρ)∫q⁵/(1-q) dq.
   double
   CubicRootTangentLaw::energy(const double w) const
   {
-    const double q = root_of(w, thickness);
+    const double q = root(w);
     return 3. * thickness * thickness / compliance *
            (q * q * q * rest_of_logarithm(q, 3) - rest_of_logarithm(q, 6));
   }
@@ -165,18 +168,6 @@ namespace fuga
           break;
       }
     return thickness * q * q * q;
-  }
-
-  double
-  CubicRootTangentLaw::deformation_limit() const
-  {
-    return thickness;
-  }
-
-  double
-  CubicRootTangentLaw::deformation_scale() const
-  {
-    return thickness;
   }
 
   std::string

@@ -8,19 +8,42 @@
 
 namespace fuga
 {
-  /**
-   * Law (9) of the paper, C(u) = A/[ρ0 (1 - q)] with q = (w/ζ0)^{1/3}, as equations (5) and (6)
-   * use it: C is the secant stiffness, C(u) u the force of the layer.
-   *     σ = w / [ρ0 (1 - q)],   dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
-   */
-  class CubicRootLaw : public NonlinearLaw
+  /** What both readings of law (9) of the paper, C(u) = A/[ρ0 (1 - q)] with q = (w/ζ0)^{1/3},
+   * share. */
+  class LawNine : public NonlinearLaw
   {
   public:
-    /** @p initial_compliance ρ0 > 0 [m/MPa], @p thickness ζ0 > 0 [m], the closure limit. */
-    CubicRootLaw(const double initial_compliance, const double thickness);
-
     double
     initial_compliance() const override;
+    double
+    deformation_limit() const override;
+    double
+    deformation_scale() const override;
+
+  protected:
+    /** @p initial_compliance ρ0 > 0 [m/MPa], @p thickness ζ0 > 0 [m], the closure limit. */
+    LawNine(const double initial_compliance, const double thickness);
+
+    /** q */
+    double
+    root(const double w) const;
+    /** C(u)/A = 1/[ρ0 (1 - q)] [MPa/m]. */
+    double
+    stiffness(const double w) const;
+
+    const double compliance;
+    const double thickness;
+  };
+
+  /**
+   * Law (9) as equations (5) and (6) of the paper use it: C is the secant stiffness, C(u) u the
+   * force of the layer. σ = w / [ρ0 (1 - q)],   dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
+   */
+  class CubicRootLaw : public LawNine
+  {
+  public:
+    CubicRootLaw(const double initial_compliance, const double thickness);
+
     double
     stress(const double w) const override;
     double
@@ -31,16 +54,8 @@ namespace fuga
     energy(const double w) const override;
     double
     deformation(const double sigma) const override;
-    double
-    deformation_limit() const override;
-    double
-    deformation_scale() const override;
     std::string
     description() const override;
-
-  private:
-    const double compliance;
-    const double thickness;
   };
 
   /**
@@ -50,14 +65,11 @@ namespace fuga
    * It is softer than the secant reading, and its stress grows only like a logarithm near the
    * limit.
    */
-  class CubicRootTangentLaw : public NonlinearLaw
+  class CubicRootTangentLaw : public LawNine
   {
   public:
-    /** As for CubicRootLaw. */
     CubicRootTangentLaw(const double initial_compliance, const double thickness);
 
-    double
-    initial_compliance() const override;
     double
     stress(const double w) const override;
     double
@@ -66,16 +78,8 @@ namespace fuga
     energy(const double w) const override;
     double
     deformation(const double sigma) const override;
-    double
-    deformation_limit() const override;
-    double
-    deformation_scale() const override;
     std::string
     description() const override;
-
-  private:
-    const double compliance;
-    const double thickness;
   };
 } // namespace fuga
 
