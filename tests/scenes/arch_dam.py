@@ -6,18 +6,16 @@ joints: its weight, then the reservoir.
 
 Expected: an arch stands under its weight, whatever the stiffness of its joints, so that every run gets beyond the first
 stage; each state is certified by equilibrium of the bodies, computed without the operators of the path. In the limit of
-stiff joints the states no longer depend on the stiffness: those at 1e11 kPa/m are those of rigid joints. The sums of the
-vertical forces on the joints with the rock equal the weight: rounding, 1e-9.
+stiff joints the states no longer depend on the stiffness: those at 1e11 kPa/m are those of rigid joints.
 
 usage: arch_dam.py FUGA
 """
 import csv
-import json
-import math
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+import spatial_model
 
 FUGA = pathlib.Path(sys.argv[1]).resolve()
 STIFFNESSES = ["2e6", "1e8", "1e9", "1e10", "1e11", "rigid"]  # kPa/m
@@ -129,35 +127,14 @@ subsection Output
   set Fields = never
 end
 """
-BODY = """  subsection m{0}
-    set Young modulus  = 2.5e7
-    set Poisson ratio  = 0.2
-    set Weight density = 24
-  end
-"""
-JOINT = """  subsection {name}
-    set Line       = {name}
-    set Plus body  = {plus}
-    set Minus body = {minus}
-    set Friction coefficient = {friction}
-{layer}  end
-"""
 complaints = []
 
 
-def run(folder, stiffness):
-    layer = ("    set Normal law = rigid\n    set Shear law = rigid\n" if stiffness == "rigid" else
-             f"    set Normal stiffness = {stiffness}\n    set Shear stiffness  = {float(stiffness) / 2}\n")
-    joints = "".join(JOINT.format(name=f"b{k}", plus=f"m{k}", minus="rock", friction=0.7, layer=layer)
-                     for k in range(1, N_MONOLITHS + 1))
-    joints += "".join(JOINT.format(name=f"c{k}", plus=f"m{k + 1}", minus=f"m{k}", friction=0.6, layer=layer)
-                      for k in range(1, N_MONOLITHS))
-    path = folder / f"arch_{stiffness}.prm"
-    path.write_text(PARAMETERS.format(joints=joints, bodies="".join(BODY.format(k) for k in range(1, N_MONOLITHS + 1))),
-                    encoding="utf-8")
-    out = path.with_suffix("")
-    done = subprocess.run([FUGA, path, "--output-dir", out], capture_output=True, text=True, check=False)
-    return done.returncode, out, done.stdout + done.stderr
+def parameters(stiffness):
+    numbers = range(1, N_MONOLITHS + 1)
+    joints = [spatial_model.joint(f"b{k}", f"m{k}", "rock", 0.7, stiffness) for k in numbers]
+    joints += [spatial_model.joint(f"c{k}", f"m{k + 1}", f"m{k}", 0.6, stiffness) for k in numbers[:-1]]
+    return PARAMETERS.format(bodies="".join(spatial_model.body(f"m{k}", 2.5e7, 24) for k in numbers), joints="".join(joints))
 
 
 def final_states(out):
@@ -168,19 +145,18 @@ def final_states(out):
 
 
 def main():
-    folder = pathlib.Path(tempfile.mkdtemp(prefix="arch_"))
-    (folder / "arch.geo").write_text(GEOMETRY, encoding="utf-8")
-    subprocess.run(["gmsh", "-3", "-v", "1", "-format", "msh41", str(folder / "arch.geo")], check=True)
     stiff = {}
-    for stiffness in STIFFNESSES:
-        code, out, text = run(folder, stiffness)
-        summary = json.loads((out / "summary.json").read_text())
-        print(f"stiffness {stiffness}: exit code {code}, t = {summary['t']}, {summary['events']['total']} events, "
-              f"certificate {summary['certificate']['worst']:.1e}")
-        if code != 0:
-            complaints.append(f"stiffness {stiffness}: exit code {code}\n{text[-1500:]}")
-        elif stiffness in ("1e11", "rigid"):
-            stiff[stiffness] = final_states(out)
+    with tempfile.TemporaryDirectory(prefix="arch_") as name:
+        folder = pathlib.Path(name)
+        spatial_model.mesh(folder, "arch", GEOMETRY)
+        for stiffness in STIFFNESSES:
+            out, code, summary, text = spatial_model.run(FUGA, folder / f"arch_{stiffness}.prm", parameters(stiffness))
+            print(f"stiffness {stiffness}: exit code {code}, t = {summary['t']}, {summary['events']['total']} events, "
+                  f"certificate {summary['certificate']['worst']:.1e}")
+            if code != 0:
+                complaints.append(f"stiffness {stiffness}: exit code {code}\n{text[-1500:]}")
+            elif stiffness in ("1e11", "rigid"):
+                stiff[stiffness] = final_states(out)
     if len(stiff) == 2:
         different = [key for key in stiff["rigid"] if stiff["rigid"][key] != stiff["1e11"][key]]
         print(f"{len(different)} of {len(stiff['rigid'])} states differ between 1e11 and rigid")

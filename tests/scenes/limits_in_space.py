@@ -19,12 +19,12 @@ Every limit load must be shown by a motion: the certificate of the mechanism in 
 
 usage: limits_in_space.py FUGA
 """
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+import spatial_model
 
 FUGA = pathlib.Path(sys.argv[1]).resolve()
 EXACT, APPROACHED = 1e-9, 1e-6
@@ -155,21 +155,6 @@ TOGETHER = """  subsection together
   end
 """
 
-BODY = """  subsection {name}
-    set Young modulus  = 1e7
-    set Poisson ratio  = 0.2
-    set Weight density = {density}
-  end
-"""
-
-JOINT = """  subsection {name}
-    set Line       = {name}
-    set Plus body  = {body}
-    set Minus body = rock
-    set Friction coefficient = {friction}
-{layer}  end
-"""
-
 
 def minus(a, b):
     return [x - y for x, y in zip(a, b)]
@@ -204,26 +189,14 @@ def limit_by_hand(corners):
     return FRICTION * sum(pressures) - dot(weight, line), line
 
 
-def mesh(folder, name, geometry):
-    path = folder / f"{name}.geo"
-    path.write_text(geometry, encoding="utf-8")
-    subprocess.run(["gmsh", "-3", "-v", "1", "-format", "msh41", str(path)], check=True)
-    return path.with_suffix(".msh")
-
-
 def run(mesh_file, joints, stiffness, friction, coefficients, stages=WEIGHT_THEN_PUSH):
     """@p joints: names with the body above each; @p coefficients: force per weight at the end of the second stage."""
-    layer = ("    set Normal law = rigid\n    set Shear law = rigid\n" if stiffness == "rigid" else
-             f"    set Normal stiffness = {stiffness}\n    set Shear stiffness  = {float(stiffness) / 2}\n")
-    path = mesh_file.with_name(f"{mesh_file.stem}_{stiffness}.prm")
     x, y, z = coefficients
-    path.write_text(PARAMETERS.format(
-        mesh=mesh_file.name, bodies="".join(BODY.format(name=name, density=DENSITY) for name in sorted(set(joints.values()))),
-        joints="".join(JOINT.format(name=name, body=body, friction=friction, layer=layer) for name, body in joints.items()),
-        horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z, stages=stages), encoding="utf-8")
-    out = path.with_suffix("")
-    done = subprocess.run([FUGA, path, "--output-dir", out], capture_output=True, text=True, check=False)
-    return done.returncode, json.loads((out / "summary.json").read_text()), done.stdout + done.stderr
+    _, code, summary, text = spatial_model.run(FUGA, mesh_file.with_name(f"{mesh_file.stem}_{stiffness}.prm"), PARAMETERS.format(
+        mesh=mesh_file.name, bodies="".join(spatial_model.body(name, 1e7, DENSITY) for name in sorted(set(joints.values()))),
+        joints="".join(spatial_model.joint(name, body, "rock", friction, stiffness) for name, body in joints.items()),
+        horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z, stages=stages))
+    return code, summary, text
 
 
 class Check:
@@ -250,7 +223,7 @@ class Check:
 
 def check_toppling(check, folder):
     for n in (2, 3, 4):
-        mesh_file = mesh(folder, f"block_{n}", BLOCK.format(n=n))
+        mesh_file = spatial_model.mesh(folder, f"block_{n}", BLOCK.format(n=n))
         for stiffness in ("1e6", "1e8", "rigid"):
             for x, y in ((1.0, 0.0), (1.0, 1.0), (math.cos(math.pi / 6), 0.5)):
                 arm = 0.5 * math.hypot(x, y) / max(x, y)
@@ -261,7 +234,7 @@ def check_toppling(check, folder):
 
 def check_first_load(check, folder):
     """A block pushed by c times its weight slides at once if c > f, topples at once if c > W a / (h / 2), and else stands."""
-    mesh_file = mesh(folder, "first", BLOCK.format(n=4))
+    mesh_file = spatial_model.mesh(folder, "first", BLOCK.format(n=4))
     for stiffness in ("1e6", "1e9", "rigid"):
         for friction, push, code in ((0.2, 0.21, 3), (0.2, 0.19, 0), (0.9, 0.26, 3), (0.9, 0.24, 0)):
             x, y = (math.cos(math.pi / 6), 0.5) if friction < 0.25 else (1.0, 0.0)
@@ -272,7 +245,7 @@ def check_first_load(check, folder):
 
 
 def check_cubes(check, folder):
-    mesh_file = mesh(folder, "cubes", CUBES)
+    mesh_file = spatial_model.mesh(folder, "cubes", CUBES)
     for stiffness in ("1e6", "1e10", "rigid"):
         for friction in (0.3, 0.6):
             result = run(mesh_file, {"first": "one", "second": "two"}, stiffness, friction, (1.0, 0.3, 0.0))
@@ -282,7 +255,7 @@ def check_cubes(check, folder):
 def check_wedges(check, folder):
     for number, corners in enumerate(WEDGES):
         limit, line = limit_by_hand(corners)
-        mesh_file = mesh(folder, f"wedge_{number}", WEDGE.format(*(", ".join(map(str, corner)) for corner in corners)))
+        mesh_file = spatial_model.mesh(folder, f"wedge_{number}", WEDGE.format(*(", ".join(map(str, corner)) for corner in corners)))
         for stiffness in ("1e6", "1e9"):
             # Twice the limit, so that it comes in the middle of the stage.
             result = run(mesh_file, {"left": "wedge", "right": "wedge"}, stiffness, FRICTION, [2 * limit * x for x in line])
