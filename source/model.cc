@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
 #include <fuga/contact/path_choice.h>
@@ -121,8 +121,10 @@ namespace fuga
   Model<dim>::find_monitor_points() const
   {
     std::vector<MonitorPoint<dim>> points;
+    InputErrors errors;
     for (const MonitorDefinition &definition : parameters.model.monitors)
-      points.emplace_back(bodies.discretization(), mesh, definition);
+      errors.attempt([&]() { points.emplace_back(bodies.discretization(), mesh, definition); });
+    errors.throw_if_any();
     return points;
   }
 

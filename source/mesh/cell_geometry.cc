@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/mesh/cell_geometry.h>
 
 #include <algorithm>
@@ -223,6 +223,7 @@ namespace fuga
   void
   orient_cells(JointedMesh &mesh, const std::string &file_name)
   {
+    InputErrors errors;
     for (JointedMesh::Cell &cell : mesh.cells)
       {
         const auto [corner, n] = corners(cell.shape);
@@ -231,16 +232,20 @@ namespace fuga
           sum += scaled_jacobian(cell, corner[i], mesh.vertices);
         if (sum < 0)
           reverse(cell);
-        for (unsigned int i = 0; i < n; ++i)
-          if (!(scaled_jacobian(cell, corner[i], mesh.vertices) > flat))
-            throw InputError(fmt::format(
-              "{}: body '{}': the cell with a vertex at {} is degenerate, folded or not convex "
-              "there; all "
-              "angles must be between 0 and 180 degrees; remesh the geometry (Coherence Mesh; or "
-              "finer)",
-              file_name,
-              mesh.body_names[cell.body],
-              print_point(mesh.vertices[cell.vertices[corner[i][0]]], mesh.dimension)));
+        const auto bad =
+          std::find_if(corner, corner + n, [&](const auto &vertices) {
+            return !(scaled_jacobian(cell, vertices, mesh.vertices) > flat);
+          });
+        if (bad != corner + n)
+          errors.add(fmt::format(
+            "{}: body '{}': the cell with a vertex at {} is degenerate, folded or not convex "
+            "there; all "
+            "angles must be between 0 and 180 degrees; remesh the geometry (Coherence Mesh; or "
+            "finer)",
+            file_name,
+            mesh.body_names[cell.body],
+            print_point(mesh.vertices[cell.vertices[(*bad)[0]]], mesh.dimension)));
       }
+    errors.throw_if_any();
   }
 } // namespace fuga

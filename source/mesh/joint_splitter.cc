@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
+#include <fuga/base/input_errors.h>
 #include <fuga/mesh/cell_geometry.h>
 #include <fuga/mesh/face_table.h>
 #include <fuga/mesh/joint_report.h>
@@ -55,6 +55,8 @@ namespace fuga
            const unsigned int face_label) const;
       void
       add_points();
+      void
+      add_point(const MeshEntity &point);
 
       const GmshMesh &mesh;
       const std::vector<JointDefinition> &joints;
@@ -90,20 +92,25 @@ namespace fuga
       std::map<int, unsigned int> bodies;
       for (const MeshEntity &cell : mesh.cells)
         bodies.insert({cell.physical_tag, 0});
+      InputErrors errors;
       for (auto &[tag, index] : bodies)
         {
           const auto name = mesh.physical_names.find({mesh.dimension, tag});
           if (name == mesh.physical_names.end())
-            throw InputError(fmt::format(
-              "{}: the body with the physical tag {} has no name; every body must have one; "
-              "write Physical {}(\"name\", {}) = ... in the geometry",
-              mesh.file_name,
-              tag,
-              mesh.dimension == 2 ? "Surface" : "Volume",
-              tag));
+            {
+              errors.add(fmt::format(
+                "{}: the body with the physical tag {} has no name; every body must have one; "
+                "write Physical {}(\"name\", {}) = ... in the geometry",
+                mesh.file_name,
+                tag,
+                mesh.dimension == 2 ? "Surface" : "Volume",
+                tag));
+              continue;
+            }
           index = static_cast<unsigned int>(result.body_names.size());
           result.body_names.push_back(name->second);
         }
+      errors.throw_if_any();
       result.cells.reserve(mesh.cells.size());
       for (const MeshEntity &cell : mesh.cells)
         result.cells.push_back({cell.shape, cell.vertices, bodies.at(cell.physical_tag)});
@@ -300,28 +307,35 @@ namespace fuga
     void
     Splitter::add_points()
     {
+      InputErrors errors;
       for (const MeshEntity &point : mesh.points)
-        {
-          const auto name           = mesh.physical_names.find({0, point.physical_tag});
-          const unsigned int vertex = point.vertices[0];
-          if (name == mesh.physical_names.end())
-            throw InputError(fmt::format(
-              "{}: the point group {} has no name; write Physical Point(\"name\", {}) = ... "
-              "in the geometry",
-              mesh.file_name,
-              point.physical_tag,
-              point.physical_tag));
-          const auto copies = split_vertices.n_copies.find(vertex);
-          if (copies != split_vertices.n_copies.end() && copies->second > 1)
-            throw InputError(fmt::format(
-              "{}: the named point '{}' at {} lies on a joint, where the mesh is opened and "
-              "has {} vertices; a named point must be one vertex; move it off the joint",
-              mesh.file_name,
-              name->second,
-              print_point(mesh.vertices[vertex], mesh.dimension),
-              copies->second));
-          result.points.push_back({vertex, name->second});
-        }
+        errors.attempt([&]() { add_point(point); });
+      errors.throw_if_any();
+    }
+
+
+    void
+    Splitter::add_point(const MeshEntity &point)
+    {
+      const auto name           = mesh.physical_names.find({0, point.physical_tag});
+      const unsigned int vertex = point.vertices[0];
+      if (name == mesh.physical_names.end())
+        throw InputError(fmt::format(
+          "{}: the point group {} has no name; write Physical Point(\"name\", {}) = ... "
+          "in the geometry",
+          mesh.file_name,
+          point.physical_tag,
+          point.physical_tag));
+      const auto copies = split_vertices.n_copies.find(vertex);
+      if (copies != split_vertices.n_copies.end() && copies->second > 1)
+        throw InputError(fmt::format(
+          "{}: the named point '{}' at {} lies on a joint, where the mesh is opened and "
+          "has {} vertices; a named point must be one vertex; move it off the joint",
+          mesh.file_name,
+          name->second,
+          print_point(mesh.vertices[vertex], mesh.dimension),
+          copies->second));
+      result.points.push_back({vertex, name->second});
     }
   } // namespace
 

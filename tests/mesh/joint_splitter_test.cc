@@ -255,6 +255,11 @@ TEST(JointSplitter, OrientsCells)
   MeshBuilder concave      = MeshBuilder::grid(1, 1);
   concave.mesh.vertices[3] = {{0.2, 0.2, 0.}};
   expect_joint_complaint(concave, {}, {"(0.2, 0.2)", "not convex"});
+  // All bad cells at once: the vertices 3 and 5 of two cells side by side are moved inwards.
+  MeshBuilder two      = MeshBuilder::grid(2, 1);
+  two.mesh.vertices[3] = {{0.8, 0.2, 0.}};
+  two.mesh.vertices[5] = {{1.2, 0.2, 0.}};
+  expect_joint_complaint(two, {}, {"(0.8, 0.2)", "(1.2, 0.2)", "2 errors"});
   MeshBuilder twice = MeshBuilder::grid(2, 1);
   twice.cell(CellShape::quadrilateral, {0, 1, 4, 3}, 1);
   expect_joint_complaint(twice, {}, {"overlap", "'plate'", "look for surfaces drawn twice"});

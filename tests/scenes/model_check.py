@@ -209,7 +209,17 @@ def size_of_output():
     check(not Check("dam", "Stages/reservoir/Levels=1000").warnings, "a thousand levels")
 
 
-for test in (dam, block_in_space, others, shipped, implausible_data, implausible_loads, size_of_output):
+def wrong_monitors():
+    """Points that the mesh does not have are told together."""
+    wrong = ["--set", "Monitors/crest/Point=5000, 0", "--set", "Monitors/top of lower lift/Point=6000, 0"]
+    run = subprocess.run([FUGA, "--check", str(ROOT / "parameters" / "retaining_wall.prm"), *wrong], capture_output=True,
+                         text=True, timeout=300)
+    check(run.returncode == 1 and "2 errors" in run.stderr and "(5000, 0)" in run.stderr and "(6000, 0)" in run.stderr,
+          f"two monitors outside: exit code {run.returncode}: {run.stderr}")
+
+
+for test in (dam, block_in_space, others, shipped, implausible_data, implausible_loads, size_of_output,
+             wrong_monitors):
     test()
 print("\n".join(complaints) or f"{n_checks} checks: the model adds up, mistakes are noticed, nothing else is")
 sys.exit(1 if complaints or n_checks < 80 else 0)
