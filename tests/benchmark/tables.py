@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """doc/benchmarks.md from the measured figures."""
+import pathlib
+import sys
+
 import requirements
 from figures import TOTALS, exponent
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "source" / "python"))
+from remarks import remarks  # noqa: E402
 
 # The phases of summary.json in the words of the tables.
 GROUPS = {"start": ("start", "start of MPI and MUMPS"),
@@ -43,7 +49,7 @@ def grouped(one):
 def requirement_tables(figures):
     parts, count = [], {"yes": 0, "no": 0, "in part": 0, "-": 0}
     for title, rows in requirements.by_title(figures):
-        parts += ["### %s\n" % title, table(["figure", "required", "measured", "reached", "reason (written by hand, `tests/benchmark/reasons.py`)"], rows)]
+        parts += ["### %s\n" % title, table(["figure", "required", "measured", "reached"], rows)]
         for row in rows:
             count[row[3]] += 1
     return "\n".join(["%d rows reached, %d not, %d in part, %d not measured.\n" % tuple(count.values())] + parts)
@@ -165,5 +171,5 @@ def page(figures, plots):
              "## Scene G with reversal\n", plot("benchmark_reversal", "error of CalculiX against its time"),
              "Load +L, −L, +L, f = 0.6. Error: the largest at the ends of all stages, against fuga's path.\n",
              peers(figures, "scene_g_reversal"), "## Stiff and rigid joints\n", stiffness(figures),
-             "## Failed runs of fuga\n", failures(figures)]
+             "## Failed runs of fuga\n", failures(figures), remarks("benchmarks")]
     return "\n".join(part for part in text if part)

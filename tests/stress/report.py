@@ -8,6 +8,7 @@ usage: report.py SCENES.csv STRESS_PROGRAM [--doc DIRECTORY]
 import argparse
 import pathlib
 import subprocess
+import sys
 import textwrap
 
 import matplotlib
@@ -17,6 +18,9 @@ import numpy as np
 import pandas as pd
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "source" / "python"))
+from remarks import by_hand  # noqa: E402
+
 BOUND = 1e-8
 # Classes of every axis: lower ends. Zero has a class of its own where it means something special.
 AXES = [("rho_min", "smallest ρ in the scene [m/MPa]", [0, 1e-300, 1e-9, 1e-6, 1e-3, 1]),
@@ -103,13 +107,16 @@ def kind_table(scenes, kinds):
                   "worst certificate", "longest [s]", "failures"], rows)
 
 
-def failure_table(scenes, causes):
-    failed = scenes[scenes.failed]
+def failure_table(failed):
     if not len(failed):
         return "None.\n"
-    return table(["scene", "seed", "verdict", "what", "cause (written by hand, `tests/stress/causes.csv`)"],
-                 [[row.scene, row.seed, row.verdict, row.failure, causes.get((row.scene, int(row.seed)), "unknown")]
-                  for row in failed.itertuples()])
+    return table(["scene", "seed", "verdict", "what"],
+                 [[row.scene, row.seed, row.verdict, row.failure] for row in failed.itertuples()])
+
+
+def cause_table(failed, causes):
+    return table(["scene", "seed", "cause"],
+                 [[row.scene, row.seed, causes.get((row.scene, int(row.seed)), "unknown")] for row in failed.itertuples()])
 
 
 def known_causes():
@@ -192,7 +199,7 @@ certificate: equilibrium, strengths, laws and energy, checked with the data and 
 
 """
     text += verdict_table(scenes)
-    text += "\n## Failures\n\n" + failure_table(scenes, causes)
+    text += "\n## Failures\n\n" + failure_table(scenes[scenes.failed])
     text += "\n## Kinds of scenes\n\n" + kind_table(scenes, kinds)
     text += "\n## Which known weakness is where\n\n" + table(["weakness", "kinds"], [
         [name, ", ".join(kind for kind in where if (scenes.scene == kind).any())] for name, where in DEGENERACIES])
@@ -203,6 +210,9 @@ certificate: equilibrium, strengths, laws and energy, checked with the data and 
     text += "\n### Laws of the layer\n\n" + table(["law", "scenes", "worst certificate", "failures"], law_rows)
     entry_rows = [[entry, len(part), exponent(part.certificate.max())] for entry, part in scenes.groupby("worst_entry")]
     text += "\n### Worst entry of the certificate\n\n" + table(["entry", "scenes", "largest"], entry_rows)
+    if failed:
+        text += "\n" + by_hand("tests/stress/causes.csv", "../tests/stress/causes.csv",
+                               "Causes of the failures:\n\n" + cause_table(scenes[scenes.failed], causes))
     return text
 
 
