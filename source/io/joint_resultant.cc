@@ -25,37 +25,6 @@ namespace fuga
       }
     };
 
-    MeanFrame
-    mean_frame(const std::vector<std::size_t> &members,
-               const std::vector<ContactElement> &elements,
-               const std::vector<std::array<double, 3>> &normals)
-    {
-      MeanFrame frame;
-      for (const std::size_t k : members)
-        {
-          const double A = elements[k].area;
-          frame.area += A;
-          frame.x += A * elements[k].position[0];
-          frame.y += A * elements[k].position[1];
-          frame.n_x += A * normals[k][0];
-          frame.n_y += A * normals[k][1];
-        }
-      frame.x /= frame.area;
-      frame.y /= frame.area;
-      const double length = std::hypot(frame.n_x, frame.n_y);
-      // A closed ring has no mean normal: its resultant is given in global axes.
-      const double shortest = 1e-9;
-      frame.n_y             = length > shortest * frame.area ? frame.n_y / length : 1.;
-      frame.n_x             = length > shortest * frame.area ? frame.n_x / length : 0.;
-      for (const std::size_t k : members)
-        {
-          const double s   = frame.along(elements[k].position);
-          frame.first_edge = std::min(frame.first_edge, s);
-          frame.last_edge  = std::max(frame.last_edge, s);
-        }
-      return frame;
-    }
-
     /** Length that an element stands for; @p members in the order along the joint. */
     double
     length_of(const std::size_t number,
@@ -71,6 +40,45 @@ namespace fuga
       };
       return (number > 0 ? distance(number - 1, number) / 2. : 0.) +
              (number + 1 < members.size() ? distance(number, number + 1) / 2. : 0.);
+    }
+
+    /** The mean normal is that of the chord: rings of a joint around an axis count by their
+     * lengths, so that the vertical sides of a key do not turn it. */
+    MeanFrame
+    mean_frame(const std::vector<std::size_t> &members,
+               const std::vector<ContactElement> &elements,
+               const std::vector<std::array<double, 3>> &normals,
+               const AcrossPlane &across_plane)
+    {
+      MeanFrame frame;
+      double whole_length = 0.;
+      for (std::size_t i = 0; i < members.size(); ++i)
+        {
+          const std::size_t k = members[i];
+          const double A      = elements[k].area;
+          // A single ring has no neighbour that says how long it is, and needs none.
+          const double L = members.size() > 1 ? length_of(i, members, elements, across_plane) : 1.;
+          frame.area += A;
+          frame.x += A * elements[k].position[0];
+          frame.y += A * elements[k].position[1];
+          whole_length += L;
+          frame.n_x += L * normals[k][0];
+          frame.n_y += L * normals[k][1];
+        }
+      frame.x /= frame.area;
+      frame.y /= frame.area;
+      const double length = std::hypot(frame.n_x, frame.n_y);
+      // A closed ring has no mean normal: its resultant is given in global axes.
+      const double shortest = 1e-9;
+      frame.n_y             = length > shortest * whole_length ? frame.n_y / length : 1.;
+      frame.n_x             = length > shortest * whole_length ? frame.n_x / length : 0.;
+      for (const std::size_t k : members)
+        {
+          const double s   = frame.along(elements[k].position);
+          frame.first_edge = std::min(frame.first_edge, s);
+          frame.last_edge  = std::max(frame.last_edge, s);
+        }
+      return frame;
     }
 
     /** Lengths of the open parts; @p members in the order along the joint. */
@@ -119,7 +127,7 @@ namespace fuga
                     const Vector &dissipation,
                     const AcrossPlane &across_plane)
     {
-      const MeanFrame frame = mean_frame(members, elements, normals);
+      const MeanFrame frame = mean_frame(members, elements, normals, across_plane);
       JointResultant resultant;
       resultant.smallest_pressure = members.empty() ? 0. : infinity;
       double strength             = 0.;

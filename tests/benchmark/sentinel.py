@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """Has anything become slower? A few scenes, three rounds in turns, medians; every part of a run over the elimination of
-the bodies in the same process, beside the recorded ratio (doc/benchmark_record.csv).
+the bodies in the same process, and the whole over the same bodies without a joint, beside the recorded ratio
+(doc/benchmark_record.csv).
 
 usage: sentinel.py [--record]
 
@@ -53,9 +54,11 @@ def dam_mesh():
 
 
 CASES = {**{"scene G, %d, f = %g" % (n, f): scenes.scene_g(n, f) for n in (129, 513) for f in (0.2, 0.6)},
-         **{"S0, %d" % n: scenes.s0(n) for n in (65, 129)},
+         **{"S0, %d" % n: scenes.s0(n) for n in (129, 257)},
          "S0, 129, law (9)": scenes.s0(129, "law9"),
          "dam block in space, 12": OfFile("dam_block_3d.prm", dam_mesh, ["Solver/Bodies=direct", "Output/Fields=end"])}
+# The same bodies, grown together, under the loads of the end: one linear solution, by the same program.
+CONTROLS = {(case.name, case.n): case.altered(bonded=True) for case in CASES.values() if isinstance(case, scenes.Scene)}
 # Scenes that CalculiX solves as well, ten increments a stage.
 PEERS = ("scene G, 129, f = 0.2", "scene G, 129, f = 0.6")
 
@@ -83,8 +86,11 @@ def seconds_of(name, case):
 def measure_all():
     """{(scene, part): (median of the seconds, median of the ratios, smallest ratio)}"""
     samples, peers, start = {name: [] for name in CASES}, {name: [] for name in PEERS}, fuga_runs.start_seconds()
+    controls = {key: [] for key in CONTROLS}
     with_peer = shutil.which(calculix.PROGRAM) is not None
     for number in range(ROUNDS):
+        for key, control in CONTROLS.items():
+            controls[key].append(seconds_of("bonded_%s_%d" % key, control)["whole process"] - start)
         for name, case in CASES.items():
             samples[name].append(seconds_of(name, case))
         if with_peer and number == 0:  # tens of seconds, and always the same program
@@ -97,6 +103,8 @@ def measure_all():
             seconds["model"] -= start  # loading the libraries is not the mesh
             seconds["total after start"] = seconds["whole process"] - start
         units = [("whole process", "over CalculiX", [peers[name][0]] * ROUNDS)] if peers.get(name) else []
+        if isinstance(CASES[name], scenes.Scene):
+            units.append(("total after start", "over bonded control", controls[CASES[name].name, CASES[name].n]))
         for part, title, unit in [(part, part, [s["elimination"] for s in of_scene]) for part in PARTS] + units:
             ratios = [seconds[part] / u for seconds, u in zip(of_scene, unit, strict=True)]
             figures[name, title] = (statistics.median(s[part] for s in of_scene), statistics.median(ratios), min(ratios))

@@ -224,6 +224,31 @@ TEST(Corners, NextPhase)
   EXPECT_EQ(parts.states(3.), whole.states(3.));
 }
 
+// Around an axis: the key is a ring. What the joint carries along the axis is the weight of the
+// upper body and the pressure on its top; friction gives way at the sides of the key.
+TEST(Corners, AroundAnAxis)
+{
+  constexpr double pressure = 0.006, volume = M_PI * (9. * 1. + (4. - 1.) * 0.5);
+  for (const std::size_t n : {1, 2, 4})
+    for (const int degree : {1, 2})
+      {
+        SCOPED_TRACE(fmt::format("n = {}, degree {}", n, degree));
+        Json scene                           = keyed_blocks({{0., -pressure}});
+        scene["Boundaries"]["left"]["Fixed"] = "x";
+        const SceneRun run                   = run_scene(
+          write_scene(keyed_mesh(Profile::key, n), scene),
+          {"Mesh/Assumption=axisymmetric", fmt::format("Mesh/Polynomial degree={}", degree)});
+        EXPECT_EQ(run.exit_code, 0);
+        EXPECT_LE(run.certificate(), 1e-9);
+        const double weight = weight_density * volume, push = M_PI * 9. * pressure;
+        EXPECT_NEAR(run.resultant("N", 1.), -weight, 1e-12 * weight);
+        EXPECT_NEAR(run.resultant("N", 2.), -weight - push, 1e-12 * (weight + push));
+        // One element more at every corner; with degree 2 the node on the axis has no area.
+        EXPECT_EQ(run.values("N", 1.).size(),
+                  8 * n * std::size_t(degree) + (degree == 1 ? 1 : 0) + 4);
+      }
+}
+
 // In space, with a push along the edges too: all six resultants by hand.
 TEST(Corners, EquilibriumInSpace)
 {
