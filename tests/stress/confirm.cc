@@ -41,6 +41,7 @@ namespace fuga::stress
   PieceSample::reached(const std::size_t, const JointState &state)
   {
     end = state;
+    levels.push_back(state);
   }
 
   namespace

@@ -32,6 +32,8 @@ namespace fuga::stress
     std::vector<Piece> pieces;
     std::optional<Piece> last;
     JointState end;
+    /** At the load levels that were reached. */
+    std::vector<JointState> levels;
 
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override;

@@ -4,6 +4,7 @@
 #include "stress/run_scene.h"
 
 #include "stress/confirm.h"
+#include "stress/confirm_in_space.h"
 
 #include <fuga/io/summary.h>
 #include <fuga/io/threads.h>
@@ -20,18 +21,23 @@ namespace fuga::stress
   const std::vector<std::string> &
   scene_columns()
   {
-    static const std::vector<std::string> columns = {
-      "scene",         "seed",        "verdict",
-      "confirmed_by",  "certificate", "events",
-      "zero_steps",    "seconds",     "failure",
-      "worst_entry",   "t",           "stages",
-      "elements",      "bodies",      "joints",
-      "rho_min",       "rho_max",     "friction",
-      "cohesion",      "poisson",     "stiffness_ratio",
-      "aspect",        "size_ratio",  "offset",
-      "law",           "steps",       "single_switching",
-      "enumeration",   "lemke",       "checked_equal",
-      "checked_other", "difference",  "message"};
+    static const std::vector<std::string> columns = {"scene",         "seed",
+                                                     "dimension",     "verdict",
+                                                     "confirmed_by",  "certificate",
+                                                     "events",        "zero_steps",
+                                                     "seconds",       "failure",
+                                                     "worst_entry",   "t",
+                                                     "stages",        "elements",
+                                                     "bodies",        "joints",
+                                                     "rho_min",       "rho_max",
+                                                     "friction",      "cohesion",
+                                                     "poisson",       "stiffness_ratio",
+                                                     "aspect",        "size_ratio",
+                                                     "offset",        "law",
+                                                     "steps",         "single_switching",
+                                                     "enumeration",   "lemke",
+                                                     "checked_equal", "checked_other",
+                                                     "difference",    "message"};
     return columns;
   }
 
@@ -41,12 +47,6 @@ namespace fuga::stress
     constexpr double confirmation_time = 4.;
     constexpr std::size_t n_pieces     = 6;
     constexpr double certificate_bound = 1e-8;
-
-    void
-    write_text(const std::string &file, const std::string &text)
-    {
-      std::ofstream(file) << text;
-    }
 
     using Writer = std::function<void(const std::string &)>;
 
@@ -115,22 +115,9 @@ namespace fuga::stress
       return verdict;
     }
 
-    /** The same path again, watched by the independent solvers. */
     void
-    tell_confirmation(const Writer &write, const Model<2> &model, const std::string &verdict)
+    tell_confirmation(const Writer &write, const Confirmation &confirmation)
     {
-      const JointModel joint = make_joint_model<2>(
-        model.bodies, model.parameters.joints, model.parameters.model.constants);
-      const LayeredSystem layered(model.bodies, joint.elements);
-      EventPath path(joint.elements, layered, model.loads.history, model.path_options());
-      PieceSample sample(n_pieces);
-      const PathResult result = path.run(model.loads.levels, sample);
-      if (verdict_name(result.verdict) != verdict)
-        {
-          tell(write, "failure", "the verdict is another one when the path is run again");
-          return;
-        }
-      const Confirmation confirmation = confirm(model, joint, result, sample, confirmation_time);
       tell(write, "confirmed_by", confirmation.by);
       tell(write, "checked_equal", confirmation.n_equal);
       tell(write, "checked_other", confirmation.n_other);
@@ -138,7 +125,73 @@ namespace fuga::stress
       if (!confirmation.objection.empty())
         tell(write, "failure", confirmation.objection);
     }
+
+    /** The same path again, watched by the independent solvers. */
+    template <int dim>
+    void
+    ask_judges(const Writer &write,
+               const Model<dim> &model,
+               const SceneData &scene,
+               const std::string &verdict,
+               const std::string &directory)
+    {
+      const JointModel joint = make_joint_model<dim>(
+        model.bodies, model.parameters.joints, model.parameters.model.constants);
+      const LayeredSystem layered(model.bodies, joint.elements);
+      const auto path =
+        make_contact_path(joint.elements, layered, model.loads.history, model.path_options());
+      PieceSample sample(n_pieces);
+      const PathResult result = path->run(model.loads.levels, sample);
+      if (verdict_name(result.verdict) != verdict)
+        {
+          tell(write, "failure", "the verdict is another one when the path is run again");
+          return;
+        }
+      if constexpr (dim == 2)
+        tell_confirmation(write, confirm(model, joint, result, sample, confirmation_time));
+      else
+        tell_confirmation(
+          write,
+          confirm_in_space(
+            dynamic_cast<const SpatialGrid &>(scene), joint, result, sample, directory));
+    }
+
+    template <int dim>
+    void
+    run(const SceneData &scene, const std::string &directory, const Writer &write)
+    {
+      tell(write, "dimension", dim);
+      tell_axes(write, axes_of(scene));
+      const std::string file      = write_scene(scene, directory, "scene");
+      const auto start            = std::chrono::steady_clock::now();
+      Parameters parameters       = read_parameters(file);
+      parameters.output.directory = directory + "/out";
+      const Model<dim> model(parameters);
+      Simulation<dim>(model).run();
+      tell(write,
+           "seconds",
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      const std::string verdict = tell_summary(write, directory);
+      if (verdict == "numerical failure")
+        {
+          tell(write, "failure", "numerical failure");
+          if constexpr (dim == 3)
+            tell(
+              write, "failure", section_end(dynamic_cast<const SpatialGrid &>(scene), directory));
+        }
+      else
+        ask_judges(write, model, scene, verdict, directory);
+    }
   } // namespace
+
+  std::string
+  write_scene(const SceneData &scene, const std::string &directory, const std::string &name)
+  {
+    const std::string file = directory + '/' + name + ".prm";
+    std::ofstream(directory + '/' + name + ".msh") << scene.mesh_text();
+    std::ofstream(file) << scene.parameter_text(name + ".msh");
+    return file;
+  }
 
   void
   run_scene(const std::string &kind,
@@ -147,23 +200,10 @@ namespace fuga::stress
             const Writer &write)
   {
     set_threads(1);
-    const GridModel scene = draw_scene(kind, seed);
-    tell_axes(write, axes_of(scene));
-    write_text(directory + "/scene.msh", scene.mesh_text());
-    write_text(directory + "/scene.prm", scene.parameter_text("scene.msh"));
-
-    const auto start            = std::chrono::steady_clock::now();
-    Parameters parameters       = read_parameters(directory + "/scene.prm");
-    parameters.output.directory = directory + "/out";
-    const Model<2> model(parameters);
-    Simulation<2>(model).run();
-    tell(write,
-         "seconds",
-         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    const std::string verdict = tell_summary(write, directory);
-    if (verdict == "numerical failure")
-      tell(write, "failure", "numerical failure");
+    const auto scene = draw_scene(kind, seed);
+    if (const auto *const in_space = std::get_if<SpatialGrid>(&scene))
+      run<3>(*in_space, directory, write);
     else
-      tell_confirmation(write, model, verdict);
+      run<2>(std::get<GridModel>(scene), directory, write);
   }
 } // namespace fuga::stress

@@ -17,6 +17,10 @@ namespace fuga::stress
   const std::vector<std::string> &
   scene_columns();
 
+  /** Writes NAME.prm and NAME.msh into @p directory; the path of the former. */
+  std::string
+  write_scene(const SceneData &scene, const std::string &directory, const std::string &name);
+
   /**
    * Writes parameter file and mesh of a scene into @p directory, runs the program on them in this
    * process and has the outcome confirmed. @p write gets one line "COLUMN=VALUE" for everything as

@@ -4,6 +4,7 @@
 #include "stress/scene_kinds.h"
 
 #include "stress/families.h"
+#include "stress/families_in_space.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -96,17 +97,24 @@ namespace fuga::stress
       {"lift-off", "all contact lost and found again, on any layer", families::lift_off},
       {"all laws", "any strength on any layer", families::all_laws},
       {"all laws crossing", "the same on joints that cross or meet", families::all_laws_crossing},
+      {"extruded",
+       "plane scenes made spatial: one path with lines of friction, one with cones",
+       nullptr,
+       families::extruded},
+      {"extruded reversal", "the same, loads to and fro", nullptr, families::extruded_reversal},
     };
     return kinds;
   }
 
-  GridModel
+  std::variant<GridModel, SpatialGrid>
   draw_scene(const std::string &kind, const std::uint64_t seed)
   {
     for (const SceneKind &candidate : scene_kinds())
       if (kind == candidate.name)
         {
           Random random(kind, seed);
+          if (candidate.draw_in_space != nullptr)
+            return candidate.draw_in_space(random);
           GridModel model = candidate.draw(random);
           limit_ratio_to_layer(model);
           return model;
@@ -115,7 +123,7 @@ namespace fuga::stress
   }
 
   SceneAxes
-  axes_of(const GridModel &model)
+  axes_of(const SceneData &model)
   {
     SceneAxes axes;
     axes.rho_min   = std::numeric_limits<double>::infinity();
@@ -144,9 +152,7 @@ namespace fuga::stress
       }
     axes.aspect     = model.largest_aspect();
     axes.size_ratio = model.size_ratio();
-    const auto at   = model.map ? model.map(model.x[0], model.y[0])
-                                : std::array<double, 2>{{model.x[0], model.y[0]}};
-    axes.offset     = std::max(std::abs(at[0]), std::abs(at[1]));
+    axes.offset     = model.offset();
     axes.n_bodies   = model.bodies.size();
     axes.n_joints   = model.joints.size();
     axes.n_stages   = model.stages.size();

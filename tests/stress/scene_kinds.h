@@ -5,6 +5,9 @@
 #define fuga_tests_stress_scene_kinds_h
 
 #include "stress/draws.h"
+#include "stress/spatial_grid.h"
+
+#include <variant>
 
 namespace fuga::stress
 {
@@ -14,14 +17,16 @@ namespace fuga::stress
     const char *name;
     /** Which ways to break an event-driven solver it has, in words for the report. */
     const char *purpose;
-    GridModel (*draw)(Random &random);
+    /** One of the two: scenes in the plane, or in space. */
+    GridModel (*draw)(Random &random)            = nullptr;
+    SpatialGrid (*draw_in_space)(Random &random) = nullptr;
   };
 
   const std::vector<SceneKind> &
   scene_kinds();
 
   /** The scene of a kind and a seed. @throws std::invalid_argument for an unknown kind. */
-  GridModel
+  std::variant<GridModel, SpatialGrid>
   draw_scene(const std::string &kind, const std::uint64_t seed);
 
   /** Where a scene lies along the axes of the report. */
@@ -37,7 +42,7 @@ namespace fuga::stress
   };
 
   SceneAxes
-  axes_of(const GridModel &model);
+  axes_of(const SceneData &model);
 } // namespace fuga::stress
 
 #endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "stress/confirm_in_space.h"
+
+#include "stress/run_scene.h"
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/certificate.h>
+#include <fuga/contact/path_choice.h>
+#include <fuga/io/summary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace fuga::stress
+{
+  namespace
+  {
+    /** Two paths this close are the same one. */
+    constexpr double same_path = 1e-6;
+
+    /** The plane path of an extruded scene. */
+    struct SectionPath
+    {
+      SectionPath(const GridModel &section, const std::string &directory)
+        : model(read_parameters(write_scene(section, directory, "section")))
+        , joint(make_joint_model<2>(
+            model.bodies, model.parameters.joints, model.parameters.model.constants))
+        , layered(model.bodies, joint.elements)
+        , sample(1)
+        , result(
+            make_contact_path(joint.elements, layered, model.loads.history, model.path_options())
+              ->run(model.loads.levels, sample))
+      {
+      }
+
+      const Model<2> model;
+      const JointModel joint;
+      const LayeredSystem layered;
+      PieceSample sample;
+      const PathResult result;
+    };
+
+    /** What an element carries and how far it has opened and slipped, whatever its frame is. */
+    struct ElementState
+    {
+      double pressure = 0., shear = 0., opening = 0., slip = 0.;
+    };
+
+    ElementState
+    state_of(const ContactElement &element, const JointState &state)
+    {
+      const auto shear_size = [&](const Vector &of_bars) {
+        return std::hypot(
+          element.has_tangential_bar() ? of_bars[element.tangential_bar] : 0.,
+          element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.);
+      };
+      return {-state.forces[element.normal_bar] / element.area,
+              shear_size(state.forces) / element.area,
+              state.dislocations[element.normal_bar],
+              shear_size(state.dislocations)};
+    }
+
+    /** The element of the section in the same joint that is nearest to one in space. */
+    const ContactElement &
+    counterpart(const ContactElement &element, const std::vector<ContactElement> &of_section)
+    {
+      const auto distance = [&](const ContactElement &other) {
+        return other.joint == element.joint ? std::hypot(other.position[0] - element.position[0],
+                                                         other.position[1] - element.position[2])
+                                            : std::numeric_limits<double>::infinity();
+      };
+      return *std::min_element(
+        of_section.begin(), of_section.end(), [&](const auto &a, const auto &b) {
+          return distance(a) < distance(b);
+        });
+    }
+
+    /** Largest sizes along a path: differences are measured by them. */
+    struct Sizes
+    {
+      double stress = 0., length = 0.;
+    };
+
+    Sizes
+    sizes_of(const SectionPath &section)
+    {
+      Sizes result;
+      for (const JointState &state : section.sample.levels)
+        {
+          // What the closed joint would carry counts too: the open one carries only rounding.
+          const Vector closed = section.layered.forces(section.model.loads.history.factors(state.t),
+                                                       Vector(section.layered.n_bars(), 0.));
+          for (const ContactElement &element : section.joint.elements)
+            {
+              const ElementState at = state_of(element, state);
+              result.stress         = std::max({result.stress,
+                                                std::abs(at.pressure),
+                                                at.shear,
+                                                std::abs(closed[element.normal_bar]) / element.area});
+              result.length         = std::max({result.length, std::abs(at.opening), at.slip});
+            }
+        }
+      return result;
+    }
+
+    double
+    difference(const std::vector<ContactElement> &in_space,
+               const JointState &state,
+               const std::vector<ContactElement> &of_section,
+               const JointState &state_of_section,
+               const Sizes &sizes)
+    {
+      double stress = 0., length = 0.;
+      for (const ContactElement &element : in_space)
+        {
+          const ElementState ours   = state_of(element, state);
+          const ElementState theirs = state_of(counterpart(element, of_section), state_of_section);
+          stress                    = std::max({stress,
+                                                std::abs(ours.pressure - theirs.pressure),
+                                                std::abs(ours.shear - theirs.shear)});
+          length                    = std::max(
+            {length, std::abs(ours.opening - theirs.opening), std::abs(ours.slip - theirs.slip)});
+        }
+      return std::max(share(stress, sizes.stress), share(length, sizes.length));
+    }
+
+    /** What differs; empty if nothing does. */
+    std::string
+    compare_with_section(const SectionPath &section,
+                         const JointModel &joint,
+                         const PathResult &result,
+                         const PieceSample &sample,
+                         Confirmation &confirmation)
+    {
+      if (result.verdict != section.result.verdict ||
+          std::abs(result.t - section.result.t) > same_path * section.result.t)
+        return fmt::format("the plane section ends at t = {:.9g}, {}, not {:.9g}",
+                           section.result.t,
+                           verdict_name(section.result.verdict),
+                           result.t);
+      const Sizes sizes = sizes_of(section);
+      for (std::size_t l = 0; l < sample.levels.size(); ++l)
+        {
+          const double error = difference(joint.elements,
+                                          sample.levels[l],
+                                          section.joint.elements,
+                                          section.sample.levels[l],
+                                          sizes);
+          if (error > same_path)
+            return fmt::format(
+              "at t = {:.9g} the plane section differs by {:.1e}", sample.levels[l].t, error);
+          confirmation.difference = std::max(confirmation.difference, error);
+          ++confirmation.n_equal;
+        }
+      return {};
+    }
+  } // namespace
+
+  Confirmation
+  confirm_in_space(const SpatialGrid &scene,
+                   const JointModel &joint,
+                   const PathResult &result,
+                   const PieceSample &sample,
+                   const std::string &directory)
+  {
+    Confirmation confirmation;
+    const SectionPath section(*scene.section, directory);
+    const std::string difference =
+      compare_with_section(section, joint, result, sample, confirmation);
+    // Beyond critical friction both may be right; and where rigid joints meet, elements get a
+    // compliance from the cells around them, which are not those of the section.
+    const bool may_differ = section.result.n_non_unique > 0 || !joint.report.empty();
+    if (difference.empty())
+      confirmation.by = "plane section";
+    else if (may_differ)
+      confirmation.by = "certificate";
+    else
+      confirmation.objection = difference;
+    return confirmation;
+  }
+
+  std::string
+  section_end(const SpatialGrid &scene, const std::string &directory)
+  try
+    {
+      const SectionPath section(*scene.section, directory);
+      return fmt::format("the plane section: {} at t = {:.9g}",
+                         verdict_name(section.result.verdict),
+                         section.result.t);
+    }
+  catch (const NumericalFailure &)
+    {
+      return "the plane section: numerical failure";
+    }
+} // namespace fuga::stress

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_stress_families_in_space_h
+#define fuga_tests_stress_families_in_space_h
+
+#include "stress/draws.h"
+#include "stress/spatial_grid.h"
+
+/** One function per family of scenes in space; what each is good for: the table in scene_kinds.cc.
+ */
+namespace fuga::stress::families
+{
+  SpatialGrid
+  extruded(Random &random);
+  SpatialGrid
+  extruded_reversal(Random &random);
+} // namespace fuga::stress::families
+
+#endif
