@@ -72,6 +72,11 @@ namespace fuga
         candidates = at_first;
         outcome    = approach_from_softer_layer(result);
       }
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_by_associated_slip(result);
+      }
     for (const unsigned int n : n_sweeps)
       {
         if (outcome == Outcome::solved)

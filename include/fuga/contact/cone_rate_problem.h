@@ -5,6 +5,7 @@
 #define fuga_contact_cone_rate_problem_h
 
 #include <fuga/contact/cone_boundary.h>
+#include <fuga/contact/cone_program.h>
 #include <fuga/contact/released_system.h>
 
 #include <optional>
@@ -34,9 +35,10 @@ namespace fuga
    *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
    *                                 v_t = 0, or on it and v_t ∥ q_t
    *
-   * A semismooth Newton method on the states and slip directions; behind it block Gauss-Seidel
-   * sweeps from element to element, the end of which Newton makes exact. Accepted is only what
-   * satisfies every condition.
+   * A semismooth Newton method on the states and slip directions. If it goes round in circles it
+   * starts again from the solution for a softer layer, from solutions for associated friction, and
+   * from block Gauss-Seidel sweeps from element to element. Accepted is only what satisfies every
+   * condition.
    */
   class ConeRateProblem
   {
@@ -103,6 +105,15 @@ namespace fuga
     take_softened(const ReducedSystem &stiff, const double softness);
     Outcome
     approach_from_softer_layer(ConeContinuation &result);
+    DenseMatrix
+    associated_motions(std::vector<ConeBlock> &blocks) const;
+    Outcome
+    approach_by_associated_slip(ConeContinuation &result);
+    static void
+    take_from_program(const ConeProgram::Place place,
+                      const double strength,
+                      const Vector &rates,
+                      Candidate &candidate);
     void
     find_mechanism(const ReleasedSystem &released,
                    const Vector &reactions,
