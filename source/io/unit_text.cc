@@ -32,7 +32,8 @@ namespace fuga
   std::string
   in_units(const std::string &text, const Units &units)
   {
-    static const std::regex brackets("\\[[^\\]]*\\]"), unit("\\b(MPa|MN|m)\\b");
+    // Bounded: std::regex goes one call deeper with every character, and a text may quote anything.
+    static const std::regex brackets("\\[[^\\[\\]]{0,80}\\]"), unit("\\b(MPa|MN|m)\\b");
     return replaced(text, brackets, [&](const std::string &bracket) {
       return replaced(bracket, unit, [&](const std::string &word) {
         return word == "MPa" ? units.stress() : word == "MN" ? units.force : units.length;

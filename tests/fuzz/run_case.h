@@ -20,7 +20,7 @@ namespace fuga::fuzz
   std::vector<Seed>
   read_seeds(const std::string &directory);
 
-  /** Case @p number of a campaign: one seed, one to six mutations. */
+  /** Case @p number of a campaign: the seeds as they are, then one seed with one to six mutations. */
   Seed
   make_case(const std::vector<Seed> &seeds,
             const std::uint64_t campaign,
