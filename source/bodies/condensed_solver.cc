@@ -21,7 +21,7 @@ namespace fuga
   {
     const work::Scope phase(work::Phase::elimination);
     BodySolver choice = model.body_solver;
-    if (choice == BodySolver::automatic || choice == BodySolver::direct)
+    if (choice == BodySolver::automatic || is_direct(choice))
       {
         std::vector<int> order;
         if (processes::is_first())
@@ -31,7 +31,6 @@ namespace fuga
         timer.finish("start of MPI and MUMPS");
         const DirectEstimate effort = direct->analyse(matrix, coordinates->n_interface());
         timer.finish("analysis");
-        solver = std::move(direct);
         if (choice == BodySolver::automatic)
           {
             double n_entries = static_cast<double>(matrix.values.size());
@@ -41,6 +40,7 @@ namespace fuga
                                          coordinates->size(),
                                          coordinates->n_interface(),
                                          effort.megabytes,
+                                         effort.megabytes_on_disk,
                                          effort.operations,
                                          model.may_be_matrix_free && jump_operator().empty()});
             // Another process may run on another machine.
@@ -51,9 +51,12 @@ namespace fuga
             if (choice != BodySolver::direct || estimate->direct_seconds > worth_a_line)
               lines.push_back(estimate->text());
           }
+        if (choice == BodySolver::direct_on_disk)
+          direct->keep_factor_on_disk();
+        solver = std::move(direct);
       }
     used_solver = choice;
-    if (choice == BodySolver::direct)
+    if (is_direct(choice))
       return;
     auto iterative     = std::make_unique<IterativeSolver>(nodal_blocks(*space, *coordinates));
     matrix_free_solver = choice == BodySolver::matrix_free ? iterative.get() : nullptr;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dmumps_c.h>
+#include <filesystem>
 #include <numeric>
 
 namespace fuga
@@ -42,6 +43,14 @@ namespace fuga
     info(const int i) const
     {
       return data.infog[i - 1];
+    }
+
+    /** Size of the factor; millions of entries are negative numbers. */
+    double
+    factor_megabytes() const
+    {
+      const double entries = info(20) < 0 ? -1e6 * info(20) : info(20);
+      return std::ceil(8e-6 * entries);
     }
   };
 
@@ -85,6 +94,12 @@ namespace fuga
     mumps->data.job = job;
     dmumps_c(&mumps->data);
     const int error = mumps->info(1);
+    if (error == -90)
+      throw WriteFailure(fmt::format(
+        "The factor of the bodies cannot be written to or read from '{}' ({} MB). Set TMPDIR to a "
+        "folder with room, or choose another Solver/Bodies.",
+        mumps->data.ooc_tmpdir,
+        mumps->factor_megabytes()));
     if (error < 0)
       throw NumericalFailure(
         fmt::format("MUMPS failed in its {} (INFOG(1) = {}, INFOG(2) = {}){}.",
@@ -122,7 +137,24 @@ namespace fuga
 
     call(1, "analysis");
     is_analysed = true;
-    return {static_cast<double>(mumps->info(17)), data.rinfog[0]};
+    return {
+      static_cast<double>(mumps->info(17)), static_cast<double>(mumps->info(27)), data.rinfog[0]};
+  }
+
+
+  void
+  SchurSolver::keep_factor_on_disk()
+  {
+    std::error_code none;
+    const std::string folder = std::filesystem::temp_directory_path(none).string();
+    auto &place              = mumps->data.ooc_tmpdir;
+    if (none || folder.size() >= sizeof(place))
+      throw InputError(fmt::format(
+        "Solver/Bodies = direct on disk: the environment variable TMPDIR has to name a folder for "
+        "temporary files, in at most {} characters.",
+        sizeof(place) - 1));
+    std::copy(folder.c_str(), folder.c_str() + folder.size() + 1, place);
+    mumps->control(22) = 1;
   }
 
 

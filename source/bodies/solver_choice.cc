@@ -35,6 +35,8 @@ namespace fuga
           return "automatic";
         case BodySolver::direct:
           return "direct";
+        case BodySolver::direct_on_disk:
+          return "direct on disk";
         case BodySolver::iterative:
           return "iterative";
         case BodySolver::matrix_free:
@@ -54,15 +56,19 @@ namespace fuga
       (size.dimension == 2 ? iterations_in_the_plane : iterations_in_space) *
       (columns ? m + solutions_of_loads : solutions_matrix_free);
     SolverEstimate result;
-    result.direct_megabytes = size.direct_megabytes;
-    result.direct_seconds   = size.direct_operations / operations_per_second;
+    result.direct_megabytes  = size.direct_megabytes;
+    result.on_disk_megabytes = size.on_disk_megabytes;
+    result.direct_seconds    = size.direct_operations / operations_per_second;
     result.iterative_megabytes =
       (bytes_per_entry * entries + (columns ? 8. * m * m : 0.)) / bytes_per_megabyte;
     result.iterative_seconds   = seconds_per_entry * entries * iterations;
     result.available_megabytes = machine_memory_in_megabytes();
-    if (result.direct_megabytes > usable_share * result.available_megabytes ||
+    const double usable        = usable_share * result.available_megabytes;
+    if (result.on_disk_megabytes > usable ||
         worth_of_a_factor * result.iterative_seconds < result.direct_seconds)
       result.choice = columns ? BodySolver::iterative : BodySolver::matrix_free;
+    else if (result.direct_megabytes > usable)
+      result.choice = BodySolver::direct_on_disk;
     return result;
   }
 
@@ -70,10 +76,12 @@ namespace fuga
   std::string
   SolverEstimate::text() const
   {
-    return fmt::format("bodies: {} (direct: {:.0f} MB, {:.3g} s; iterative: {:.0f} MB, {:.3g} s; "
+    return fmt::format("bodies: {} (direct: {:.0f} MB, on disk: {:.0f} MB, {:.3g} s; iterative: "
+                       "{:.0f} MB, {:.3g} s; "
                        "memory of the machine: {:.0f} MB)",
                        name_of(choice),
                        direct_megabytes,
+                       on_disk_megabytes,
                        direct_seconds,
                        iterative_megabytes,
                        iterative_seconds,

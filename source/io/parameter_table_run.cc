@@ -24,8 +24,9 @@ namespace fuga
        defaulted(
          "Bodies",
          "automatic",
-         choice("automatic|direct|iterative|iterative matrix-free"),
-         "How the bodies are eliminated. Direct: one factorisation. Iterative: conjugate gradients "
+         choice("automatic|direct|direct on disk|iterative|iterative matrix-free"),
+         "How the bodies are eliminated. Direct: one factorisation. On disk: its factor lies in "
+         "temporary files (TMPDIR) and takes half of the memory. Iterative: conjugate gradients "
          "with "
          "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
          "without the stiffness of the interface as well, for Follow = stage ends and linear "

@@ -81,8 +81,10 @@ namespace fuga
     BodySolver
     read_body_solver(const ParameterSection &section)
     {
-      for (const BodySolver solver :
-           {BodySolver::direct, BodySolver::iterative, BodySolver::matrix_free})
+      for (const BodySolver solver : {BodySolver::direct,
+                                      BodySolver::direct_on_disk,
+                                      BodySolver::iterative,
+                                      BodySolver::matrix_free})
         if (section.text("Bodies") == name_of(solver))
           return solver;
       return BodySolver::automatic;

@@ -197,6 +197,7 @@ namespace fuga
       Json json = {{"solver", name_of(work.solver)}};
       if (work.estimate)
         json["estimate"] = {{"direct_memory_MB", work.estimate->direct_megabytes},
+                            {"direct_on_disk_memory_MB", work.estimate->on_disk_megabytes},
                             {"direct_seconds", work.estimate->direct_seconds},
                             {"iterative_memory_MB", work.estimate->iterative_megabytes},
                             {"iterative_seconds", work.estimate->iterative_seconds},

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 using namespace fuga;
 
 namespace
@@ -14,6 +17,28 @@ namespace
   small_matrix()
   {
     return {3, {1, 2, 2, 3, 3}, {1, 1, 2, 2, 3}, {4., 1., 3., 2., 5.}};
+  }
+
+  /** Five points on a square of @p m × @p m unknowns, one triangle. */
+  SymmetricTriplets
+  grid_matrix(const int m)
+  {
+    SymmetricTriplets matrix;
+    matrix.size    = m * m;
+    const auto add = [&matrix](const int i, const int j, const double value) {
+      matrix.rows.push_back(i);
+      matrix.columns.push_back(j);
+      matrix.values.push_back(value);
+    };
+    for (int k = 1; k <= m * m; ++k)
+      {
+        add(k, k, 4.1);
+        if (k % m != 0)
+          add(k + 1, k, -1.);
+        if (k + m <= m * m)
+          add(k + m, k, -1.);
+      }
+    return matrix;
   }
 } // namespace
 
@@ -58,4 +83,49 @@ TEST(SchurSolver, OneEliminated)
   EXPECT_NEAR(u(0, 1), -0.5, 1e-14);
   for (const std::size_t kept : {1, 2})
     EXPECT_EQ(u(kept, 1), 0.);
+}
+
+// Files hold the same numbers as memory: S to the last digit; sums of solutions run in another
+// order: a few units of the last digit of values below 64. The files are gone with the solver.
+TEST(SchurSolver, FactorOnDisk)
+{
+  const std::string folder = ::testing::TempDir() + "fuga_factor_on_disk";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const char *const before   = std::getenv("TMPDIR");
+  const std::string original = before == nullptr ? "" : before;
+  setenv("TMPDIR", folder.c_str(), 1);
+
+  constexpr int m             = 60;
+  constexpr unsigned int kept = 2 * m;
+  std::vector<DenseMatrix> results[2];
+  for (const bool on_disk : {false, true})
+    {
+      SchurSolver solver;
+      SymmetricTriplets matrix = grid_matrix(m);
+      solver.analyse(matrix, kept);
+      if (on_disk)
+        solver.keep_factor_on_disk();
+      results[on_disk].push_back(solver.eliminate(matrix, kept));
+      EXPECT_EQ(std::filesystem::is_empty(folder), !on_disk);
+      DenseMatrix loads(std::size_t(m) * m, 3);
+      for (std::size_t i = 0; i < loads.n_rows() - kept; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          loads(i, j) = double(i % (7 + j));
+      DenseMatrix again = loads;
+      results[on_disk].push_back(solver.condense(loads));
+      solver.solve(again);
+      results[on_disk].push_back(again);
+    }
+  for (std::size_t r = 0; r < results[0].size(); ++r)
+    for (std::size_t j = 0; j < results[0][r].n_columns(); ++j)
+      for (std::size_t i = 0; i < results[0][r].n_rows(); ++i)
+        ASSERT_NEAR(results[0][r](i, j), results[1][r](i, j), r == 0 ? 0. : 5e-14)
+          << r << ' ' << i << ' ' << j;
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+
+  if (before == nullptr)
+    unsetenv("TMPDIR");
+  else
+    setenv("TMPDIR", original.c_str(), 1);
 }

@@ -64,11 +64,23 @@ TEST(SolverChoice, FactorThatFits)
 TEST(SolverChoice, FactorThatDoesNotFit)
 {
   EliminationSize size  = hundred_thousand_unknowns();
-  size.direct_megabytes = 1e12;
+  size.direct_megabytes = size.on_disk_megabytes = 1e12;
   EXPECT_EQ(estimate_solvers(size).choice, BodySolver::iterative);
   size.may_be_matrix_free = true;
   EXPECT_EQ(estimate_solvers(size).choice, BodySolver::matrix_free);
   size.n_interface = 4; // S costs less than a scheme without it
+  EXPECT_EQ(estimate_solvers(size).choice, BodySolver::iterative);
+}
+
+// The factor does not fit, what is left without it does.
+TEST(SolverChoice, FactorThatFitsOnDiskOnly)
+{
+  EliminationSize size   = hundred_thousand_unknowns();
+  size.direct_megabytes  = 1e12;
+  size.on_disk_megabytes = 1.;
+  EXPECT_EQ(estimate_solvers(size).choice, BodySolver::direct_on_disk);
+  size.n_interface       = 0;
+  size.direct_operations = 1e15; // the iterative way is much faster
   EXPECT_EQ(estimate_solvers(size).choice, BodySolver::iterative);
 }
 
@@ -90,6 +102,8 @@ TEST(SolverChoice, ShareOfTheMachine)
   EXPECT_EQ(estimate_solvers(size).available_megabytes, machine);
   EXPECT_EQ(estimate_solvers(size).choice, BodySolver::direct);
   size.direct_megabytes = 0.701 * machine;
+  EXPECT_EQ(estimate_solvers(size).choice, BodySolver::direct_on_disk);
+  size.on_disk_megabytes = 0.701 * machine;
   EXPECT_EQ(estimate_solvers(size).choice, BodySolver::iterative);
 }
 

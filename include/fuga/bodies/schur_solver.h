@@ -13,8 +13,10 @@ namespace fuga
   /** What a factorisation will take on all processes together, as the analysis says. */
   struct DirectEstimate
   {
-    double megabytes  = 0.;
-    double operations = 0.;
+    double megabytes = 0.;
+    /** The same, if the factor goes to files. */
+    double megabytes_on_disk = 0.;
+    double operations        = 0.;
   };
 
   /**
@@ -35,6 +37,11 @@ namespace fuga
     /** The symbolic part of eliminate(), which is not done again there. */
     DirectEstimate
     analyse(SymmetricTriplets &matrix, const unsigned int n_kept);
+
+    /** To be said before eliminate(): the factor goes to files of the folder for temporary files
+     * (TMPDIR), and is read again for every solution. */
+    void
+    keep_factor_on_disk();
 
     DenseMatrix
     eliminate(SymmetricTriplets &matrix, const unsigned int n_kept) override;

@@ -13,6 +13,8 @@ namespace fuga
   {
     automatic,
     direct,
+    /** The factor lies in files of the folder for temporary files. */
+    direct_on_disk,
     iterative,
     /** Iterative without the stiffness of the interface, which is applied instead. */
     matrix_free
@@ -21,13 +23,20 @@ namespace fuga
   const char *
   name_of(const BodySolver solver);
 
+  inline bool
+  is_direct(const BodySolver solver)
+  {
+    return solver == BodySolver::direct || solver == BodySolver::direct_on_disk;
+  }
+
   /** What either way to eliminate the bodies will take, and the choice. */
   struct SolverEstimate
   {
     /** Analysis of the factorisation by MUMPS: its memory; its operations by the speed of a core.
      */
-    double direct_megabytes = 0.;
-    double direct_seconds   = 0.;
+    double direct_megabytes  = 0.;
+    double on_disk_megabytes = 0.;
+    double direct_seconds    = 0.;
     /** From the entries of the matrix and the number of right-hand sides. */
     double iterative_megabytes = 0.;
     double iterative_seconds   = 0.;
@@ -43,11 +52,13 @@ namespace fuga
   /** The size of an elimination. */
   struct EliminationSize
   {
-    int dimension            = 2;
-    std::size_t n_entries    = 0; // of one triangle
-    std::size_t n_unknowns   = 0;
-    std::size_t n_interface  = 0;
-    double direct_megabytes  = 0.;
+    int dimension           = 2;
+    std::size_t n_entries   = 0; // of one triangle
+    std::size_t n_unknowns  = 0;
+    std::size_t n_interface = 0;
+    double direct_megabytes = 0.;
+    /** Memory that is left if the factor goes to files. */
+    double on_disk_megabytes = 0.;
     double direct_operations = 0.;
     /** Whether the stiffness of the interface can be done without. */
     bool may_be_matrix_free = false;
@@ -55,7 +66,8 @@ namespace fuga
 
   /**
    * Estimates both ways. The direct one is chosen where its factor fits into the memory of the
-   * machine, whatever others use of it now, unless the iterative one is much faster.
+   * machine, whatever others use of it now, or what remains of it with the factor in files, unless
+   * the iterative one is much faster.
    */
   SolverEstimate
   estimate_solvers(const EliminationSize &size);
