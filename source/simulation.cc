@@ -5,8 +5,8 @@
 #include <fuga/base/interruption.h>
 #include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
+#include <fuga/contact/limit_proof.h>
 #include <fuga/contact/matrix_free_path.h>
-#include <fuga/contact/virgin_state.h>
 #include <fuga/io/summary.h>
 #include <fuga/simulation.h>
 
@@ -74,21 +74,19 @@ namespace fuga
     Outcome outcome;
     try
       {
-        outcome.path    = path_to_follow();
-        outcome.verdict = verdict_name(outcome.path.verdict);
-        outcome.code =
-          outcome.path.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
-        if (outcome.path.verdict != Verdict::done &&
-            outcome.path.beyond.end == BeyondLimit::End::none)
+        PathResult found = path_to_follow();
+        if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
           write_last_state();
-        if (outcome.path.verdict == Verdict::done && !model.is_last_phase())
+        if (found.verdict == Verdict::done && !model.is_last_phase())
           {
-            end_of_phase = outcome.path;
+            end_of_phase = found;
             return ExitCode::done;
           }
-        if (outcome.path.verdict == Verdict::limit_load &&
-            outcome.path.beyond.end == BeyondLimit::End::none)
-          judge_limit(outcome);
+        outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
+        outcome.path      = found;
+        outcome.verdict   = verdict_name(found.verdict);
+        outcome.code =
+          found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
         find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
           outcome.code = ExitCode::certificate_violated;
@@ -130,21 +128,6 @@ namespace fuga
   {
     judge.lose_track();
     last_state = to;
-  }
-
-  // Asymptotic limits end where the motion still meets a small resistance.
-  template <int dim>
-  void
-  Simulation<dim>::judge_limit(Outcome &outcome)
-  {
-    // What does not stand under its first load has no state yet.
-    const JointState state =
-      last_state.states.empty()
-        ? virgin_state(joint.elements, layered.n_bars(), layered.water_in_joints() != nullptr)
-        : last_state;
-    outcome.mechanism = judge.judge_mechanism(state, outcome.path.mechanism_jumps);
-    if (const std::string doubt = doubt_about(outcome.mechanism); !doubt.empty())
-      log.warning(doubt);
   }
 
   template <int dim>

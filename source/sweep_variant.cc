@@ -3,8 +3,8 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
+#include <fuga/contact/limit_proof.h>
 #include <fuga/contact/path_choice.h>
-#include <fuga/contact/virgin_state.h>
 #include <fuga/safety_search.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
@@ -106,25 +106,14 @@ namespace fuga
     row.safety   = search.announced();
     try
       {
-        row.path             = path->run(model->loads.levels, observer);
-        row.verdict          = verdict_name(row.path.verdict);
-        row.exit_code        = code_of(row.path);
+        PathResult found     = path->run(model->loads.levels, observer);
         const JointState end = observer.last_state;
         if (!end.states.empty())
           observer.worst.absorb(judge.judge(end));
-        if (row.path.verdict == Verdict::limit_load &&
-            row.path.beyond.end == BeyondLimit::End::none)
-          {
-            // What does not stand under its first load has no state yet.
-            const JointState state =
-              end.states.empty()
-                ? virgin_state(joint.elements, system.n_bars(), system.water_in_joints() != nullptr)
-                : end;
-            const std::string doubt =
-              doubt_about(judge.judge_mechanism(state, row.path.mechanism_jumps));
-            if (!doubt.empty())
-              row.warnings.push_back(doubt);
-          }
+        prove_limit(judge, joint.elements, system, end, found);
+        row.path      = found;
+        row.verdict   = verdict_name(found.verdict);
+        row.exit_code = code_of(found);
         if (search.is_wanted() && row.path.verdict == Verdict::done)
           {
             JointState &last_state = observer.last_state;

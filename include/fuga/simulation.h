@@ -106,9 +106,6 @@ namespace fuga
     make_path() const;
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
-    /** Has the motion of a limit load judged, with a warning if it proves nothing. */
-    void
-    judge_limit(Outcome &outcome);
     /** Follows each search for a factor of safety from the end of the loads. */
     void
     find_safety(Outcome &outcome);

@@ -17,6 +17,12 @@ namespace fuga
      * zero in a state on the boundary of the contact conditions. */
     constexpr double on_boundary = 1e-8;
 
+    /** Where the load approaches its limit asymptotically the path ends while the motion still
+     * meets a small resistance. */
+    constexpr double largest_error = 0.02;
+    /** A load that drives a motion with less than this share of its power does not drive it. */
+    constexpr double smallest_drive = 1e-9;
+
     double
     shear_jump_of(const ContactElement &element, const Vector &jumps)
     {
@@ -30,42 +36,58 @@ namespace fuga
     return std::max({resistance, inadmissible, balance});
   }
 
-  // A closed element must not open or slip before its force is at the strength, an open one must
-  // not close where the gap is zero, and slip goes along its force.
-  double
-  Judge::inadmissible_jump(const std::size_t k,
-                           const JointState &state,
-                           const Vector &delta,
-                           const Vector &w) const
+  bool
+  MechanismCertificate::proves() const
   {
+    return error() <= largest_error && drive > smallest_drive;
+  }
+
+  Freedom
+  Judge::freedom(const std::size_t k, const JointState &state, const Vector &delta) const
+  {
+    using Kind                    = Freedom::Kind;
     const ContactElement &element = elements[k];
     const Strength &left          = state.strengths[k];
     const std::size_t n           = element.normal_bar;
     const double no_force         = on_boundary * largest_force;
     const double N                = state.forces[n];
-    const double shear_jump       = shear_jump_of(element, w);
     const double gap              = element.initial_gap + delta[n] - state.dilations[k];
     if (state.states[k] == ContactState::open && gap > on_boundary * largest_jump)
-      return 0.;
-    if (left.tension <= no_force && N >= -no_force)
-      return std::max(0., -w[n]); // at the apex of the cone
-    if (left.tension > no_force && N >= left.tension - no_force)
-      return std::max(0., -w[n]); // at the tensile strength
-    const double T        = std::abs(shear_force(k, state));
-    const double strength = left.friction * -N + left.cohesion;
-    const bool slips      = element.has_tangential_bar() && T >= strength - no_force;
-    const double rise     = slips ? left.dilatancy * shear_jump : 0.;
-    const double normal   = std::abs(w[n] - rise);
-    if (!slips)
-      return std::max(normal, shear_jump);
+      return {Kind::open, 0., {}, 0., false};
+    const bool at_apex    = left.tension <= no_force && N >= -no_force;
+    const bool at_tension = left.tension > no_force && N >= left.tension - no_force;
+    if (at_apex || at_tension)
+      return {Kind::parting, 0., {}, left.friction, at_tension || left.cohesion > no_force};
+    const double T = std::abs(shear_force(k, state));
+    if (!element.has_tangential_bar() || T < left.friction * -N + left.cohesion - no_force)
+      return {Kind::none, 0., {}, 0., true};
     if (T <= no_force)
-      return normal;
-    const double along = dot(tangential(element, w), tangential(element, state.forces)) / T;
-    return std::max(normal, shear_jump - along);
+      return {Kind::sliding, left.dilatancy, {}, left.friction, false};
+    const TangentVector force = tangential(element, state.forces);
+    return {Kind::sliding, left.dilatancy, {{force[0] / T, force[1] / T}}, left.friction, false};
   }
 
-  // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not
-  // change, but by a strength reduction and what a broken bond lets go.
+  double
+  Judge::inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const
+  {
+    const double normal = w[elements[k].normal_bar], shear = shear_jump_of(elements[k], w);
+    switch (freedom.kind)
+      {
+        case Freedom::Kind::open:
+          return 0.;
+        case Freedom::Kind::parting:
+          return std::max(0., -normal);
+        case Freedom::Kind::none:
+          return std::max(std::abs(normal), shear);
+        case Freedom::Kind::sliding:
+          break;
+      }
+    const double across = std::abs(normal - freedom.dilatancy * shear);
+    if (length(freedom.along) == 0.)
+      return across;
+    return std::max(across, shear - dot(tangential(elements[k], w), freedom.along));
+  }
+
   MechanismCertificate
   Judge::judge_mechanism(const JointState &state, const Vector &motion) const
   {
@@ -75,44 +97,66 @@ namespace fuga
       return result;
     const Vector x       = coordinates(motion);
     const Vector elastic = resistance(x);
+    // Rows in which the stiffness of a body that nothing holds is but rounding are measured by the
+    // others.
+    constexpr double rounding = 1e-12;
+    const double no_stiffness = rounding * max_abs(stiffness_row_norms);
     for (std::size_t i = 0; i < x.size(); ++i)
       result.resistance = std::max(
-        result.resistance, share(std::abs(elastic[i]), stiffness_row_norms[i] * max_abs(x)));
+        result.resistance,
+        share(std::abs(elastic[i]), std::max(no_stiffness, stiffness_row_norms[i]) * max_abs(x)));
 
     const Vector delta = jumps(state.dislocations, state.forces);
     for (std::size_t k = 0; k < elements.size(); ++k)
-      result.inadmissible =
-        std::max(result.inadmissible, inadmissible_jump(k, state, delta, motion) / largest);
+      result.inadmissible = std::max(
+        result.inadmissible, inadmissible_jump(k, freedom(k, state, delta), motion) / largest);
 
     Vector load = loads(state.t);
     add_water(state, load);
     double power = 0., size = 0.;
-    const auto add = [](const double term, double &sum, double &sum_of_sizes) {
-      sum += term;
-      sum_of_sizes += std::abs(term);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        power += load[i] * x[i];
+        size += std::abs(load[i] * x[i]);
+      }
+    for (std::size_t bar = 0; bar < motion.size(); ++bar)
+      {
+        power -= state.forces[bar] * motion[bar];
+        size += std::abs(state.forces[bar] * motion[bar]);
+      }
+    // About a point through which all forces pass no term is more than rounding.
+    result.balance = share(std::abs(power), std::max(size, largest_force * largest));
+
+    result.drive = drive(state, motion);
+    if (result.error() <= largest_error && result.drive <= smallest_drive)
+      if (const std::optional<Vector> other = driven_motion(state, Motions::resisted_by_none))
+        result.drive = drive(state, *other);
+    return result;
+  }
+
+  // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not
+  // change, but by a strength reduction and what a broken bond lets go.
+  double
+  Judge::drive(const JointState &state, const Vector &motion) const
+  {
+    const Vector x          = coordinates(motion);
+    const Vector load_rates = multiply(system.load_patterns(), history.rates(state.t));
+    double growth = 0., size = 0.;
+    const auto add = [&](const double term) {
+      growth += term;
+      size += std::abs(term);
     };
     for (std::size_t i = 0; i < x.size(); ++i)
-      add(load[i] * x[i], power, size);
-    for (std::size_t bar = 0; bar < motion.size(); ++bar)
-      add(-state.forces[bar] * motion[bar], power, size);
-    result.balance = share(std::abs(power), size);
-
-    const Vector load_rates = multiply(system.load_patterns(), history.rates(state.t));
-    double growth = 0., size_of_growth = 0.;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      add(load_rates[i] * x[i], growth, size_of_growth);
+      add(load_rates[i] * x[i]);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
-        const double falls =
-          elements[k].friction.reduced ? -history.strength_share_rate(state.t) : 0.;
-        const double strength = std::abs(shear_force(k, state));
-        add(falls * strength * shear_jump_of(element, motion), growth, size_of_growth);
+        const double falls = element.friction.reduced ? -history.strength_share_rate(state.t) : 0.;
+        add(falls * std::abs(shear_force(k, state)) * shear_jump_of(element, motion));
         element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &) {
-          add(std::abs(state.unreleased[bar] * motion[bar]), growth, size_of_growth);
+          add(std::abs(state.unreleased[bar] * motion[bar]));
         });
       }
-    result.drive = share(growth, size_of_growth);
-    return result;
+    return share(growth, size);
   }
 } // namespace fuga

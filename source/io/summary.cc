@@ -68,22 +68,6 @@ namespace fuga
     return "";
   }
 
-  std::string
-  doubt_about(const MechanismCertificate &proof)
-  {
-    constexpr double largest_error = 0.02;
-    if (proof.error() <= largest_error && proof.drive > 0.)
-      return "";
-    return fmt::format("The motion found does not prove the limit load: resistance {:.2g}, "
-                       "inadmissible part {:.2g}, balance of power {:.2g} (all should "
-                       "vanish), drive {:.2g} (should be positive). The structure may "
-                       "stand; try a smaller step of the load or softer joints.",
-                       proof.resistance,
-                       proof.inadmissible,
-                       proof.balance,
-                       proof.drive);
-  }
-
   const char *const SafetyFactor::largest_factor_reached = "largest factor reached";
   const char *const SafetyFactor::not_computed           = "not computed";
 

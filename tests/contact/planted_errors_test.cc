@@ -7,6 +7,8 @@
 #include "contact/toy_system.h"
 
 #include <fuga/base/accurate.h>
+#include <fuga/base/errors.h>
+#include <fuga/contact/limit_proof.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -212,6 +214,92 @@ TEST_F(PlantedMechanisms, ABodyThatDeforms)
   const MechanismCertificate found =
     judge_motion([](Vector &planted) { planted[2 * somewhere + 1] += 1e-3; });
   EXPECT_NEAR(found.resistance, 2e-3 / std::sqrt(6.) / 1.001, 1e-8);
+}
+
+// The judge finds the motion of the limit by itself, whatever the path says; below the limit there
+// is none, nor under a load that falls.
+TEST_F(PlantedMechanisms, TheJudgeFindsTheDrivenMotion)
+{
+  const std::optional<Vector> found = at_limit.judge.driven_motion(at_limit.last);
+  ASSERT_TRUE(found);
+  for (std::size_t node = 0; node < n; ++node)
+    {
+      EXPECT_NEAR((*found)[2 * node], 0., 1e-12);
+      EXPECT_NEAR((*found)[2 * node + 1], 1., 1e-12);
+    }
+  JointState below = at_limit.last;
+  below.forces[2 * somewhere + 1] *= 0.9;
+  EXPECT_FALSE(at_limit.judge.driven_motion(below));
+
+  const LoadHistory falling{{0., 1., 2.}, {{0., 0.}, {1., 2. * shear}, {1., 0.}}};
+  JointState at_fall = at_limit.last;
+  at_fall.t          = 1.5;
+  Judge judge(chain, joint.elements, falling);
+  judge.judge(at_limit.last);
+  EXPECT_FALSE(judge.driven_motion(at_fall));
+}
+
+// A load that takes weight from the chain while the shear stays does no work on the motion in which
+// it slides, but no change of forces balances it: on the motion that rises by the angle of friction
+// it does.
+TEST_F(PlantedMechanisms, AStrengthThatTheLoadTakesAway)
+{
+  const LoadHistory lighter{{0., 1., 2.}, {{0., 0.}, {1., 12.}, {0.5, 12.}}};
+  JointState at_strength = at_limit.last;
+  at_strength.t          = 1.;
+  Judge judge(chain, joint.elements, lighter);
+  judge.judge(at_limit.last);
+  EXPECT_FALSE(judge.driven_motion(at_strength));
+  const std::optional<Vector> found =
+    judge.driven_motion(at_strength, Judge::Motions::resisted_by_none);
+  ASSERT_TRUE(found);
+  for (std::size_t node = 0; node < n; ++node)
+    {
+      EXPECT_NEAR((*found)[2 * node], f, 1e-12);
+      EXPECT_NEAR((*found)[2 * node + 1], 1., 1e-12);
+    }
+  EXPECT_NEAR(judge.judge_mechanism(at_strength, motion).drive, 1., 1e-12);
+  const LoadHistory heavier{{0., 1., 2.}, {{0., 0.}, {1., 12.}, {2., 12.}}};
+  Judge judge_of_heavier(chain, joint.elements, heavier);
+  judge_of_heavier.judge(at_limit.last);
+  EXPECT_LE(judge_of_heavier.judge_mechanism(at_strength, motion).drive, 0.);
+}
+
+// A wrong motion of a right limit is replaced; a limit where no motion proves it is a failure.
+TEST_F(PlantedMechanisms, AVerdictNeedsAProof)
+{
+  const LayeredSystem layered(chain, joint.elements);
+  PathResult planted;
+  planted.verdict         = Verdict::limit_load;
+  planted.mechanism_jumps = motion;
+  planted.mechanism_jumps[2 * somewhere + 1] += 1.;
+  EXPECT_FALSE(at_limit.judge.judge_mechanism(at_limit.last, planted.mechanism_jumps).proves());
+  JointState below = at_limit.last;
+  below.forces[2 * somewhere + 1] *= 0.9;
+  PathResult unproven = planted;
+  EXPECT_THROW(prove_limit(at_limit.judge, joint.elements, layered, below, unproven),
+               NumericalFailure);
+  const MechanismCertificate proof =
+    prove_limit(at_limit.judge, joint.elements, layered, at_limit.last, planted);
+  EXPECT_TRUE(proof.proves());
+  EXPECT_EQ(planted.mechanism, MechanismKind::sliding);
+  for (std::size_t node = 0; node < n; ++node)
+    EXPECT_NEAR(planted.mechanism_jumps[2 * node + 1], 1., 1e-12);
+}
+
+// A path that found no continuation has met a limit load if a motion proves it, and not else.
+TEST_F(PlantedMechanisms, NoContinuationMayBeALimitLoad)
+{
+  const LayeredSystem layered(chain, joint.elements);
+  PathResult lost;
+  lost.verdict    = Verdict::no_continuation;
+  JointState held = at_limit.last;
+  held.forces[2 * somewhere + 1] *= 0.9;
+  prove_limit(at_limit.judge, joint.elements, layered, held, lost);
+  EXPECT_EQ(lost.verdict, Verdict::no_continuation);
+  prove_limit(at_limit.judge, joint.elements, layered, at_limit.last, lost);
+  EXPECT_EQ(lost.verdict, Verdict::limit_load);
+  EXPECT_EQ(lost.mechanism, MechanismKind::sliding);
 }
 
 // Sums that cancel: 2^60 + 1 - 2^60 loses the one in double precision, and so does what the second

@@ -6,6 +6,7 @@
 #include "stress/confirm.h"
 #include "stress/confirm_in_space.h"
 
+#include <fuga/contact/limit_proof.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/threads.h>
 #include <fuga/simulation.h>
@@ -115,6 +116,31 @@ namespace fuga::stress
       return verdict;
     }
 
+    /** What is needed to prove a limit load as a run does. */
+    class JudgedSample : public PieceSample
+    {
+    public:
+      explicit JudgedSample(const Judge &of_scene) : PieceSample(n_pieces), judge(of_scene)
+      {
+      }
+
+      void
+      changed(const std::vector<ContactEvent> &events, const JointState &state) override
+      {
+        PieceSample::changed(events, state);
+        judge.judge(state);
+      }
+
+      void
+      reached(const std::size_t index, const JointState &state) override
+      {
+        PieceSample::reached(index, state);
+        judge.judge(state);
+      }
+
+      Judge judge;
+    };
+
     void
     tell_confirmation(const Writer &write, const Confirmation &confirmation)
     {
@@ -140,8 +166,11 @@ namespace fuga::stress
       const LayeredSystem layered(model.bodies, joint.elements);
       const auto path =
         make_contact_path(joint.elements, layered, model.loads.history, model.path_options());
-      PieceSample sample(n_pieces);
-      const PathResult result = path->run(model.loads.levels, sample);
+      JudgedSample sample(Judge(model.bodies, joint.elements, model.loads.history));
+      PathResult result = path->run(model.loads.levels, sample);
+      if (!sample.end.states.empty())
+        sample.judge.judge(sample.end);
+      prove_limit(sample.judge, joint.elements, layered, sample.end, result);
       if (verdict_name(result.verdict) != verdict)
         {
           tell(write, "failure", "the verdict is another one when the path is run again");

@@ -7,9 +7,11 @@
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
 #include <fuga/contact/load_history.h>
+#include <fuga/contact/mechanism_certificate.h>
 #include <fuga/contact/path_segment.h>
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace fuga
@@ -54,30 +56,6 @@ namespace fuga
     /** Keeps the larger of each entry. */
     void
     absorb(const Certificate &other);
-  };
-
-  /**
-   * How far a motion w of the joints is from proving that the load cannot grow: the bodies move
-   * rigidly, as the states of all elements allow, and the growing load does more work on the motion
-   * than friction dissipates. All entries are relative.
-   */
-  struct MechanismCertificate
-  {
-    /** S w = 0: no force changes. */
-    double resistance = 0.;
-    /** Jump that contradicts an element's state, beside the largest: a closed element that opens or
-     * slips below its strength, an open one that closes, slip across its force. */
-    double inadmissible = 0.;
-    /** Power of all loads = power of the bar forces, that is dissipation. */
-    double balance = 0.;
-    /** Power of the load's growth, of the loss of strength and of what broken bonds let go, less
-     * the growth of the dissipation, beside the sum of its terms. Positive: the motion is driven.
-     */
-    double drive = 0.;
-
-    /** The largest of the entries that should vanish. */
-    double
-    error() const;
   };
 
   template <typename Entries, typename Visitor, only_for<Entries, Certificate> = 0>
@@ -204,6 +182,21 @@ namespace fuga
     MechanismCertificate
     judge_mechanism(const JointState &state, const Vector &motion) const;
 
+    /** Which rigid motions of the bodies are looked for. */
+    enum class Motions
+    {
+      /** Those that the contact allows. */
+      possible,
+      /** Those on which no change of the joints' forces that friction allows does positive work:
+       * sliding lips rise by the angle of friction. */
+      resisted_by_none
+    };
+
+    /** Of these motions in @p state the one on which the growing load does most work; jumps,
+     * largest one. Nothing if it does work on none. */
+    std::optional<Vector>
+    driven_motion(const JointState &state, const Motions motions = Motions::possible) const;
+
     const EnergyLedger &
     energies() const
     {
@@ -268,11 +261,18 @@ namespace fuga
                   const JointState &state,
                   const Vector &jumps,
                   Certificate &result) const;
+    Freedom
+    freedom(const std::size_t k, const JointState &state, const Vector &delta) const;
+    /** What of the jump @p w of an element contradicts its freedom. */
     double
-    inadmissible_jump(const std::size_t k,
-                      const JointState &state,
-                      const Vector &delta,
-                      const Vector &w) const;
+    inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const;
+    /** Of the growing load, of falling strength and of what broken bonds let go, on the rigid
+     * motions of the bodies. */
+    Vector
+    powers_of_growth(const JointState &state) const;
+    /** The same on the jumps @p motion, beside the sum of its terms. */
+    double
+    drive(const JointState &state, const Vector &motion) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
     void

@@ -25,10 +25,6 @@ namespace fuga
   std::string
   beyond_limit_end_name(const BeyondLimit::End end);
 
-  /** A warning if a motion does not prove the limit load, else nothing. */
-  std::string
-  doubt_about(const MechanismCertificate &proof);
-
   /** A contact element as the user knows it. */
   struct NamedElement
   {
