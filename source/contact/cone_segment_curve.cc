@@ -179,38 +179,45 @@ namespace fuga
 
   // While slip directions turn into those of a mechanism, the load approaches its limit as slips
   // grow without bounds, exponentially: at the limit the jumps would double within a negligible
-  // load, and hardly any force answers.
+  // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
+  // something soft moves far, and stands.
   bool
-  ConeSegment::grows_beyond_bounds(const Station &station) const
+  ConeSegment::grows_beyond_bounds() const
   {
     constexpr double negligible_load = 1e-6, weak_answer = 1e-3;
-    const JointRates &rates = station.point.rates;
-    const JointState &state = station.point.state;
+    const JointRates &rates = curve.back().point.rates;
+    const JointState &state = curve.back().point.state;
     const double growth     = max_abs(rates.dislocations);
     const double jump       = max_abs(context.system.jumps(state.dislocations, state.forces));
+    const double load       = negligible_load * std::max(1., course.t_end);
     // Out of the virgin state any growth is large.
-    return jump > 0. && negligible_load * std::max(1., course.t_end) * growth >= jump &&
-           max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth;
+    return jump > 0. && load * growth >= jump &&
+           max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
+           rates_diverge(1, load);
   }
 
-  // Before a maximum of the load at τ* the rates of slip g grow like (τ* - τ)^(-1/2): 1/g² falls
-  // along a line, which reaches zero within a negligible load. Two slopes are compared, between the
-  // last point and those at which g was a half and a quarter.
+  // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
   bool
   ConeSegment::turns_back() const
   {
-    constexpr double negligible_load = 1e-7, bend = 0.1;
-    const auto growth = [](const Station &station) {
-      return max_abs(station.point.rates.dislocations);
-    };
+    constexpr double negligible_load = 1e-7;
+    return rates_diverge(2, negligible_load * std::max(1., course.t_end));
+  }
+
+  // Two slopes of 1/g^n are compared, between the last point and those at which g was a half and a
+  // quarter.
+  bool
+  ConeSegment::rates_diverge(const int exponent, const double within) const
+  {
+    constexpr double bend = 0.1;
     std::array<double, 3> tau, value;
     std::size_t n = 0;
     double limit  = std::numeric_limits<double>::infinity();
     for (std::size_t i = curve.size(); i-- > 0 && n < 3;)
-      if (const double g = growth(curve[i]); g <= limit)
+      if (const double g = max_abs(curve[i].point.rates.dislocations); g <= limit)
         {
           tau[n]     = curve[i].tau;
-          value[n++] = 1. / (g * g);
+          value[n++] = std::pow(g, -exponent);
           limit      = 0.5 * g;
         }
     if (n < 3)
@@ -218,7 +225,7 @@ namespace fuga
     const double last   = (value[0] - value[1]) / (tau[0] - tau[1]);
     const double before = (value[1] - value[2]) / (tau[1] - tau[2]);
     return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
-           -value[0] / last <= negligible_load * std::max(1., course.t_end);
+           -value[0] / last <= within;
   }
 
   void
@@ -233,7 +240,7 @@ namespace fuga
       {
         Station from = curve.back();
         length       = std::min(length, course.length - from.tau);
-        at_limit     = grows_beyond_bounds(from);
+        at_limit     = grows_beyond_bounds();
         if (at_limit)
           break;
         if (length < shortest && course.length - from.tau > shortest)

@@ -114,6 +114,27 @@ namespace fuga::tests
     EXPECT_EQ(run.result.n_events, 1u); // stick to slip
   }
 
+  // The same, dragged so far that 1e-6 of the stage doubles its slip a hundred times while no force
+  // changes: the load moves the spring's end and nothing else, which is no limit.
+  TEST(ConePath, LongWayIsNoLimit)
+  {
+    const double K = 8., rho = 0.125, f = 0.5, N = 2.;
+    const double r = f * N / (1. / (1. / K + rho)), far = 1e9 * r;
+    const ToySystem system = driven_element(K);
+    const ConeJoint joint(1, 1., make_linear_law(rho), make_linear_law(rho), f);
+    const LoadHistory history({0., 1., 2., 3.},
+                              {{0., 0., 0.}, {N, 0., 0.}, {N, 0., 2. * r}, {N, far, 2. * r}});
+    const ConeRun run(system, joint.elements, history, {3.});
+    ASSERT_EQ(run.result.verdict, Verdict::done);
+    const JointState &state = run.record.levels.back();
+    // e^{-x/r} is zero: the force, f N, points along x. It is a difference of terms of the size of
+    // K times the way.
+    const double rounding = 1e-15 * K * far;
+    EXPECT_NEAR(state.forces[1], f * N, rounding);
+    EXPECT_NEAR(state.forces[2], 0., rounding);
+    EXPECT_NEAR(state.dislocations[1], far - r, rounding / K);
+  }
+
   // Stressed along y below the limit: slip begins where |T| = f N, at tan φ0 = T2/T1, and every
   // level leaves the path alone.
   TEST(ConePath, TractrixBeginsOnTheCone)

@@ -98,7 +98,7 @@ namespace fuga
     double
     first_event(const Station &a, const Station &b) const;
     bool
-    grows_beyond_bounds(const Station &station) const;
+    grows_beyond_bounds() const;
     bool
     is_passed(const Station &station) const;
     bool
@@ -107,6 +107,9 @@ namespace fuga
     locate(const Station &from, const Station &passed);
     bool
     turns_back() const;
+    /** Rates of slip grow like (τ* - τ)^(-1/@p exponent), and τ* is no further than @p within. */
+    bool
+    rates_diverge(const int exponent, const double within) const;
     double
     rate_tolerance(const Station &station) const;
 
