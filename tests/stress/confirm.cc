@@ -44,13 +44,42 @@ namespace fuga::stress
     levels.push_back(state);
   }
 
-  namespace
+  void
+  count_piece(const double residual,
+              const std::optional<double> distance,
+              const double t,
+              Confirmation &confirmation)
   {
     /** Two solutions this close are the same one. */
     constexpr double same = 1e-6;
     /** A state with a larger residual does not satisfy the conditions. */
     constexpr double right = 1e-8;
+    if (distance && *distance <= same)
+      {
+        ++confirmation.n_equal;
+        confirmation.difference = std::max(confirmation.difference, *distance);
+      }
+    else if (residual <= right)
+      ++confirmation.n_other;
+    else
+      confirmation.objection +=
+        fmt::format("step to t = {:.9g}: residual {:.1e}, other solver {}; ",
+                    t,
+                    residual,
+                    distance ? fmt::format("at distance {:.1e}", *distance) : "without solution");
+  }
 
+  std::string
+  confirmation_by_pieces(const Confirmation &confirmation)
+  {
+    return confirmation.n_other == 0 && confirmation.n_equal > 0 ? "solved anew"
+           : confirmation.n_equal > 0                            ? "solved anew, residual"
+           : confirmation.n_other > 0                            ? "residual"
+                                                                 : "certificate";
+  }
+
+  namespace
+  {
     /** Nothing loaded; closed but for initial gaps. */
     JointState
     virgin_state(const JointModel &joint)
@@ -80,20 +109,7 @@ namespace fuga::stress
                 Confirmation &confirmation)
     {
       const Examiner::StepReport report = examiner.examine_step(piece.from, piece.to);
-      if (report.distance && *report.distance <= same)
-        {
-          ++confirmation.n_equal;
-          confirmation.difference = std::max(confirmation.difference, *report.distance);
-        }
-      else if (report.residual <= right)
-        ++confirmation.n_other;
-      else
-        confirmation.objection +=
-          fmt::format("step to t = {:.9g}: residual {:.1e}, other solver {}; ",
-                      piece.to.t,
-                      report.residual,
-                      report.distance ? fmt::format("at distance {:.1e}", *report.distance)
-                                      : "without solution");
+      count_piece(report.residual, report.distance, piece.to.t, confirmation);
     }
 
     void
@@ -162,10 +178,7 @@ namespace fuga::stress
     if (result.verdict != Verdict::done)
       confirm_end(examiner, result, end, confirmation);
     else if (confirmation.objection.empty())
-      confirmation.by = confirmation.n_other == 0 && confirmation.n_equal > 0 ? "solved anew"
-                        : confirmation.n_equal > 0 ? "solved anew, residual"
-                        : confirmation.n_other > 0 ? "residual"
-                                                   : "certificate";
+      confirmation.by = confirmation_by_pieces(confirmation);
     return confirmation;
   }
 } // namespace fuga::stress

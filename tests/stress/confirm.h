@@ -63,6 +63,18 @@ namespace fuga::stress
     double difference = 0.;
   };
 
+  /** Counts a step to load time @p t whose end in the path has this residual and this distance from
+   * that of another solver, if it found one. */
+  void
+  count_piece(const double residual,
+              const std::optional<double> distance,
+              const double t,
+              Confirmation &confirmation);
+
+  /** What the pieces of a path that was done say together. */
+  std::string
+  confirmation_by_pieces(const Confirmation &confirmation);
+
   /** @p seconds: time after which no further piece is looked at. */
   Confirmation
   confirm(const Model<2> &model,

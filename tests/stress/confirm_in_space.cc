@@ -3,6 +3,7 @@
 
 #include "stress/confirm_in_space.h"
 
+#include "stress/cone_examiner.h"
 #include "stress/run_scene.h"
 
 #include <fuga/base/errors.h>
@@ -11,6 +12,8 @@
 #include <fuga/io/summary.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -158,42 +161,125 @@ namespace fuga::stress
         }
       return {};
     }
+
+    void
+    confirm_by_section(const SpatialGrid &scene,
+                       const JointModel &joint,
+                       const PathResult &result,
+                       const PieceSample &sample,
+                       const std::string &directory,
+                       Confirmation &confirmation)
+    {
+      const SectionPath section(*scene.section, directory);
+      const std::string difference =
+        compare_with_section(section, joint, result, sample, confirmation);
+      // Beyond critical friction both may be right; and where rigid joints meet, elements get a
+      // compliance from the cells around them, which are not those of the section.
+      const bool may_differ = section.result.n_non_unique > 0 || !joint.report.empty();
+      if (difference.empty())
+        confirmation.by = "plane section";
+      else if (may_differ)
+        confirmation.by = "certificate";
+      else
+        confirmation.objection = difference;
+    }
+
+    /** A path may end where it begins. */
+    JointState
+    end_of(const PieceSample &sample, const std::size_t n_bars)
+    {
+      JointState state = sample.end;
+      state.forces.resize(n_bars, 0.);
+      state.dislocations.resize(n_bars, 0.);
+      return state;
+    }
+
+    void
+    confirm_end(const ConeExaminer &examiner,
+                const PathResult &result,
+                const JointState &end,
+                Confirmation &confirmation)
+    {
+      // Where directions of slip still turn, the path ends up to 1e-6 before its limit.
+      constexpr std::array<double, 2> parts = {{1e-4, 1e-3}};
+      if (result.verdict == Verdict::limit_load &&
+          examiner.is_mechanism(end, result.mechanism_jumps))
+        confirmation.by = "mechanism";
+      else if (std::any_of(parts.begin(), parts.end(), [&](const double part) {
+                 return examiner.finds_step_beyond(end, part);
+               }))
+        confirmation.objection += "an implicit step goes on; ";
+      else
+        confirmation.by = "no implicit step";
+    }
+
+    void
+    confirm_by_steps(const Model<3> &model,
+                     const JointModel &joint,
+                     const PathResult &result,
+                     const PieceSample &sample,
+                     const double seconds,
+                     Confirmation &confirmation)
+    {
+      using Clock      = std::chrono::steady_clock;
+      const auto start = Clock::now();
+      const ConeExaminer examiner(model, joint);
+      const auto check = [&](const PieceSample::Piece &piece) {
+        if (std::chrono::duration<double>(Clock::now() - start).count() < seconds)
+          {
+            const ConeExaminer::StepReport report = examiner.examine_step(piece.from, piece.to);
+            count_piece(report.residual, report.distance, piece.to.t, confirmation);
+          }
+      };
+      if (sample.last)
+        check(*sample.last);
+      for (const PieceSample::Piece &piece : sample.pieces)
+        check(piece);
+      if (result.verdict != Verdict::done)
+        confirm_end(
+          examiner, result, end_of(sample, model.bodies.rigid_motions().n_rows()), confirmation);
+      else if (confirmation.objection.empty())
+        confirmation.by = confirmation_by_pieces(confirmation);
+    }
   } // namespace
 
   Confirmation
   confirm_in_space(const SpatialGrid &scene,
+                   const Model<3> &model,
                    const JointModel &joint,
                    const PathResult &result,
                    const PieceSample &sample,
-                   const std::string &directory)
+                   const std::string &directory,
+                   const double seconds)
   {
     Confirmation confirmation;
-    const SectionPath section(*scene.section, directory);
-    const std::string difference =
-      compare_with_section(section, joint, result, sample, confirmation);
-    // Beyond critical friction both may be right; and where rigid joints meet, elements get a
-    // compliance from the cells around them, which are not those of the section.
-    const bool may_differ = section.result.n_non_unique > 0 || !joint.report.empty();
-    if (difference.empty())
-      confirmation.by = "plane section";
-    else if (may_differ)
-      confirmation.by = "certificate";
+    if (scene.section)
+      confirm_by_section(scene, joint, result, sample, directory, confirmation);
     else
-      confirmation.objection = difference;
+      confirm_by_steps(model, joint, result, sample, seconds, confirmation);
     return confirmation;
   }
 
   std::string
-  section_end(const SpatialGrid &scene, const std::string &directory)
+  what_others_find(const SpatialGrid &scene,
+                   const Model<3> &model,
+                   const JointModel &joint,
+                   const PieceSample &sample,
+                   const std::string &directory)
   try
     {
+      if (!scene.section)
+        return ConeExaminer(model, joint)
+                   .finds_step_beyond(end_of(sample, model.bodies.rigid_motions().n_rows()), 1e-4)
+                 ? "; an implicit step goes on"
+                 : "; no implicit step is found either";
       const SectionPath section(*scene.section, directory);
-      return fmt::format("the plane section: {} at t = {:.9g}",
+      return fmt::format("; the plane section: {} at t = {:.9g}",
                          verdict_name(section.result.verdict),
                          section.result.t);
     }
   catch (const NumericalFailure &)
     {
-      return "the plane section: numerical failure";
+      return "; the plane section: numerical failure";
     }
 } // namespace fuga::stress

@@ -11,20 +11,28 @@ namespace fuga::stress
 {
   /**
    * What is known of a path in space from elsewhere. An extruded scene is compared with its plane
-   * section, which another path is taken for: the end and its verdict, and forces per area and
-   * dislocations of all elements at all load levels.
-   * @p directory: for the files of the section.
+   * section, which another path solves: the end and its verdict, and forces per area and
+   * dislocations of all elements at all load levels. Of other scenes steps are solved anew by
+   * judges::ConeNewton, which must find none beyond the end of a path that is no mechanism.
+   * @p directory: for the files of the section. @p seconds: as in confirm().
    */
   Confirmation
   confirm_in_space(const SpatialGrid &scene,
+                   const Model<3> &model,
                    const JointModel &joint,
                    const PathResult &result,
                    const PieceSample &sample,
-                   const std::string &directory);
+                   const std::string &directory,
+                   const double seconds);
 
-  /** How the plane section of a scene in space ends, in words. */
+  /** Where a path in space failed: how the plane section of an extruded scene ends, or whether
+   * ConeNewton finds a step beyond; in words that follow others. */
   std::string
-  section_end(const SpatialGrid &scene, const std::string &directory);
+  what_others_find(const SpatialGrid &scene,
+                   const Model<3> &model,
+                   const JointModel &joint,
+                   const PieceSample &sample,
+                   const std::string &directory);
 } // namespace fuga::stress
 
 #endif

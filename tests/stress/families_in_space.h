@@ -15,6 +15,12 @@ namespace fuga::stress::families
   extruded(Random &random);
   SpatialGrid
   extruded_reversal(Random &random);
+  SpatialGrid
+  blocks_in_space(Random &random);
+  SpatialGrid
+  pair_in_space(Random &random);
+  SpatialGrid
+  wedge_in_space(Random &random);
 } // namespace fuga::stress::families
 
 #endif

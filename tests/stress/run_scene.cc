@@ -6,6 +6,7 @@
 #include "stress/confirm.h"
 #include "stress/confirm_in_space.h"
 
+#include <fuga/base/errors.h>
 #include <fuga/contact/limit_proof.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/threads.h>
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <fstream>
+#include <optional>
 
 namespace fuga::stress
 {
@@ -167,22 +169,44 @@ namespace fuga::stress
       const auto path =
         make_contact_path(joint.elements, layered, model.loads.history, model.path_options());
       JudgedSample sample(Judge(model.bodies, joint.elements, model.loads.history));
-      PathResult result = path->run(model.loads.levels, sample);
-      if (!sample.end.states.empty())
-        sample.judge.judge(sample.end);
-      prove_limit(sample.judge, joint.elements, layered, sample.end, result);
-      if (verdict_name(result.verdict) != verdict)
+      std::optional<PathResult> end;
+      try
+        {
+          PathResult result = path->run(model.loads.levels, sample);
+          if (!sample.end.states.empty())
+            sample.judge.judge(sample.end);
+          prove_limit(sample.judge, joint.elements, layered, sample.end, result);
+          end = std::move(result);
+        }
+      catch (const NumericalFailure &)
+        {
+        }
+      if ((end ? verdict_name(end->verdict) : "numerical failure") != verdict)
         {
           tell(write, "failure", "the verdict is another one when the path is run again");
           return;
         }
+      if (!end)
+        {
+          std::string failure = "numerical failure";
+          if constexpr (dim == 3)
+            failure += what_others_find(
+              dynamic_cast<const SpatialGrid &>(scene), model, joint, sample, directory);
+          tell(write, "failure", failure);
+          return;
+        }
+      const PathResult &result = *end;
       if constexpr (dim == 2)
         tell_confirmation(write, confirm(model, joint, result, sample, confirmation_time));
       else
-        tell_confirmation(
-          write,
-          confirm_in_space(
-            dynamic_cast<const SpatialGrid &>(scene), joint, result, sample, directory));
+        tell_confirmation(write,
+                          confirm_in_space(dynamic_cast<const SpatialGrid &>(scene),
+                                           model,
+                                           joint,
+                                           result,
+                                           sample,
+                                           directory,
+                                           confirmation_time));
     }
 
     template <int dim>
@@ -201,15 +225,7 @@ namespace fuga::stress
            "seconds",
            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       const std::string verdict = tell_summary(write, directory);
-      if (verdict == "numerical failure")
-        {
-          tell(write, "failure", "numerical failure");
-          if constexpr (dim == 3)
-            tell(
-              write, "failure", section_end(dynamic_cast<const SpatialGrid &>(scene), directory));
-        }
-      else
-        ask_judges(write, model, scene, verdict, directory);
+      ask_judges(write, model, scene, verdict, directory);
     }
   } // namespace
 

@@ -102,6 +102,18 @@ namespace fuga::stress
        nullptr,
        families::extruded},
       {"extruded reversal", "the same, loads to and fro", nullptr, families::extruded_reversal},
+      {"blocks in space",
+       "blocks on each other, pushed in turning directions",
+       nullptr,
+       families::blocks_in_space},
+      {"pair in space",
+       "two blocks side by side on a foundation: joints that meet in T",
+       nullptr,
+       families::pair_in_space},
+      {"wedge in space",
+       "a block in a valley of two rigid planes, of hexahedra or tetrahedra",
+       nullptr,
+       families::wedge_in_space},
     };
     return kinds;
   }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_stress_cone_examiner_h
+#define fuga_tests_stress_cone_examiner_h
+
+#include "judges/cone_newton.h"
+
+#include <fuga/contact/certificate.h>
+#include <fuga/joint_model.h>
+#include <fuga/model.h>
+
+#include <optional>
+
+namespace fuga::stress
+{
+  /** Puts states of a path in space before judges::ConeNewton, as Examiner does in the plane. Of
+   * the solver only forces, dislocations and jumps of a motion are taken. */
+  class ConeExaminer
+  {
+  public:
+    ConeExaminer(const Model<3> &model, const JointModel &joint);
+
+    struct StepReport
+    {
+      /** ConeNewton::residual(). */
+      double residual = 0.;
+      /** How far the solution of ConeNewton is away; nothing if it finds none. */
+      std::optional<double> distance;
+    };
+
+    StepReport
+    examine_step(const JointState &from, const JointState &to) const;
+
+    /** Nothing resists these jumps, they respect the states, and the growing load drives them. */
+    bool
+    is_mechanism(const JointState &state, const Vector &jumps) const;
+
+    /** ConeNewton finds a step to the load that follows in @p part of a stage, and not far away. */
+    bool
+    finds_step_beyond(const JointState &state, const double part) const;
+
+  private:
+    judges::ConeState
+    cone_state(const JointState &state) const;
+    bool
+    respects(const ContactElement &element, const JointState &state, const Vector &jumps) const;
+
+    const Model<3> &model;
+    const std::vector<ContactElement> &elements;
+    const Judge judge;
+    const judges::ConeNewton newton;
+  };
+} // namespace fuga::stress
+
+#endif
