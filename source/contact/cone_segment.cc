@@ -183,9 +183,10 @@ namespace fuga
   {
     dislocations = fixed;
     for (std::size_t i = 0; i < slipping.size(); ++i)
-      set_tangential(context.elements[slipping[i].element],
-                     {{stage.slips[2 * i], stage.slips[2 * i + 1]}},
-                     dislocations);
+      set_tangential(
+        context.elements[slipping[i].element],
+        {{static_cast<double>(stage.slips[2 * i]), static_cast<double>(stage.slips[2 * i + 1])}},
+        dislocations);
   }
 
   // State and rates from the slips and the load alone: nothing accumulates from step to step.

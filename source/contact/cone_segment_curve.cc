@@ -87,10 +87,10 @@ namespace fuga
     std::vector<std::vector<TangentVector>> stage_directions = {from.stage.directions};
     for (std::size_t k = 1; k < rk::n_stages; ++k)
       {
-        Vector base = from.stage.slips;
+        Accurate base = from.stage.slips;
         for (std::size_t j = 0; j < k; ++j)
           for (std::size_t i = 0; i < 2 * n; ++i)
-            base[i] += length * rk::weights[k][j] * rates[j][i];
+            base[i] += static_cast<long double>(length * rk::weights[k][j]) * rates[j][i];
         predict(k, stage_rates, stage_directions, xi, to.stage.directions);
         for (double &value : xi)
           value *= length * rk::diagonal;
@@ -128,9 +128,9 @@ namespace fuga
     // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
     // Close to a mechanism their rounding moves the slips.
     constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
-    const double force_noise =
-      std::max(force_rounding * force_scale,
-               stage_rounding * context.system.largest_stiffness() * max_abs(to.stage.slips));
+    const double force_noise = std::max(force_rounding * force_scale,
+                                        stage_rounding * context.system.largest_stiffness() *
+                                          max_abs(to.point.state.dislocations));
     const double jump_noise =
       force_noise * max_abs(from.point.rates.dislocations) / max_abs(course.drive.reactions);
     error = std::max(max_abs(difference) / (cone_step_tolerance * jump_scale + jump_noise),
@@ -200,7 +200,7 @@ namespace fuga
   bool
   ConeSegment::turns_back() const
   {
-    constexpr double negligible_load = 1e-7;
+    constexpr double negligible_load = 1e-9;
     return rates_diverge(2, negligible_load * std::max(1., course.t_end));
   }
 
@@ -241,17 +241,12 @@ namespace fuga
         Station from = curve.back();
         length       = std::min(length, course.length - from.tau);
         at_limit     = grows_beyond_bounds();
-        if (at_limit)
+        if (at_limit || (at_turning_point = turns_back()))
           break;
         if (length < shortest && course.length - from.tau > shortest)
-          {
-            at_turning_point = turns_back();
-            if (at_turning_point)
-              break;
-            throw NumericalFailure(fmt::format(
-              "The path cannot be followed beyond load time {}: even the shortest step fails.",
-              from.point.state.t));
-          }
+          throw NumericalFailure(fmt::format(
+            "The path cannot be followed beyond load time {}: even the shortest step fails.",
+            from.point.state.t));
         Station to;
         double error = 0.;
         if (!step(from, length, to, error))

@@ -74,44 +74,61 @@ namespace fuga
     return K.empty() ? Vector() : multiply(K, slips);
   }
 
-  Vector
-  ConeStageSolver::forces(const double tau, const Vector &slips) const
+  // Terms as large as the stiffness where rigid joints cross times the longest slip cancel.
+  ConeStageSolver::Base
+  ConeStageSolver::base(const double tau, const Accurate &slips) const
   {
-    Vector p = resistance(slips);
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = p0[i] + tau * p1[i] - p[i];
-    return p;
+    constexpr double rounding = 1e-15, slip_rounding = 1e-18;
+    Accurate forces     = accurate(p0);
+    double longest_slip = 0.;
+    add_scaled(forces.size(), tau, p1.data(), forces.data());
+    for (std::size_t j = 0; j < slips.size(); ++j)
+      {
+        add_scaled(forces.size(), -slips[j], K.column(j), forces.data());
+        longest_slip = std::max(longest_slip, std::abs(static_cast<double>(slips[j])));
+      }
+    Base result = {slips, {forces.begin(), forces.end()}, {}};
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      {
+        double size = 0.;
+        for (std::size_t a = 0; a < 3; ++a)
+          size += (a == 0 ? slipping[i].friction : 1.) *
+                  (std::abs(p0[3 * i + a]) + std::abs(tau * p1[3 * i + a]));
+        result.noise.push_back(rounding * size + slip_rounding * diagonal[i] * longest_slip);
+      }
+    return result;
   }
 
   // Components along e and across: T + f N e, or its rate along e.
   ConeStageSolver::Residual
   ConeStageSolver::evaluate(const Demand demand,
-                            const double tau,
+                            const Base &from,
                             const double advance,
-                            const Vector &base,
                             const Vector &xi,
                             ConeStage &stage) const
   {
-    constexpr double rounding = 1e-14;
+    constexpr double rounding = 1e-15;
     const std::size_t n       = slipping.size();
     Vector flow(2 * n);
+    stage.slips = from.slips;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t a = 0; a < 2; ++a)
         {
-          flow[2 * i + a]        = xi[i] * stage.directions[i][a];
-          stage.slips[2 * i + a] = base[2 * i + a] + flow[2 * i + a];
+          flow[2 * i + a] = xi[i] * stage.directions[i][a];
+          stage.slips[2 * i + a] += flow[2 * i + a];
         }
-    stage.forces = forces(tau, stage.slips);
+    const Vector change = resistance(flow);
+    stage.forces        = from.forces;
     Residual result;
     result.values.resize(2 * n);
-    if (demand == Demand::rates)
+    result.flow.resize(3 * n);
+    for (std::size_t i = 0; i < 3 * n; ++i)
       {
-        result.flow = resistance(flow);
-        for (std::size_t i = 0; i < 3 * n; ++i)
-          result.flow[i] = advance * p1[i] - result.flow[i];
+        stage.forces[i] -= change[i];
+        result.flow[i] = advance * p1[i] - change[i];
       }
-    const Vector &along       = demand == Demand::rates ? result.flow : stage.forces;
-    const double largest_slip = max_abs(stage.slips);
+    const Vector &along    = demand == Demand::rates ? result.flow : stage.forces;
+    const double flow_size = max_abs(xi);
     for (std::size_t i = 0; i < n; ++i)
       {
         const double f        = slipping[i].friction;
@@ -119,13 +136,10 @@ namespace fuga
         result.values[2 * i] = e[0] * along[3 * i + 1] + e[1] * along[3 * i + 2] + f * along[3 * i];
         result.values[2 * i + 1] =
           side[0] * stage.forces[3 * i + 1] + side[1] * stage.forces[3 * i + 2];
-        double size = diagonal[i] * largest_slip;
-        for (std::size_t a = 0; a < 3; ++a)
-          size += (a == 0 ? f : 1.) * (std::abs(p0[3 * i + a]) + std::abs(tau * p1[3 * i + a]));
+        const double noise = from.noise[i] + rounding * diagonal[i] * flow_size;
         for (std::size_t a = 0; a < 2; ++a)
           if (result.values[2 * i + a] != 0.)
-            result.worst =
-              std::max(result.worst, std::abs(result.values[2 * i + a]) / (rounding * size));
+            result.worst = std::max(result.worst, std::abs(result.values[2 * i + a]) / noise);
       }
     return result;
   }
@@ -190,7 +204,7 @@ namespace fuga
   ConeStageSolver::solve(const Demand demand,
                          const double tau,
                          const double advance,
-                         const Vector &base,
+                         const Accurate &base_slips,
                          Vector &xi,
                          ConeStage &stage)
   {
@@ -200,9 +214,9 @@ namespace fuga
     // Factors serve as long as they gain a digit or so at a time.
     constexpr double slow        = 0.2;
     Factorisation &factorisation = factorisations[static_cast<std::size_t>(demand)];
-    stage.slips.resize(base.size());
-    Residual residual  = evaluate(demand, tau, advance, base, xi, stage);
-    bool needs_factors = !factorisation.factors;
+    const Base from              = base(tau, base_slips);
+    Residual residual            = evaluate(demand, from, advance, xi, stage);
+    bool needs_factors           = !factorisation.factors;
     ++count.n_solutions;
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
@@ -226,7 +240,7 @@ namespace fuga
         const Vector xi_before         = xi;
         const Residual residual_before = residual;
         take_step(step, factorisation.arms, xi, stage);
-        residual = evaluate(demand, tau, advance, base, xi, stage);
+        residual = evaluate(demand, from, advance, xi, stage);
         if (residual.worst <= accepted && residual.worst >= 0.5 * residual_before.worst)
           return true;
         needs_factors = !(residual.worst <= slow * residual_before.worst);

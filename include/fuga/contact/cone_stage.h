@@ -4,6 +4,7 @@
 #ifndef fuga_contact_cone_stage_h
 #define fuga_contact_cone_stage_h
 
+#include <fuga/base/accurate.h>
 #include <fuga/contact/cone_boundary.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/released_system.h>
@@ -22,8 +23,9 @@ namespace fuga
   /** The unknowns of all slipping elements at one parameter τ of a segment. */
   struct ConeStage
   {
-    /** Slips, two components per element [m]. */
-    Vector slips;
+    /** Slips, two components per element [m], in extended precision: forces are differences of
+     * terms as large as the stiffness where rigid joints cross times the longest slip. */
+    Accurate slips;
     /** Unit directions e. */
     std::vector<TangentVector> directions;
     /** Bar forces N, T1, T2 of every slipping element [MN]. */
@@ -61,7 +63,7 @@ namespace fuga
                     IterationCount &count);
 
     /**
-     * Finds the stage at @p tau from the bases @p base (s*); @p advance is λ. The directions of @p stage
+     * Finds the stage at @p tau from the slips @p base_slips (s*); @p advance is λ. The directions of @p stage
      * and the lengths @p xi are the first guess and are overwritten. Returns false if there is no
      * solution near by.
      */
@@ -69,13 +71,9 @@ namespace fuga
     solve(const Demand demand,
           const double tau,
           const double advance,
-          const Vector &base,
+          const Accurate &base_slips,
           Vector &xi,
           ConeStage &stage);
-
-    /** Forces of the slipping elements, three per element. */
-    Vector
-    forces(const double tau, const Vector &slips) const;
 
     /** K s, the forces that slips take away. */
     Vector
@@ -87,7 +85,7 @@ namespace fuga
     slip_rates(const std::vector<TangentVector> &directions) const;
 
   private:
-    /** Residuals, two per element, and the forces q of Demand::rates. */
+    /** Residuals, two per element, and the forces that come with the flow, q of Demand::rates. */
     struct Residual
     {
       Vector values;
@@ -104,11 +102,21 @@ namespace fuga
       Vector arms;
     };
 
+    /** The slips s*, the forces with them, and what rounding leaves of residuals. */
+    struct Base
+    {
+      Accurate slips;
+      Vector forces;
+      /** Of the elements. */
+      Vector noise;
+    };
+
+    Base
+    base(const double tau, const Accurate &slips) const;
     Residual
     evaluate(const Demand demand,
-             const double tau,
+             const Base &from,
              const double advance,
-             const Vector &base,
              const Vector &xi,
              ConeStage &stage) const;
     void
