@@ -37,6 +37,12 @@ namespace fuga::stress
     }
 
     std::string
+    cells() const override
+    {
+      return triangles ? "triangles" : "quadrilaterals";
+    }
+
+    std::string
     mesh_text() const override;
     double
     largest_aspect() const override;

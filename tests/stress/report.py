@@ -49,12 +49,17 @@ DEGENERACIES = [
     ("Beyond critical friction", ["high friction", "stiff"]),
     ("Rigid bodies on rigid joints", ["rigid bodies", "masonry"]),
     ("Nonlinear layers, to the closure limit", ["cubic root", "cubic root crossing", "curved laws", "coupled shear", "lift-off"]),
-    ("Dependence on the path, cycles", ["reversal", "stages"]),
+    ("Dependence on the path, cycles", ["reversal", "stages", "extruded reversal"]),
     ("Many elements, hundreds of events", ["many elements"]),
     ("Closing at the apex at high friction", ["high friction", "gap", "reversal"]),
     ("Very soft joints near collapse", ["soft", "limit"]),
     ("Detection of limits", ["limit", "soft", "wedge", "tower"]),
-    ("Slip in the very first stage", ["virgin", "stack", "many elements"])]
+    ("Slip in the very first stage", ["virgin", "stack", "many elements"]),
+    ("Directions of slip that turn", ["blocks in space", "pair in space", "wedge in space"]),
+    ("Joints in space that meet", ["pair in space"])]
+
+
+DIMENSIONS = {2: "plane", 3: "space"}
 
 
 def exponent(value):
@@ -93,6 +98,33 @@ def verdict_table(scenes):
     for (verdict, by), part in scenes.groupby(["verdict", "confirmed_by"]):
         rows.append([verdict, by or "not confirmed", len(part), exponent(part.certificate.max())])
     return table(["verdict", "confirmed by", "scenes", "worst certificate"], rows)
+
+
+END_NAMES = ["scenes", "done", "limit load", "no continuation", "exit code 2", "certificate above bound", "other failures"]
+
+
+def ends(part):
+    """How many scenes end how, in the order of END_NAMES."""
+    uncertified = part.failure.str.startswith("certificate")
+    not_computed = part.verdict == "numerical failure"
+    return [len(part), *[int((part.verdict == v).sum()) for v in ("done", "limit load", "no continuation")],
+            int(not_computed.sum()), int((uncertified & ~not_computed).sum()),
+            int((part.failed & ~uncertified & ~not_computed).sum())]
+
+
+def dimension_table(scenes):
+    return table(["dimension", *END_NAMES],
+                 [[DIMENSIONS[dimension], *ends(part)] for dimension, part in scenes.groupby("dimension")])
+
+
+def feature_table(scenes):
+    """Ends of all scenes that have a feature, plane and space apart."""
+    of_scene = scenes.features.map(lambda text: text.split("; "))
+    rows = []
+    for feature in sorted({feature for features in of_scene for feature in features if feature}):
+        for dimension, part in scenes[of_scene.map(lambda features: feature in features)].groupby("dimension"):
+            rows.append([feature, DIMENSIONS[dimension], *ends(part)])
+    return table(["feature", "dimension", *END_NAMES], rows)
 
 
 def kind_table(scenes, kinds):
@@ -192,6 +224,11 @@ ray" that there are too many to try and lexicographic Lemke, with twelve coverin
 1e-6 of a stage found none. "Mechanism" is a further witness: the motion that the program reports changes no force,
 parts no pressed lips and slides only where the strength is exhausted.
 
+Scenes **in space**: an extruded plane scene is compared with the path of its section at all load levels ("plane section": end, verdict,
+forces per area, opening and slip to 1e-6). Of the others up to seven steps are solved anew by a semismooth Newton method for circular cones;
+where directions of slip turn, an implicit step is another one, and "residual" says that the state satisfies all conditions but the direction.
+"No implicit step" means that this method finds none to a load larger by 1e-4 and 1e-3 of a stage.
+
 "Certificate" means that no independent solver was asked. They know linear and rigid layers, law (9) as a secant,
 friction (residual friction included) and cohesion; whether a path can go on they also say on other layers without
 coupling, by their tangents. Tensile strength, dilatancy and forces that broken bonds have not yet released are left to the
@@ -200,7 +237,9 @@ certificate: equilibrium, strengths, laws and energy, checked with the data and 
 """
     text += verdict_table(scenes)
     text += "\n## Failures\n\n" + failure_table(scenes[scenes.failed])
-    text += "\n## Kinds of scenes\n\n" + kind_table(scenes, kinds)
+    text += "\n## How scenes end\n\n" + dimension_table(scenes) + "\n" + feature_table(scenes)
+    for dimension, name in DIMENSIONS.items():
+        text += "\n## Kinds of scenes: %s\n\n" % name + kind_table(scenes[scenes.dimension == dimension], kinds)
     text += "\n## Which known weakness is where\n\n" + table(["weakness", "kinds"], [
         [name, ", ".join(kind for kind in where if (scenes.scene == kind).any())] for name, where in DEGENERACIES])
     text += "\n## Worst certificates along the axes\n\n"
@@ -223,7 +262,7 @@ def main():
     parser.add_argument("--doc", default=str(TOP / "doc"))
     options = parser.parse_args()
     scenes = pd.read_csv(options.table, keep_default_na=False, na_values={c: [""] for c in
-                         ("certificate", "events", "zero_steps", "seconds", "steps", "elements", "difference", "t")})
+                         ("certificate", "events", "zero_steps", "seconds", "steps", "elements", "difference", "t", "dimension")})
     scenes["failed"] = scenes.failure != ""
     kinds = [line.split("\t") for line in
              subprocess.run([options.program, "--list"], capture_output=True, text=True, check=True).stdout.splitlines()]

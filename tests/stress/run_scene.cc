@@ -40,7 +40,8 @@ namespace fuga::stress
                                                      "steps",         "single_switching",
                                                      "enumeration",   "lemke",
                                                      "checked_equal", "checked_other",
-                                                     "difference",    "message"};
+                                                     "difference",    "features",
+                                                     "message"};
     return columns;
   }
 
@@ -80,6 +81,7 @@ namespace fuga::stress
       tell(write, "size_ratio", axes.size_ratio);
       tell(write, "offset", axes.offset);
       tell(write, "law", axes.law);
+      tell(write, "features", fmt::format("{}", fmt::join(axes.features, "; ")));
     }
 
     /** What the program itself says, from the file that users read. */

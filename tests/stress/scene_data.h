@@ -74,6 +74,10 @@ namespace fuga::stress
     virtual unsigned int
     dimension() const = 0;
 
+    /** What the cells are, in the plural. */
+    virtual std::string
+    cells() const = 0;
+
     /** Adds a joint with the layer that @p make_layer gives wherever two bodies meet. */
     void
     join_all(const std::function<Layer()> &make_layer);

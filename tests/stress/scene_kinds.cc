@@ -51,6 +51,41 @@ namespace fuga::stress
           if (model.loads[l].type != "displacement")
             stage[l] *= factor;
     }
+
+    std::set<std::string>
+    features_of(const SceneData &model)
+    {
+      static const std::set<std::string> strengths = {"Residual friction coefficient",
+                                                      "Tensile strength",
+                                                      "Bond lost by",
+                                                      "Dilatancy angle",
+                                                      "Dilation limit",
+                                                      "Shear stiffness grows with"};
+      std::set<std::string> result                 = {"cells: " + model.cells(),
+                                                      fmt::format("cells: degree {}", model.degree)};
+      for (const SceneData::Load &load : model.loads)
+        result.insert("load: " + load.type);
+      for (const auto &[unused, components] : model.supports)
+        result.insert(components == "all" ? "support: all" : "support: single components");
+      for (const SceneData::Joint &joint : model.joints)
+        {
+          const Layer &layer = joint.layer;
+          result.insert("normal law: " + layer.normal_law);
+          result.insert("shear law: " + layer.shear_law);
+          if (joint.line.empty())
+            result.insert("joint: against an obstacle");
+          if (layer.friction == 0.)
+            result.insert("joint: without friction");
+          if (layer.cohesion > 0.)
+            result.insert("strength: cohesion");
+          if (!layer.initial_gap.empty())
+            result.insert("joint: initial gap");
+          for (const auto &[entry, unused] : layer.more)
+            if (strengths.count(entry) > 0)
+              result.insert("strength: " + entry);
+        }
+      return result;
+    }
   } // namespace
 
   const std::vector<SceneKind> &
@@ -165,6 +200,7 @@ namespace fuga::stress
     axes.aspect     = model.largest_aspect();
     axes.size_ratio = model.size_ratio();
     axes.offset     = model.offset();
+    axes.features   = features_of(model);
     axes.n_bodies   = model.bodies.size();
     axes.n_joints   = model.joints.size();
     axes.n_stages   = model.stages.size();

@@ -7,6 +7,7 @@
 #include "stress/draws.h"
 #include "stress/spatial_grid.h"
 
+#include <set>
 #include <variant>
 
 namespace fuga::stress
@@ -39,6 +40,8 @@ namespace fuga::stress
     /** Words: linear, or the nonlinear laws. */
     std::string law      = "linear";
     std::size_t n_bodies = 0, n_joints = 0, n_stages = 0;
+    /** Words: cells, degree, loads, laws, strengths, gaps, obstacles. */
+    std::set<std::string> features;
   };
 
   SceneAxes
