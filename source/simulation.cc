@@ -64,6 +64,7 @@ namespace fuga
   {
     begin_output();
     log_header();
+    from_the_beginning = true;
     return follow([this]() { return path->run(model.loads.levels, *this); });
   }
 
@@ -89,7 +90,10 @@ namespace fuga
           found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
         find_safety(outcome);
         if (!(worst.worst() <= parameters.solver.certificate_bound))
-          outcome.code = ExitCode::certificate_violated;
+          {
+            outcome.code    = ExitCode::certificate_violated;
+            outcome.message = doubt_about_data();
+          }
       }
     catch (const NumericalFailure &failure)
       {

@@ -279,6 +279,8 @@ namespace fuga
                          largest->first,
                          parameters.solver.certificate_bound,
                          outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
+    if (outcome.code == ExitCode::certificate_violated && !outcome.message.empty())
+      log.line("            " + outcome.message);
     model.timer.finish("tables");
     log.line(fmt::format(
       "Time        {:.3f} s, memory {:.0f} MB", model.timer.sum(), peak_memory_in_megabytes()));

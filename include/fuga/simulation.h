@@ -106,6 +106,10 @@ namespace fuga
     make_path() const;
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
+    /** What shows that the data are too ill-conditioned for the bound of the certificate; empty if
+     * nothing does, or if it was not asked. */
+    std::string
+    doubt_about_data() const;
     /** Follows each search for a factor of safety from the end of the loads. */
     void
     find_safety(Outcome &outcome);
@@ -185,6 +189,8 @@ namespace fuga
     FieldWriter<dim> fields;
     HistoryWriter history;
 
+    /** The path began with the first load of the model. */
+    bool from_the_beginning = false;
     /** A search for safety is under way: checkpoints are those of the path. */
     bool searching = false;
     FileIdentity mesh_identity;

@@ -13,15 +13,31 @@ namespace fuga
 {
   namespace
   {
-    /** Forces below this share of the largest, and gaps below this share of the largest jump, are
-     * zero in a state on the boundary of the contact conditions. */
+    /** Forces below this share of the largest of a state, and gaps below this share of its largest
+     * jump, are zero. */
     constexpr double on_boundary = 1e-8;
+    /** Where all has been unloaded what is left of the largest of the run is this share. */
+    constexpr double left_by_rounding = 1e-11;
+
+    double
+    nothing_beside(const double now, const double largest_of_run)
+    {
+      return std::max(on_boundary * now, left_by_rounding * largest_of_run);
+    }
+
 
     /** Where the load approaches its limit asymptotically the path ends while the motion still
      * meets a small resistance. */
     constexpr double largest_error = 0.02;
-    /** A load that drives a motion with less than this share of its power does not drive it. */
-    constexpr double smallest_drive = 1e-9;
+
+    /** Whether the share of its power with which the load drives a motion is more than the motion's
+     * own errors make of nothing. */
+    bool
+    is_driven(const MechanismCertificate &proof)
+    {
+      constexpr double rounding = 1e-14, always_enough = 1e-9;
+      return proof.drive > std::clamp(proof.error(), rounding, always_enough);
+    }
 
     double
     shear_jump_of(const ContactElement &element, const Vector &jumps)
@@ -39,7 +55,7 @@ namespace fuga
   bool
   MechanismCertificate::proves() const
   {
-    return error() <= largest_error && drive > smallest_drive;
+    return error() <= largest_error && is_driven(*this);
   }
 
   Freedom
@@ -49,10 +65,10 @@ namespace fuga
     const ContactElement &element = elements[k];
     const Strength &left          = state.strengths[k];
     const std::size_t n           = element.normal_bar;
-    const double no_force         = on_boundary * largest_force;
+    const double no_force         = nothing_beside(max_abs(state.forces), largest_force);
     const double N                = state.forces[n];
     const double gap              = element.initial_gap + delta[n] - state.dilations[k];
-    if (state.states[k] == ContactState::open && gap > on_boundary * largest_jump)
+    if (state.states[k] == ContactState::open && gap > nothing_beside(max_abs(delta), largest_jump))
       return {Kind::open, 0., {}, 0., false};
     const bool at_apex    = left.tension <= no_force && N >= -no_force;
     const bool at_tension = left.tension > no_force && N >= left.tension - no_force;
@@ -128,7 +144,7 @@ namespace fuga
     result.balance = share(std::abs(power), std::max(size, largest_force * largest));
 
     result.drive = drive(state, motion);
-    if (result.error() <= largest_error && result.drive <= smallest_drive)
+    if (result.error() <= largest_error && !is_driven(result))
       if (const std::optional<Vector> other = driven_motion(state, Motions::resisted_by_none))
         result.drive = drive(state, *other);
     return result;

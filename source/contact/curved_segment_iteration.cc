@@ -29,6 +29,14 @@ namespace fuga
     state.dislocations = predicted_dislocations;
     release(course.drive, tau, state);
     complete_state(context, course, tau, state);
+    // A law knows nothing behind its closure limit, where the prediction may lead.
+    if (passes_closure_limit(state))
+      {
+        state.dislocations = points.front().state.dislocations;
+        complete_state(context, course, tau, state);
+        if (passes_closure_limit(state))
+          return {};
+      }
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);

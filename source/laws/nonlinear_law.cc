@@ -35,9 +35,12 @@ namespace fuga
       {
         const double residual           = stress(w) - sigma;
         (residual > 0. ? upper : lower) = w;
-        double next                     = w - residual / tangent(w);
-        // Newton creeps along an exponential: a step must be below half of the last but one.
-        if (!(next >= lower && next <= upper && std::abs(next - w) <= 0.5 * last_change))
+        const double slope              = tangent(w);
+        double next                     = w - residual / slope;
+        // Newton creeps along an exponential: a step must be below half of the last but one. Where
+        // only the slope overflows it would stand still.
+        if (!(std::isfinite(slope) && next >= lower && next <= upper &&
+              std::abs(next - w) <= 0.5 * last_change))
           next = 0.5 * (lower + upper);
         last_change = change;
         change      = std::abs(next - w);

@@ -50,6 +50,17 @@ TEST(ExpressionLaw, HyperbolicSine)
   EXPECT_FALSE(check_law(law, 1000.));
 }
 
+// The first bracket of the inverse is halved to w = 710 w0, where the slope overflows and the
+// stress does not.
+TEST(ExpressionLaw, AnInverseFromWhereTheSlopeOverflows)
+{
+  const double s = 1e-3, w0 = 1e-4, sigma = 1.42;
+  const ExpressionLaw law("1e-3*sinh(w/1e-4)", "10*cosh(w/1e-4)", never, {}, "test");
+  ASSERT_TRUE(std::isfinite(law.stress(0.5 * sigma * w0 / s)));
+  ASSERT_FALSE(std::isfinite(law.tangent(0.5 * sigma * w0 / s)));
+  EXPECT_NEAR(law.deformation(sigma) / (w0 * std::asinh(sigma / s)), 1., 1e-13);
+}
+
 // Law (9) as a tangent cancels near w = 0, to 1e-16 of numbers of order one where q³ is left: its
 // energy is known to some 1e-15/q³ and no better, and the quadrature must not look for more.
 TEST(ExpressionLaw, EnergyDownToItsNoise)

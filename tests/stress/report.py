@@ -21,7 +21,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "source" / "python"))
 from remarks import by_hand  # noqa: E402
 
-BOUND = 1e-8
+BOUND = 1e-9
 # Classes of every axis: lower ends. Zero has a class of its own where it means something special.
 AXES = [("rho_min", "smallest ρ in the scene [m/MPa]", [0, 1e-300, 1e-9, 1e-6, 1e-3, 1]),
         ("rho_max", "largest ρ [m/MPa]", [0, 1e-300, 1e-9, 1e-6, 1e-3, 1, 1e2]),
@@ -147,8 +147,11 @@ def failure_table(failed):
 
 
 def cause_table(failed, causes):
-    return table(["scene", "seed", "cause"],
-                 [[row.scene, row.seed, causes.get((row.scene, int(row.seed)), "unknown")] for row in failed.itertuples()])
+    """What the program says itself comes first."""
+    def cause(row):
+        said = str(row.message)
+        return said if said.startswith("ill-conditioned") else causes.get((row.scene, int(row.seed)), "unknown")
+    return table(["scene", "seed", "cause"], [[row.scene, row.seed, cause(row)] for row in failed.itertuples()])
 
 
 def known_causes():

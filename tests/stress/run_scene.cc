@@ -50,7 +50,7 @@ namespace fuga::stress
     /** Seconds spent on solving steps of one scene anew. */
     constexpr double confirmation_time = 4.;
     constexpr std::size_t n_pieces     = 6;
-    constexpr double certificate_bound = 1e-8;
+    constexpr double certificate_bound = 1e-9;
 
     using Writer = std::function<void(const std::string &)>;
 

@@ -61,7 +61,7 @@ namespace fuga::stress
     virtual ~SceneData() = default;
 
     unsigned int degree      = 1;
-    double certificate_bound = 1e-8;
+    double certificate_bound = 1e-9;
     unsigned int load_levels = 1;
     std::vector<Body> bodies;
     std::vector<Joint> joints;
