@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "contact/toy_system.h"
+
+#include <fuga/contact/conditioning.h>
+#include <fuga/contact/event_path.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace fuga;
+using namespace fuga::tests;
+
+namespace
+{
+  /** One node on a spring of stiffness one in both directions, pressed and sheared on a rigid
+   * joint. The shear of 1 at
+   * the end is what friction 0.5 of the pressure 2 carries, but for @p reserve. */
+  struct Pressed
+  {
+    explicit Pressed(const double reserve)
+      : history({0., 1., 2.}, {{0., 0.}, {1., 0.}, {1., 1. - reserve}})
+    {
+      node.S = node.F = DenseMatrix(2, 2);
+      node.S(0, 0) = node.S(1, 1) = 1.;
+      node.F(0, 0)                = -2.;
+      node.F(1, 1)                = 1.;
+      node.motions                = DenseMatrix(2, 0);
+      node.motion_loads           = DenseMatrix(0, 2);
+    }
+
+    Conditioning
+    measure() const
+    {
+      const LayeredSystem layered(node, joint.elements);
+      return conditioning(
+        [&](const LoadHistory &loads) {
+          return std::make_unique<EventPath>(joint.elements, layered, loads, PathOptions());
+        },
+        layered,
+        history,
+        {2.});
+    }
+
+    ToySystem node;
+    const ToyJoint joint = ToyJoint(1, 1., make_rigid_law(), make_rigid_law(), {0.5, 0.});
+    const LoadHistory history;
+  };
+} // namespace
+
+// Forces in equilibrium with the loads grow as these do: by 2^-49 of the largest, and no jump at
+// all.
+TEST(Conditioning, OfStatics)
+{
+  const Conditioning found = Pressed(0.1).measure();
+  EXPECT_NEAR(found.forces, 0x1p-49, 0x1p-52);
+  EXPECT_EQ(found.jumps, 0.);
+  EXPECT_FALSE(found.other_end);
+  EXPECT_FALSE(found.explains(1e-9));
+  EXPECT_TRUE(found.explains(1e-14));
+}
+
+// What changes by more than rounding is no excuse for a wrong path, and an end that changes is one
+// for small errors only.
+TEST(Conditioning, OfAnEndThatChanges)
+{
+  Conditioning found;
+  found.other_end = true;
+  EXPECT_TRUE(found.explains(1e-9));
+  EXPECT_FALSE(found.explains(1e-3));
+  found.forces = 1.;
+  EXPECT_FALSE(found.explains(1e-3));
+}
