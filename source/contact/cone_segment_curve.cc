@@ -228,6 +228,20 @@ namespace fuga
            -value[0] / last <= within;
   }
 
+  // The dislocations of the start are rounded, by which forces leave the cones. The first step puts
+  // them back, whatever its length: the error of the shortest one is rounding and no reason to
+  // shorten another.
+  double
+  ConeSegment::error_of_rounding(const double shortest)
+  {
+    constexpr double largest = 10., margin = 2.;
+    Station to;
+    double error = 0.;
+    if (!step(curve.front(), 2. * shortest, to, error) || error > largest)
+      return 1.;
+    return std::max(1., margin * error);
+  }
+
   void
   ConeSegment::find_end_of_curve()
   {
@@ -235,7 +249,8 @@ namespace fuga
     const double shortest = 1e-13 * std::max(1., course.t_end);
     double length         = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
-    length = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
+    length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
+    double allowed = course.length > 2. * shortest ? error_of_rounding(shortest) : 1.;
     while (curve.back().tau < course.length)
       {
         Station from = curve.back();
@@ -254,6 +269,7 @@ namespace fuga
             length *= 0.25;
             continue;
           }
+        error /= allowed;
         if (error > 1.)
           {
             length *= std::max(0.1, 0.9 * std::pow(error, -0.2));
@@ -267,6 +283,7 @@ namespace fuga
               break;
             }
         curve.push_back(std::move(to));
+        allowed = 1.;
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
     end = curve.back().tau;

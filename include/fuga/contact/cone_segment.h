@@ -80,6 +80,8 @@ namespace fuga
 
     bool
     is_straight() const;
+    double
+    error_of_rounding(const double shortest);
     void
     find_end_of_curve();
     bool
