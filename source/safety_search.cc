@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/errors.h>
 #include <fuga/contact/path_choice.h>
 #include <fuga/safety_search.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace fuga
 {
@@ -61,6 +63,12 @@ namespace fuga
         const LoadHistory history = history_of(s);
         const auto way            = make_contact_path(joint.elements, layered, history, options);
         const PathResult reached  = way->resume(start, levels, observer);
+        if (!reached.tried.empty())
+          throw NumericalFailure(fmt::format(
+            "Safety search '{}': no equilibrium was found behind load time {:.12g}. {}.",
+            stage.name,
+            reached.t,
+            reached.tried));
         if (reached.verdict != Verdict::done)
           lost();
 

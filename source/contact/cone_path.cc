@@ -202,17 +202,17 @@ namespace fuga
   {
     result.t = state.t;
     if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
-      throw NumericalFailure(
-        fmt::format("No equilibrium was found behind load time {:.12g}, and "
-                    "no motion that would prove that there is none: Newton's "
-                    "method tried {} sets of states of {} elements on the "
-                    "boundary of their contact conditions, also from a softer "
-                    "layer, from associated friction and with sweeps from "
-                    "element to element. A smaller stiffness of the joints may "
-                    "help.",
-                    state.t,
-                    continuation.n_schemes,
-                    boundary.elements_on_boundary(state).size()));
+      {
+        result.verdict = Verdict::no_continuation;
+        result.tried =
+          fmt::format("Newton's method tried {} sets of states of {} elements on the "
+                      "boundary of their contact conditions, also from a softer layer, "
+                      "from associated friction and with sweeps from element to element",
+                      continuation.n_schemes,
+                      boundary.elements_on_boundary(state).size());
+        take_critical_elements(state, result);
+        return;
+      }
     take_limit(state, continuation.mechanism, result);
     const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
     std::vector<ContactState> states;

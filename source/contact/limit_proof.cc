@@ -54,16 +54,16 @@ namespace fuga
         result.mechanism_jumps = *motion;
         result.mechanism       = classify_mechanism(*motion, elements);
         result.critical        = {};
+        result.tried.clear();
         return of_judge;
       }
-    if (!is_limit)
+    if (!is_limit && result.tried.empty())
       return {};
     throw NumericalFailure(fmt::format(
       "No equilibrium was found behind load time {:.12g}, and no motion proves that there is none. "
-      "The motion found: {}. {}. The structure may stand; try a smaller step of the load or softer "
-      "joints.",
+      "{}. {}. The structure may stand; try softer joints.",
       state.t,
-      figures(of_path),
+      is_limit ? "The motion found: " + figures(of_path) : result.tried,
       motion ? "The rigid motion of the bodies that the load drives most: " + figures(of_judge)
              : "The load drives no rigid motion of the bodies that their joints allow"));
   }

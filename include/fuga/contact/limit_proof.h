@@ -15,9 +15,10 @@ namespace fuga
    * ended in @p last_state (without states: before its first load) must prove it, see
    * MechanismCertificate::proves(). If it does not, the judge looks for one that does, which then
    * takes its place in @p result. A path that found no continuation has met a limit load all the
-   * same if there is such a motion. Does nothing for other verdicts, nor where the motion itself
+   * same if there is such a motion; if it cannot say that there is no continuation
+   * (PathResult::tried), it needs one. Does nothing for other verdicts, nor where the motion itself
    * was followed beyond the limit.
-   * @throws NumericalFailure if no motion proves a limit load.
+   * @throws NumericalFailure if no motion proves a limit load, or what was only not found.
    */
   MechanismCertificate
   prove_limit(const Judge &judge,

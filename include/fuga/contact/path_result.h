@@ -105,6 +105,9 @@ namespace fuga
     std::size_t n_non_unique = 0;
     CriticalFriction critical;
     BeyondLimit beyond;
+    /** What was tried, where a path ends with `no_continuation` only because no way on was found:
+     * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
+    std::string tried;
   };
 
   template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
@@ -123,7 +126,8 @@ namespace fuga
            n_decided_by,
            n_non_unique,
            critical,
-           beyond] = result;
+           beyond,
+           tried] = result;
     visit("verdict", verdict);
     visit("t", t);
     visit("mechanism", mechanism);
@@ -137,6 +141,7 @@ namespace fuga
     visit("n_non_unique", n_non_unique);
     visit("critical", critical);
     visit("beyond", beyond);
+    visit("tried", tried);
   }
 
   /**
