@@ -250,13 +250,15 @@ namespace fuga
     double length         = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
-    double allowed = course.length > 2. * shortest ? error_of_rounding(shortest) : 1.;
+    double allowed = 1.;
+    bool is_known  = course.length <= 2. * shortest;
     while (curve.back().tau < course.length)
       {
-        Station from = curve.back();
-        length       = std::min(length, course.length - from.tau);
-        at_limit     = grows_beyond_bounds();
-        if (at_limit || (at_turning_point = turns_back()))
+        Station from     = curve.back();
+        length           = std::min(length, course.length - from.tau);
+        at_limit         = grows_beyond_bounds();
+        at_turning_point = !at_limit && turns_back();
+        if (at_limit || at_turning_point)
           break;
         if (length < shortest && course.length - from.tau > shortest)
           throw NumericalFailure(fmt::format(
@@ -268,6 +270,11 @@ namespace fuga
           {
             length *= 0.25;
             continue;
+          }
+        if (error > allowed && !is_known)
+          {
+            allowed  = error_of_rounding(shortest);
+            is_known = true;
           }
         error /= allowed;
         if (error > 1.)
@@ -283,7 +290,8 @@ namespace fuga
               break;
             }
         curve.push_back(std::move(to));
-        allowed = 1.;
+        allowed  = 1.;
+        is_known = true;
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
     end = curve.back().tau;
