@@ -172,7 +172,7 @@ def plot(scenes, path):
     for i, j, value in zip(row, column, scenes.certificate):
         worst[i, j] = np.fmax(worst[i, j], max(value, 1e-17))
     figure, axes = plt.subplots(figsize=(8.5, 5.5))
-    image = axes.pcolormesh(np.log10(worst), cmap="viridis", vmin=-17, vmax=-8, edgecolors="white", linewidth=.5)
+    image = axes.pcolormesh(np.log10(worst), cmap="viridis", vmin=-17, vmax=np.log10(BOUND), edgecolors="white", linewidth=.5)
     for i in range(worst.shape[0]):
         for j in range(worst.shape[1]):
             if np.isfinite(worst[i, j]):
@@ -184,7 +184,7 @@ def plot(scenes, path):
     axes.set_yticklabels(["0", "to 0.25"] + ["from %g" % v for v in f_classes[2:]])
     axes.set_xlabel("largest compliance ρ of the scene, class from [m/MPa]")
     axes.set_ylabel("largest friction coefficient f of the scene")
-    figure.colorbar(image, label="log10 of the worst certificate (bound: -8)")
+    figure.colorbar(image, label="log10 of the worst certificate (bound: %.0f)" % np.log10(BOUND))
     axes.set_title("%d scenes: worst certificate in each class" % len(scenes))
     figure.tight_layout()
     figure.savefig(path, dpi=110, metadata={"Software": None})
