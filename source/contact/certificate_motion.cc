@@ -91,12 +91,18 @@ namespace fuga
       if (!by_friction || !element.has_tangential_bar())
         return;
       const std::size_t t = element.tangential_bar, s = element.second_tangential_bar;
+      const bool in_space = element.has_second_tangential_bar();
+      if (freedom.holds_shear)
+        {
+          equal.add({{t, 1.}});
+          if (in_space)
+            equal.add({{s, 1.}});
+          return;
+        }
       for (const double sign : {-1., 1.})
         {
-          Terms inside = {{element.normal_bar, 1.}, {t, sign * freedom.friction}};
-          if (freedom.holds_shear)
-            equal.add({{t, 1.}});
-          else if (!element.has_second_tangential_bar())
+          const Terms inside = {{element.normal_bar, 1.}, {t, sign * freedom.friction}};
+          if (!in_space)
             positive.add(inside);
           else // within the circular cone
             for (const double other : {-1., 1.})
@@ -106,8 +112,6 @@ namespace fuga
                 positive.add(facet);
               }
         }
-      if (freedom.holds_shear && element.has_second_tangential_bar())
-        equal.add({{s, 1.}});
     }
 
     void

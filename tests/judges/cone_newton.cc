@@ -4,6 +4,7 @@
 #include "judges/cone_newton.h"
 
 #include "judges/linear_solve.h"
+#include "judges/sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,24 +44,6 @@ namespace fuga::judges
       for (std::size_t j = 0; j < matrix.n_columns(); ++j)
         result.emplace_back(matrix.column(j), matrix.column(j) + matrix.n_rows());
       return result;
-    }
-
-    double
-    largest(const Vector &v)
-    {
-      double result = 0.;
-      for (const double entry : v)
-        result = std::max(result, std::abs(entry));
-      return result;
-    }
-
-    double
-    norm(const Vector &v)
-    {
-      double sum = 0.;
-      for (const double entry : v)
-        sum += entry * entry;
-      return std::sqrt(sum);
     }
 
     /** The part of @p v in the bars of one element, and its length. */

@@ -3,6 +3,8 @@
 
 #include "judges/judge_problem.h"
 
+#include "judges/sizes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,15 +15,6 @@ namespace fuga::judges
 {
   namespace
   {
-    double
-    largest(const Vector &v)
-    {
-      double result = 0.;
-      for (const double entry : v)
-        result = std::max(result, std::abs(entry));
-      return result;
-    }
-
     double
     positive(const double value)
     {

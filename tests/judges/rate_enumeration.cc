@@ -5,6 +5,7 @@
 
 #include "judges/linear_solve.h"
 #include "judges/scheme.h"
+#include "judges/sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,6 @@ namespace fuga::judges
 {
   namespace
   {
-    double
-    largest(const Vector &v)
-    {
-      double result = 0.;
-      for (const double entry : v)
-        result = std::max(result, std::abs(entry));
-      return result;
-    }
-
     bool
     equal(const Vector &u, const Vector &v)
     {

@@ -6,6 +6,7 @@
 #include "judges/linear_solve.h"
 #include "judges/newton_equations.h"
 #include "judges/scheme.h"
+#include "judges/sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,6 @@ namespace fuga::judges
 {
   namespace
   {
-    double
-    norm(const Vector &v)
-    {
-      double sum = 0.;
-      for (const double entry : v)
-        sum += entry * entry;
-      return std::sqrt(sum);
-    }
-
     /** Newton from @p y; true if |F| fell to rounding or no longer falls at a tiny value. */
     bool
     newton(const NewtonEquations &equations,
