@@ -45,15 +45,19 @@ namespace fuga
     return result;
   }
 
-  Vector
-  PhaseTransfer::of_elements(const Vector &values) const
+  template <typename Value>
+  std::vector<Value>
+  PhaseTransfer::of_elements(const std::vector<Value> &values) const
   {
-    Vector result(elements.size(), 0.);
+    std::vector<Value> result(elements.size(), Value{});
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (old_numbers[k] != none)
         result[k] = values[old_numbers[k]];
     return result;
   }
+
+  template Vector
+  PhaseTransfer::of_elements(const Vector &values) const;
 
   std::vector<std::size_t>
   PhaseTransfer::numbers(const std::vector<std::size_t> &old) const

@@ -49,8 +49,9 @@ namespace fuga
     of_bars(const Vector &values) const;
 
     /** Values of elements; 0 for new ones. */
-    Vector
-    of_elements(const Vector &values) const;
+    template <typename Value>
+    std::vector<Value>
+    of_elements(const std::vector<Value> &values) const;
 
     /** New numbers of elements; without those that are gone. */
     std::vector<std::size_t>

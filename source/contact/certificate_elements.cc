@@ -152,7 +152,7 @@ namespace fuga
               return point.rates.dislocations[t] + rho * point.rates.forces[t] - layer.shear;
             };
             work += work_of(
-              t, from.state.slips[k], rate(from, layer0), to.state.slips[k], rate(to, layer1));
+              t, from.state.slips[k][0], rate(from, layer0), to.state.slips[k][0], rate(to, layer1));
             if (rising)
               {
                 const double tangent = slip_sign(state) * from.state.strengths[k].dilatancy;
@@ -190,7 +190,7 @@ namespace fuga
     const FrictionLaw &law = elements[k].friction;
     if (law.dilatancy == 0.)
       return;
-    const double slip = is_slipping(from.states[k]) ? std::abs(to.slips[k] - from.slips[k]) : 0.;
+    const double slip = is_slipping(from.states[k]) ? length(sum(to.slips[k], -1., from.slips[k])) : 0.;
     const double rise = from.strengths[k].dilatancy > 0. ? law.dilatancy * slip : 0.;
     wrong_rise        = std::max({wrong_rise,
                                   std::abs(to.dilations[k] - from.dilations[k] - rise),
@@ -234,7 +234,7 @@ namespace fuga
         return;
       }
     raise(result.layer_law,
-          std::abs(delta[element.tangential_bar] - state.slips[k] - elastic.shear),
+          std::abs(delta[element.tangential_bar] - state.slips[k][0] - elastic.shear),
           largest_jump);
     if (is_slipping(state.states[k]))
       raise(

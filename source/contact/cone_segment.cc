@@ -211,7 +211,7 @@ namespace fuga
     context.system.subtract_response(state.dislocations, state.forces);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (context.elements[k].has_tangential_bar())
-        state.slips[k] = state.dislocations[context.elements[k].tangential_bar];
+        state.slips[k] = tangential(context.elements[k], state.dislocations);
 
     if (straight)
       return true;

@@ -142,7 +142,7 @@ namespace fuga
       nearest = std::min(
         nearest,
         used_up_after({element.friction.dilation_limit - state.dilations[k],
-                       -strength_left.dilatancy * std::abs(slip_rate(element, state, k, rates)),
+                       -strength_left.dilatancy * length(slip_rate(element, state, k, rates)),
                        zero_gap},
                       strength_left.dilatancy * noise.jump()));
     if (state.states[k] == ContactState::stick && element.has_tangential_bar())

@@ -241,7 +241,7 @@ namespace fuga
         else
           {
             const double speed =
-              slip_sign(state.states[k]) * slip_rate(element, state, k, point.rates);
+              dot(context.scheme.slip_direction_of(k), slip_rate(element, state, k, point.rates));
             result.push_back({speed, 0., slip_rate_noise, false, k});
             if (strength.dilatancy > 0.)
               result.push_back({element.friction.dilation_limit - state.dilations[k],

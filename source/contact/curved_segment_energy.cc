@@ -79,9 +79,9 @@ namespace fuga
         };
         if (has_nonlinear_closure(element))
           work_of_bar(element.normal_bar, *element.normal_law, closing(k, from), closing(k, to));
-        if (has_nonlinear_shear(element))
+        for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
           work_of_bar(
-            element.tangential_bar, *element.shear_law, shearing(k, from), shearing(k, to));
+            element.bar(a), *element.shear_law, shearing(k, a, from), shearing(k, a, to));
         const double stored_before = nonlinear_energy(element, from.state, k);
         const double mismatch =
           std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
@@ -102,20 +102,21 @@ namespace fuga
     double rate =
       point.rates.dislocations[n] + context.system.compliance(n) * point.rates.forces[n];
     if (rise > 0. && is_slipping(point.state.states[k]))
-      rate -=
-        slip_sign(point.state.states[k]) * rise * slip_rate(element, point.state, k, point.rates);
+      rate -= rise * dot(context.scheme.slip_direction_of(k),
+                         slip_rate(element, point.state, k, point.rates));
     return {gap(element, point.state, k), rate};
   }
 
+  // Along the tangent of bar number @p a.
   CurvedSegment::LayerMotion
-  CurvedSegment::shearing(const std::size_t k, const PathPoint &point) const
+  CurvedSegment::shearing(const std::size_t k, const std::size_t a, const PathPoint &point) const
   {
     const ContactElement &element = context.elements[k];
-    const std::size_t t           = element.tangential_bar;
+    const std::size_t bar         = element.bar(a);
     double rate =
-      point.rates.dislocations[t] + context.system.compliance(t) * point.rates.forces[t];
+      point.rates.dislocations[bar] + context.system.compliance(bar) * point.rates.forces[bar];
     if (is_slipping(point.state.states[k]))
-      rate -= slip_rate(element, point.state, k, point.rates);
-    return {elastic_shear(element, point.state, k), rate};
+      rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
+    return {elastic_shear(element, point.state, k)[a - 1], rate};
   }
 } // namespace fuga

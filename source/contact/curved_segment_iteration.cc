@@ -131,10 +131,12 @@ namespace fuga
           limit(closure_limit(element), -gap(element, state, k), -growth_of[element.normal_bar]);
         if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
           {
-            const double e = elastic_shear(element, state, k);
-            limit(element.shear_law->deformation_limit(),
-                  std::abs(e),
-                  std::copysign(1., e) * growth_of[element.tangential_bar]);
+            const TangentVector e = elastic_shear(element, state, k);
+            const double size     = length(e);
+            if (size > 0.)
+              limit(element.shear_law->deformation_limit(),
+                    size,
+                    dot(e, tangential(element, growth_of)) / size);
           }
       }
     return share;

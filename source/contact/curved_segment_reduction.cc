@@ -52,21 +52,26 @@ namespace fuga
           return cubic(from.state.forces, from.rates.forces, to.state.forces, to.rates.forces, bar)
             .value(0.5);
         };
-        const double sign     = slip_sign(to.state.states[k]);
+        const TangentVector e = context.scheme.slip_direction_of(k);
         const Strength &a     = from.state.strengths[k];
         const Strength &b     = to.state.strengths[k];
         const double strength = 0.5 * (a.cohesion + b.cohesion) -
                                 0.5 * (a.friction + b.friction) * force(element.normal_bar);
-        const std::size_t t = element.tangential_bar;
-        miss                = std::max(miss, std::abs(force(t) - sign * strength));
-
-        const CubicOnUnitInterval slip = cubic(from.state.dislocations,
-                                               from.rates.dislocations,
-                                               to.state.dislocations,
-                                               to.rates.dislocations,
-                                               t);
-        if (!has_nonlinear_shear(element) && sign * slip.slope(0.5) < slowest &&
-            sign * from.rates.dislocations[t] >= 0. && sign * to.rates.dislocations[t] >= 0.)
+        double slope        = 0.;
+        for (std::size_t i = 1; i < element.n_bars(); ++i)
+          {
+            const std::size_t bar = element.bar(i);
+            miss = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
+            slope += e[i - 1] * cubic(from.state.dislocations,
+                                      from.rates.dislocations,
+                                      to.state.dislocations,
+                                      to.rates.dislocations,
+                                      bar)
+                                  .slope(0.5);
+          }
+        if (!has_nonlinear_shear(element) && slope < slowest &&
+            dot(e, tangential(element, from.rates.dislocations)) >= 0. &&
+            dot(e, tangential(element, to.rates.dislocations)) >= 0.)
           return std::numeric_limits<double>::infinity();
       }
     const double largest = std::max(max_abs(from.state.forces), max_abs(to.state.forces));

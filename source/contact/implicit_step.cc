@@ -52,7 +52,7 @@ namespace fuga
         if (state.states[k] != ContactState::open)
           state.dislocations[element.normal_bar] = -element.initial_gap;
         if (element.has_tangential_bar())
-          state.dislocations[element.tangential_bar] = from.slips[k];
+          state.dislocations[element.tangential_bar] = from.slips[k][0];
       }
     state.forces                           = system.forces(factors, state.dislocations);
     const std::optional<JointRates> change = scheme.correction(scheme.residual(state));
@@ -63,7 +63,7 @@ namespace fuga
     state.forces = system.forces(factors, state.dislocations);
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (elements[k].has_tangential_bar() && state.states[k] != ContactState::stick)
-        state.slips[k] = state.dislocations[elements[k].tangential_bar];
+        state.slips[k] = tangential(elements[k], state.dislocations);
     return true;
   }
 
@@ -107,7 +107,7 @@ namespace fuga
     const double pressing = now == ContactState::open ? -W_n * g : std::max(-N, 0.);
     const double strength =
       state.strengths[k].friction * pressing + cohesive_strength(element, state, k);
-    const double slipped = state.slips[k] - from.slips[k];
+    const double slipped = state.slips[k][0] - from.slips[k][0];
     if (is_slipping(now) && slip_sign(now) * W_t * slipped >= -noise)
       return now;
     const double trial = (now == ContactState::open ? 0. : state.forces[t]) +

@@ -11,10 +11,44 @@ namespace fuga
 {
   namespace
   {
+    double
+    unreleased_shear(const ContactElement &element, const JointState &at)
+    {
+      return element.has_tangential_bar() ? length(tangential(element, at.unreleased)) : 0.;
+    }
+
     bool
     widens(const ContactElement &element, const JointState &at)
     {
-      return element.coupling != nullptr && at.unreleased[element.tangential_bar] != 0.;
+      return element.coupling != nullptr && unreleased_shear(element, at) != 0.;
+    }
+
+    double
+    shear_force(const ContactElement &element, const JointState &at)
+    {
+      return length(tangential(element, at.forces));
+    }
+
+    /** The unit vector along a; where a is zero, the first tangent. */
+    TangentVector
+    direction_of(const TangentVector &a)
+    {
+      const double size = length(a);
+      return size > 0. ? TangentVector{{a[0] / size, a[1] / size}} : TangentVector{{1., 0.}};
+    }
+
+    TangentVector
+    scaled(const double size, const TangentVector &direction)
+    {
+      return {{size * direction[0], size * direction[1]}};
+    }
+
+    /** What the layer deforms in its plane, as far as its forces depend on it. */
+    TangentVector
+    layer_shear(const ContactElement &element, const JointState &at, const std::size_t k)
+    {
+      return at.states[k] == ContactState::stick ? elastic_shear(element, at, k)
+                                                 : shear_deformation(element, at, k);
     }
 
     double
@@ -61,48 +95,52 @@ namespace fuga
       return element.initial_gap - at.dilations[k] + at.dislocations[n];
     const double A = element.area;
     return gap(element, at, k) +
-           element.coupling->deformation(-at.forces[n] / A, at.forces[element.tangential_bar] / A)
-             .closure;
+           element.coupling->deformation(-at.forces[n] / A, shear_force(element, at) / A).closure;
   }
 
   double
   lip_opening_rate(const ContactElement &element, const JointState &at, const JointRates &rates)
   {
-    const std::size_t n = element.normal_bar, t = element.tangential_bar;
+    const std::size_t n = element.normal_bar;
     if (!widens(element, at))
       return rates.dislocations[n];
-    const double A      = element.area;
-    const auto [w, e]   = element.coupling->deformation(-at.forces[n] / A, at.forces[t] / A);
-    const auto response = element.coupling->response(w, e);
+    const double A          = element.area;
+    const TangentVector T   = tangential(element, at.forces);
+    const auto [w, e]       = element.coupling->deformation(-at.forces[n] / A, length(T) / A);
+    const auto response     = element.coupling->response(w, e);
+    const double shear_rate = dot(direction_of(T), tangential(element, rates.forces));
     const double determinant =
       response.dsigma_dw * response.dtau_de - response.dsigma_de * response.dsigma_de;
     return rates.dislocations[n] + bar_compliance(*element.normal_law, A) * rates.forces[n] -
-           (response.dtau_de * rates.forces[n] + response.dsigma_de * rates.forces[t]) /
+           (response.dtau_de * rates.forces[n] + response.dsigma_de * shear_rate) /
              (A * determinant);
   }
 
-  double
+  TangentVector
   elastic_shear(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    const std::size_t t = element.tangential_bar;
-    return at.dislocations[t] + bar_compliance(*element.shear_law, element.area) * at.forces[t] -
-           at.slips[k];
+    const TangentVector jump = sum(tangential(element, at.dislocations),
+                                   bar_compliance(*element.shear_law, element.area),
+                                   tangential(element, at.forces));
+    return sum(jump, -1., at.slips[k]);
   }
 
   // While the lips are apart the gap does not tell the closure; the force of a bond that is being
   // unloaded does.
-  double
+  TangentVector
   shear_deformation(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    const double A = element.area;
-    const double T = at.forces[element.tangential_bar];
+    const double A        = element.area;
+    const TangentVector T = tangential(element, at.forces);
     if (!has_nonlinear_shear(element))
-      return bar_compliance(*element.shear_law, A) * T;
-    if (element.coupling != nullptr)
-      return at.states[k] == ContactState::open
-               ? element.coupling->deformation(-at.forces[element.normal_bar] / A, T / A).shear
-               : element.coupling->shear_deformation(-gap(element, at, k), T / A);
-    return std::copysign(element.shear_law->deformation(std::abs(T) / element.area), T);
+      return scaled(bar_compliance(*element.shear_law, A), T);
+    const double stress = length(T) / A;
+    if (element.coupling == nullptr)
+      return scaled(element.shear_law->deformation(stress), direction_of(T));
+    return scaled(at.states[k] == ContactState::open
+                    ? element.coupling->deformation(-at.forces[element.normal_bar] / A, stress).shear
+                    : element.coupling->shear_deformation(-gap(element, at, k), stress),
+                  direction_of(T));
   }
 
   LayerForces
@@ -111,10 +149,9 @@ namespace fuga
     const double A = element.area;
     if (element.coupling != nullptr)
       {
-        const double e = at.states[k] == ContactState::stick ? elastic_shear(element, at, k)
-                                                             : shear_deformation(element, at, k);
-        const ShearCoupling::Response r = element.coupling->response(-gap(element, at, k), e);
-        return {-A * r.sigma, A * r.tau};
+        const TangentVector e           = layer_shear(element, at, k);
+        const ShearCoupling::Response r = element.coupling->response(-gap(element, at, k), length(e));
+        return {-A * r.sigma, scaled(A * r.tau, direction_of(e))};
       }
     LayerForces forces;
     if (has_nonlinear_closure(element))
@@ -125,8 +162,8 @@ namespace fuga
       }
     if (has_nonlinear_shear(element))
       {
-        const double e = elastic_shear(element, at, k);
-        forces.shear   = std::copysign(A * element.shear_law->stress(std::abs(e)), e);
+        const TangentVector e = elastic_shear(element, at, k);
+        forces.shear          = scaled(A * element.shear_law->stress(length(e)), direction_of(e));
       }
     return forces;
   }
@@ -136,13 +173,13 @@ namespace fuga
   {
     const double A = element.area, g = gap(element, at, k);
     if (element.coupling != nullptr)
-      return A * element.coupling->energy(-g, elastic_shear(element, at, k));
+      return A * element.coupling->energy(-g, length(elastic_shear(element, at, k)));
     double energy = 0.;
     if (has_nonlinear_closure(element))
       energy += g < 0. ? A * element.normal_law->energy(-g)
                        : 0.5 * g * g * first_stiffness(*element.normal_law, A);
     if (has_nonlinear_shear(element))
-      energy += A * element.shear_law->energy(std::abs(elastic_shear(element, at, k)));
+      energy += A * element.shear_law->energy(length(elastic_shear(element, at, k)));
     return energy;
   }
 
@@ -150,14 +187,19 @@ namespace fuga
   layer_tangent(const ContactElement &element, const JointState &at, const std::size_t k)
   {
     const double A = element.area;
+    LayerTangent tangent;
     if (element.coupling != nullptr)
       {
-        const double e = at.states[k] == ContactState::stick ? elastic_shear(element, at, k)
-                                                             : shear_deformation(element, at, k);
-        const ShearCoupling::Response r = element.coupling->response(-gap(element, at, k), e);
-        return {A * r.dsigma_dw, -A * r.dsigma_de, A * r.dtau_de};
+        const TangentVector e           = layer_shear(element, at, k);
+        const double size               = length(e);
+        const ShearCoupling::Response r = element.coupling->response(-gap(element, at, k), size);
+        tangent.normal                  = A * r.dsigma_dw;
+        tangent.mixed                   = -A * r.dsigma_de;
+        tangent.shear                   = A * r.dtau_de;
+        tangent.across                  = A * (size > 0. ? r.tau / size : r.dtau_de);
+        tangent.direction               = direction_of(e);
+        return tangent;
       }
-    LayerTangent tangent;
     if (has_nonlinear_closure(element))
       {
         const double g = gap(element, at, k);
@@ -165,7 +207,12 @@ namespace fuga
           g < 0. ? A * element.normal_law->tangent(-g) : first_stiffness(*element.normal_law, A);
       }
     if (has_nonlinear_shear(element))
-      tangent.shear = A * element.shear_law->tangent(std::abs(elastic_shear(element, at, k)));
+      {
+        const TangentVector e = elastic_shear(element, at, k);
+        tangent.shear         = A * element.shear_law->tangent(length(e));
+        tangent.across        = A * element.shear_law->secant(length(e));
+        tangent.direction     = direction_of(e);
+      }
     return tangent;
   }
 
@@ -176,41 +223,51 @@ namespace fuga
     if (has_nonlinear_closure(element))
       tangent.normal = first_stiffness(*element.normal_law, element.area);
     if (has_nonlinear_shear(element))
-      tangent.shear = first_stiffness(*element.shear_law, element.area);
+      tangent.shear = tangent.across = first_stiffness(*element.shear_law, element.area);
     return tangent;
   }
 
   // s = jump - e, so ṡ = ḋ + D Ṫ - ė, with ė from the inverse of the layer's tangent.
-  double
+  TangentVector
   slip_rate(const ContactElement &element,
             const JointState &at,
             const std::size_t k,
             const JointRates &rates)
   {
-    const std::size_t n = element.normal_bar, t = element.tangential_bar;
+    const TangentVector dislocation_rate = tangential(element, rates.dislocations);
     if (!has_nonlinear_shear(element))
-      return rates.dislocations[t];
-    const double A      = element.area;
-    const double T_rate = rates.forces[t];
-    double elastic_rate = 0.;
+      return dislocation_rate;
+    const double A           = element.area;
+    const TangentVector T    = tangential(element, at.forces);
+    const TangentVector rate = tangential(element, rates.forces);
+    LayerTangent tangent     = layer_tangent(element, at, k);
+    TangentVector u          = tangent.direction;
+    double along             = 0.;
     if (element.coupling == nullptr)
-      elastic_rate = T_rate / layer_tangent(element, at, k).shear;
+      along = dot(u, rate) / tangent.shear;
     else
       {
-        const auto [w, e] = element.coupling->deformation(-at.forces[n] / A, at.forces[t] / A);
+        u = direction_of(T);
+        const auto [w, e] =
+          element.coupling->deformation(-at.forces[element.normal_bar] / A, length(T) / A);
         const ShearCoupling::Response r = element.coupling->response(w, e);
-        elastic_rate                    = (r.dsigma_de * rates.forces[n] + r.dsigma_dw * T_rate) /
-                       (A * (r.dsigma_dw * r.dtau_de - r.dsigma_de * r.dsigma_de));
+        tangent.across                  = A * (e > 0. ? r.tau / e : r.dtau_de);
+        along =
+          (r.dsigma_de * rates.forces[element.normal_bar] + r.dsigma_dw * dot(u, rate)) /
+          (A * (r.dsigma_dw * r.dtau_de - r.dsigma_de * r.dsigma_de));
       }
-    return rates.dislocations[t] + bar_compliance(*element.shear_law, A) * T_rate - elastic_rate;
+    TangentVector elastic = scaled(along, u);
+    if (element.has_second_tangential_bar())
+      elastic = sum(elastic, dot(normal_to(u), rate) / tangent.across, normal_to(u));
+    const TangentVector jump =
+      sum(dislocation_rate, bar_compliance(*element.shear_law, A), rate);
+    return sum(jump, -1., elastic);
   }
 
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    const double unreleased =
-      element.has_tangential_bar() ? std::abs(at.unreleased[element.tangential_bar]) : 0.;
-    return at.strengths[k].cohesion + unreleased;
+    return at.strengths[k].cohesion + unreleased_shear(element, at);
   }
 
   // Under tension a bond has less strength; without a bond a tension is rounding.
@@ -240,7 +297,7 @@ namespace fuga
   double
   shear_strength_rate(const ContactElement &element, const Drive &drive)
   {
-    double rate = drive.release.empty() ? 0. : -std::abs(drive.release[element.tangential_bar]);
+    double rate = drive.release.empty() ? 0. : -length(tangential(element, drive.release));
     if (!drive.strength.empty())
       rate += drive.strength[element.tangential_bar];
     return rate;

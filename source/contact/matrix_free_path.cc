@@ -266,7 +266,7 @@ namespace fuga
         if (state.states[k] == ContactState::stick)
           for (std::size_t i = 1; i < element.n_bars(); ++i)
             state.dislocations[bars_of(element)[i]] = from.dislocations[bars_of(element)[i]];
-        state.slips[k] = state.dislocations[element.tangential_bar];
+        state.slips[k] = tangential(element, state.dislocations);
       }
     return state;
   }

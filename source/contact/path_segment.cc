@@ -63,13 +63,16 @@ namespace fuga
         const ContactElement &element = context.elements[k];
         if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
           continue;
-        double slip = state.dislocations[element.tangential_bar];
+        TangentVector slip = tangential(element, state.dislocations);
         if (has_nonlinear_shear(element)) // which deforms less, or more, than D says
-          slip += bar_compliance(*element.shear_law, element.area) *
-                    state.forces[element.tangential_bar] -
-                  shear_deformation(element, state, k);
+          slip = sum(sum(slip,
+                         bar_compliance(*element.shear_law, element.area),
+                         tangential(element, state.forces)),
+                     -1.,
+                     shear_deformation(element, state, k));
         state.dilations[k] +=
-          slip_sign(state.states[k]) * state.strengths[k].dilatancy * (slip - state.slips[k]);
+          state.strengths[k].dilatancy *
+          dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
         state.slips[k] = slip;
       }
   }

@@ -49,10 +49,9 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (is_slipping(scheme.state(k)))
         {
-          const std::size_t t = elements[k].tangential_bar;
-          const double slip   = slip_rate(elements[k], state, k, rates);
-          branch.dissipation += state.forces[t] * slip;
-          branch.dissipation_growth += rates.forces[t] * slip;
+          const TangentVector slip = slip_rate(elements[k], state, k, rates);
+          branch.dissipation += dot(tangential(elements[k], state.forces), slip);
+          branch.dissipation_growth += dot(tangential(elements[k], rates.forces), slip);
         }
     return branch;
   }

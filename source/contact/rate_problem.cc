@@ -138,7 +138,7 @@ namespace fuga
           continue;
         if (is_slipping(now))
           {
-            if (slip_sign(now) * slip_rate(element, state, k, rates) < -noise.jump())
+            if (dot(scheme.slip_direction_of(k), slip_rate(element, state, k, rates)) < -noise.jump())
               switches.push_back({k, ContactState::stick});
             continue;
           }

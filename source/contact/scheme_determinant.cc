@@ -16,6 +16,7 @@ namespace fuga
     append_rows(elements[k],
                 k,
                 in_state,
+                directions[k],
                 strengths[k],
                 nonlinear ? tangents[k] : LayerTangent(),
                 system,
@@ -46,12 +47,12 @@ namespace fuga
     Vector line(rows.size()), column(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        line[i]   = entry(*row, rows[i].bar);
-        column[i] = active ? inverse.entry(i, position[t]) : entry(rows[i], t);
+        line[i]   = entry(*row, rows[i]);
+        column[i] = active ? inverse.entry(i, position[t]) : entry(rows[i], *row);
       }
     if (active)
       return dot(line, column);
-    return inverse.pivot_of(column, line, entry(*row, t)) / W_tt;
+    return inverse.pivot_of(column, line, entry(*row, *row)) / W_tt;
   }
 
   // Slipping elements are pivoted: their block is that of the inverse. The principal transform of a
@@ -91,15 +92,16 @@ namespace fuga
                                  const std::vector<std::size_t> &stuck,
                                  DenseMatrix &M) const
   {
-    const auto bar_of = [&](const std::size_t j) {
-      return elements[slips[j].element].tangential_bar;
-    };
+    std::vector<SchemeRow> stuck_rows;
     std::vector<Vector> responses;
     for (const std::size_t j : stuck)
       {
+        stuck_rows.push_back(*tangential_row(slips[j].element,
+                                             slips[j].sign > 0. ? ContactState::slip_forward
+                                                                : ContactState::slip_backward));
         Vector column(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i)
-          column[i] = entry(rows[i], bar_of(j));
+          column[i] = entry(rows[i], stuck_rows.back());
         responses.push_back(inverse.solve(column));
       }
     const auto add = [&](const std::size_t i, const std::size_t j, const double value) {
@@ -108,15 +110,13 @@ namespace fuga
     for (std::size_t b = 0; b < stuck.size(); ++b)
       {
         const std::size_t i = stuck[b];
-        const SchemeRow row = *tangential_row(slips[i].element,
-                                              slips[i].sign > 0. ? ContactState::slip_forward
-                                                                 : ContactState::slip_backward);
+        const SchemeRow &row = stuck_rows[b];
         Vector line(rows.size());
         for (std::size_t j = 0; j < rows.size(); ++j)
-          line[j] = entry(row, rows[j].bar);
+          line[j] = entry(row, rows[j]);
         for (std::size_t c = 0; c < stuck.size(); ++c)
           {
-            const double value = entry(row, bar_of(stuck[c])) - dot(line, responses[c]);
+            const double value = entry(row, stuck_rows[c]) - dot(line, responses[c]);
             add(i, stuck[c], b == c ? 2. * value : value);
           }
         const Vector transferred = inverse.solve_transposed(line);

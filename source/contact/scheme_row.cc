@@ -9,49 +9,109 @@ namespace fuga
   {
     using Demand = SchemeRow::Demand;
 
-    /** N = C_nn g + C_nt e with g = d_n + D_n N, e = d_t + D_t T; the shear bar likewise. */
+    /** Unknown and equation p = 0 of bar number @p i. */
     SchemeRow
-    stuck_layer_row(const SchemeRow &bars, const double C, const double C_mixed, const Vector &D)
+    free_row(const ContactElement &element, const std::size_t k, const std::size_t i)
     {
-      SchemeRow row = bars;
+      SchemeRow row;
+      row.element = k;
+      row.bar     = element.bar(i);
+      row.own[i] = row.column[i] = 1.;
+      return row;
+    }
+
+    /** p_i = Σ C_ij (d_j + D_j p_j), the elastic deformations of the layer; see LayerTangent. */
+    SchemeRow
+    stuck_layer_row(const ContactElement &element,
+                    const std::size_t k,
+                    const std::size_t i,
+                    const LayerTangent &C,
+                    const LayeredSystem &system)
+    {
+      SchemeRow row = free_row(element, k, i);
       row.demand    = Demand::layer;
-      row.own       = 1. - C * D[0];
-      row.weight    = -C_mixed * D[1];
-      row.stiffness = C;
-      row.cross     = C_mixed;
+      for (std::size_t j = 0; j < element.n_bars(); ++j)
+        {
+          row.stiffness[j] = C(i, j);
+          row.own[j] -= C(i, j) * system.compliance(element.bar(j));
+        }
       return row;
     }
 
     /**
-     * While the element slides, T is given by N and the elastic shear follows it. The layer then
-     * answers N - (C_nt/C_tt) T = C g, C = C_nn - C_nt²/C_tt, and g is reckoned from lips that rise
-     * by σ tan ψ per slip, ṡ = ḋ_t + (D_t - 1/C_tt) Ṫ. A rigid or linear layer keeps g + ... = 0
-     * with C standing for any stiffness.
+     * While the element slides along e, T is given by N and the elastic shear follows it. The layer
+     * then answers N - (C_nt/C_tt) T = C g, C = C_nn - C_nt²/C_tt, and g is reckoned from lips that
+     * rise by tan ψ per slip, ṡ = ḋ_t + (D_t - 1/C_tt) Ṫ along e. A rigid or linear layer keeps
+     * g + ... = 0 with C standing for any stiffness.
      */
     SchemeRow
-    sliding_normal_row(const SchemeRow &bars,
-                       const ContactElement &element,
+    sliding_normal_row(const ContactElement &element,
+                       const std::size_t k,
+                       const TangentVector &e,
                        const double rise,
                        const LayerTangent &tangent,
                        const LayeredSystem &system)
     {
       const bool shear_layer = has_nonlinear_shear(element);
       const double ratio     = element.coupling != nullptr ? tangent.mixed / tangent.shear : 0.;
-      const double D_n       = system.compliance(bars.bar);
-      const double excess = shear_layer ? system.compliance(bars.other) - 1. / tangent.shear : 0.;
-      SchemeRow row       = bars;
-      double C            = system.stiffness()(bars.bar, bars.bar);
-      row.demand          = Demand::riding;
-      row.own             = 0.;
+      const double excess =
+        shear_layer ? system.compliance(element.tangential_bar) - 1. / tangent.shear : 0.;
+      SchemeRow row = free_row(element, k, 0);
+      double C      = system.stiffness()(row.bar, row.bar);
+      row.demand    = Demand::riding;
+      row.own[0]    = 0.;
       if (has_nonlinear_closure(element))
         {
           C          = tangent.normal - ratio * tangent.mixed;
           row.demand = Demand::layer;
-          row.own    = 1. - C * D_n;
+          row.own[0] = 1. - C * system.compliance(row.bar);
         }
-      row.weight    = -ratio + C * rise * excess;
-      row.stiffness = C;
-      row.cross     = -C * rise;
+      row.stiffness[0] = C;
+      for (std::size_t a = 0; a < 2; ++a)
+        {
+          row.own[1 + a]       = -ratio * tangent.direction[a] + C * rise * excess * e[a];
+          row.stiffness[1 + a] = -C * rise * e[a];
+        }
+      return row;
+    }
+
+    /** Along a single bar the unknown is its dislocation, whatever the sign of the slip. */
+    SchemeRow
+    sliding_row(const ContactElement &element,
+                const std::size_t k,
+                const TangentVector &e,
+                const double friction)
+    {
+      SchemeRow row = free_row(element, k, 1);
+      row.demand    = Demand::sliding;
+      if (element.has_second_tangential_bar())
+        {
+          row.own    = {{friction, e[0], e[1]}};
+          row.column = {{0., e[0], e[1]}};
+        }
+      else
+        row.own[0] = e[0] * friction;
+      return row;
+    }
+
+    /** T·n = k_s (d + D T)·n across the slip, n ⟂ e, with the secant stiffness of the layer. */
+    SchemeRow
+    across_row(const ContactElement &element,
+               const std::size_t k,
+               const TangentVector &e,
+               const LayerTangent &tangent,
+               const LayeredSystem &system)
+    {
+      SchemeRow row           = free_row(element, k, 2);
+      row.demand              = Demand::layer_across;
+      const TangentVector n   = normal_to(e);
+      const double compliance = system.compliance(element.second_tangential_bar);
+      row.column              = {{0., n[0], n[1]}};
+      for (std::size_t a = 0; a < 2; ++a)
+        {
+          row.stiffness[1 + a] = tangent.across * n[a];
+          row.own[1 + a]       = (1. - tangent.across * compliance) * n[a];
+        }
       return row;
     }
   } // namespace
@@ -60,61 +120,71 @@ namespace fuga
   append_rows(const ContactElement &element,
               const std::size_t k,
               const ContactState state,
+              const TangentVector &direction,
               const Strength &strength,
               const LayerTangent &tangent,
               const LayeredSystem &system,
               std::vector<SchemeRow> &rows)
   {
-    const std::size_t n  = element.normal_bar;
-    const bool has_shear = element.has_tangential_bar();
-    const std::size_t t  = has_shear ? element.tangential_bar : n;
-    const SchemeRow normal{Demand::no_force, k, n, t, 1., 0., 0., 0.};
-    const SchemeRow shear{Demand::no_force, k, t, n, 1., 0., 0., 0.};
-
     if (state == ContactState::open)
       {
-        rows.push_back(normal);
-        if (has_shear)
-          rows.push_back(shear);
+        for (std::size_t i = 0; i < element.n_bars(); ++i)
+          rows.push_back(free_row(element, k, i));
         return;
       }
-    if (is_slipping(state))
+    const bool no_shear = element.has_second_tangential_bar() && !strength.resists_shear();
+    if (is_slipping(state) && !no_shear)
       {
-        const double rise = slip_sign(state) * strength.dilatancy;
-        if (has_nonlinear_closure(element) || rise != 0.)
-          rows.push_back(sliding_normal_row(normal, element, rise, tangent, system));
-        rows.push_back(shear);
-        rows.back().demand = Demand::sliding;
-        rows.back().weight = slip_sign(state) * strength.friction;
+        const TangentVector e = slip_direction(element, state, direction);
+        if (has_nonlinear_closure(element) || strength.dilatancy != 0.)
+          rows.push_back(sliding_normal_row(element, k, e, strength.dilatancy, tangent, system));
+        rows.push_back(sliding_row(element, k, e, strength.friction));
+        if (element.has_second_tangential_bar() && has_nonlinear_shear(element))
+          rows.push_back(across_row(element, k, e, tangent, system));
         return;
       }
-    const Vector D = {system.compliance(n), system.compliance(t)};
     if (has_nonlinear_closure(element))
-      rows.push_back(stuck_layer_row(normal, tangent.normal, tangent.mixed, D));
-    if (has_nonlinear_shear(element))
-      rows.push_back(stuck_layer_row(shear, tangent.shear, tangent.mixed, {D[1], D[0]}));
+      rows.push_back(stuck_layer_row(element, k, 0, tangent, system));
+    for (std::size_t i = 1; i < element.n_bars(); ++i)
+      if (no_shear)
+        rows.push_back(free_row(element, k, i));
+      else if (has_nonlinear_shear(element))
+        rows.push_back(stuck_layer_row(element, k, i, tangent, system));
   }
 
   double
   row_residual(const SchemeRow &row, const ContactElement &element, const JointState &at)
   {
-    const std::size_t k   = row.element;
-    const double p        = at.forces[row.bar];
-    const bool is_tangent = row.bar != element.normal_bar;
+    const std::size_t k = row.element;
     switch (row.demand)
       {
         case Demand::no_force:
-          return p - at.unreleased[row.bar];
+          return at.forces[row.bar] - at.unreleased[row.bar];
         case Demand::sliding:
-          return p + row.weight * at.forces[row.other] -
-                 slip_sign(at.states[k]) * cohesive_strength(element, at, k);
+          {
+            double value = 0.;
+            for (std::size_t i = element.n_bars(); i-- > 0;)
+              value += row.own[i] * at.forces[element.bar(i)];
+            return value - slip_sign(at.states[k]) * cohesive_strength(element, at, k);
+          }
         case Demand::layer:
           {
             const LayerForces law = layer_forces(element, at, k);
-            return p - (is_tangent ? law.shear : law.normal);
+            return at.forces[row.bar] - (row.bar == element.normal_bar     ? law.normal
+                                         : row.bar == element.tangential_bar ? law.shear[0]
+                                                                             : law.shear[1]);
+          }
+        case Demand::layer_across:
+          {
+            const TangentVector T = tangential(element, at.forces);
+            const TangentVector d = sum(tangential(element, at.dislocations), -1., at.slips[k]);
+            double value          = 0.;
+            for (std::size_t a = 0; a < 2; ++a)
+              value += row.own[1 + a] * T[a] - row.stiffness[1 + a] * d[a];
+            return value;
           }
         case Demand::riding:
-          return -row.stiffness *
+          return -row.stiffness[0] *
                  (at.dislocations[row.bar] + element.initial_gap - at.dilations[k]);
       }
     return 0.;
@@ -133,6 +203,7 @@ namespace fuga
         case Demand::sliding:
           return slip_sign(state) * shear_strength_rate(element, drive);
         case Demand::layer:
+        case Demand::layer_across:
         case Demand::riding:
           return 0.;
       }

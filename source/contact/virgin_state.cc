@@ -14,7 +14,7 @@ namespace fuga
     state.states.assign(elements.size(), ContactState::stick);
     state.forces.assign(n_bars, 0.);
     state.dislocations.assign(n_bars, 0.);
-    state.slips.assign(elements.size(), 0.);
+    state.slips.assign(elements.size(), TangentVector{{0., 0.}});
     state.dilations.assign(elements.size(), 0.);
     state.unreleased.assign(n_bars, 0.);
     if (has_water)

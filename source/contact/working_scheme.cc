@@ -51,10 +51,15 @@ namespace fuga
                                const LayeredSystem &layered_system)
     : elements(contact_elements)
     , system(layered_system)
+    , element_of_bar(layered_system.n_bars(), 0)
     , position(layered_system.n_bars(), no_row)
     , ever_active(layered_system.n_bars(), false)
   {
     states.assign(elements.size(), ContactState::stick);
+    directions.assign(elements.size(), TangentVector{{1., 0.}});
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
+        element_of_bar[elements[k].bar(i)] = k;
     for (const ContactElement &element : elements)
       {
         strengths.push_back(virgin_strength(element.friction, element.area));
@@ -65,11 +70,27 @@ namespace fuga
         tangents.push_back(initial_layer_tangent(element));
   }
 
+  double
+  WorkingScheme::forces_in(const SchemeRow &row, const Vector &forces) const
+  {
+    const ContactElement &element = elements[row.element];
+    double value                  = 0.;
+    for (std::size_t a = 0; a < element.n_bars(); ++a)
+      value += row.own[a] * forces[element.bar(a)];
+    return value;
+  }
+
   void
-  WorkingScheme::set_state(const std::size_t element, const ContactState state)
+  WorkingScheme::set_state(const std::size_t element,
+                           const ContactState state,
+                           const TangentVector &direction)
   {
     outdated |= states[element] != state;
     states[element] = state;
+    if (!is_slipping(state) || !elements[element].has_second_tangential_bar())
+      return;
+    outdated |= directions[element] != direction;
+    directions[element] = direction;
   }
 
   void
@@ -105,16 +126,25 @@ namespace fuga
     std::vector<Number> dislocations(system.n_bars(), 0.);
     for (std::size_t j = 0; j < rows.size(); ++j)
       {
-        subtract(W.n_rows(), active[j], W.column(rows[j].bar), forces.data());
-        dislocations[rows[j].bar] = active[j];
+        const ContactElement &element = elements[rows[j].element];
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (const double share = rows[j].column[a]; share != 0.)
+            {
+              subtract(W.n_rows(), active[j] * share, W.column(element.bar(a)), forces.data());
+              dislocations[element.bar(a)] += active[j] * share;
+            }
       }
     double worst = 0.;
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const SchemeRow &row = rows[i];
-        defect[i] = static_cast<double>(row.own * forces[row.bar] + row.weight * forces[row.other] -
-                                        row.stiffness * active[i] -
-                                        row.cross * dislocations[row.other] - rhs[i]);
+        Number value         = -rhs[i];
+        for (std::size_t a = 0; a < elements[row.element].n_bars(); ++a)
+          {
+            const std::size_t bar = elements[row.element].bar(a);
+            value += row.own[a] * forces[bar] - row.stiffness[a] * dislocations[bar];
+          }
+        defect[i] = static_cast<double>(value);
         worst     = std::max(worst, std::abs(defect[i]) / system.scale(row.bar));
       }
     result.forces.assign(forces.begin(), forces.end());
@@ -133,8 +163,7 @@ namespace fuga
     std::vector<Number> active(rows.size(), 0.);
     Vector defect(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
-      defect[i] = rows[i].own * force_offset[rows[i].bar] +
-                  rows[i].weight * force_offset[rows[i].other] - rhs[i];
+      defect[i] = forces_in(rows[i], force_offset) - rhs[i];
     double worst = std::numeric_limits<double>::infinity();
     double last  = worst;
     for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
@@ -204,8 +233,7 @@ namespace fuga
         const double scale = system.scale(rows[i].bar);
         M(i, i) += added_stiffness * scale * scale;
         rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
-        active[i] = rows[i].own * drive.reactions[rows[i].bar] +
-                    rows[i].weight * drive.reactions[rows[i].other] - rhs[i];
+        active[i] = forces_in(rows[i], drive.reactions) - rhs[i];
       }
     const LuFactors factors(std::move(M));
     if (!(factors.reciprocal_condition() > 0.))
@@ -225,11 +253,11 @@ namespace fuga
     Vector rhs(rows.size(), 0.), offset(system.n_bars(), 0.);
     if (position[bar] != no_row)
       {
+        const std::size_t k = element_of_bar[bar];
         for (std::size_t i = 0; i < rows.size(); ++i)
-          if (rows[i].bar == bar)
-            rhs[i] = -rows[i].stiffness;
-          else if (rows[i].other == bar)
-            rhs[i] = -rows[i].cross;
+          for (std::size_t a = 0; a < elements[k].n_bars() && rows[i].element == k; ++a)
+            if (elements[k].bar(a) == bar)
+              rhs[i] = -rows[i].stiffness[a];
         return solve(rhs, offset);
       }
     for (std::size_t i = 0; i < offset.size(); ++i)
@@ -271,7 +299,8 @@ namespace fuga
     result.forces.assign(system.n_bars(), 0.);
     result.dislocations.assign(system.n_bars(), 0.);
     for (std::size_t i = 0; i < rows.size(); ++i)
-      result.dislocations[rows[i].bar] = x[i];
+      for (std::size_t a = 0; a < elements[rows[i].element].n_bars(); ++a)
+        result.dislocations[elements[rows[i].element].bar(a)] += x[i] * rows[i].column[a];
     return result;
   }
 } // namespace fuga

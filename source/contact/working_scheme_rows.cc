@@ -27,6 +27,7 @@ namespace fuga
       append_rows(elements[k],
                   k,
                   states[k],
+                  directions[k],
                   strengths[k],
                   nonlinear ? tangents[k] : LayerTangent(),
                   system,
@@ -35,11 +36,24 @@ namespace fuga
   }
 
   double
-  WorkingScheme::entry(const SchemeRow &row, const std::size_t bar) const
+  WorkingScheme::entry(const SchemeRow &row, const SchemeRow &of) const
   {
-    const DenseMatrix &W = system.stiffness();
-    return row.own * W(bar, row.bar) + row.weight * W(bar, row.other) +
-           (bar == row.bar ? row.stiffness : 0.) + (bar == row.other ? row.cross : 0.);
+    const DenseMatrix &W             = system.stiffness();
+    const ContactElement &element    = elements[row.element];
+    const ContactElement &of_element = elements[of.element];
+    double value                     = 0.;
+    for (std::size_t b = 0; b < of_element.n_bars(); ++b)
+      if (of.column[b] != 0.)
+        {
+          double force = 0.;
+          for (std::size_t a = 0; a < element.n_bars(); ++a)
+            if (row.own[a] != 0.)
+              force += row.own[a] * W(of_element.bar(b), element.bar(a));
+          if (row.element == of.element)
+            force += row.stiffness[b];
+          value += of.column[b] * force;
+        }
+    return value;
   }
 
   DenseMatrix
@@ -49,7 +63,7 @@ namespace fuga
     DenseMatrix M(n, n);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
-        M(i, j) = entry(rows[i], rows[j].bar);
+        M(i, j) = entry(rows[i], rows[j]);
     return M;
   }
 
@@ -139,6 +153,7 @@ namespace fuga
   {
     const auto follows = [this](const SchemeRow &row) {
       return row.demand == SchemeRow::Demand::layer ||
+             row.demand == SchemeRow::Demand::layer_across ||
              (row.demand == SchemeRow::Demand::sliding && strengths[row.element].share < 1.);
     };
     for (const SchemeRow &row : wanted)
@@ -190,12 +205,12 @@ namespace fuga
     Vector column(rows.size()), line(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        column[i] = entry(rows[i], row.bar);
-        line[i]   = entry(row, rows[i].bar);
+        column[i] = entry(rows[i], row);
+        line[i]   = entry(row, rows[i]);
       }
     const double smallest_pivot =
       smallest_relative_pivot * std::abs(system.stiffness()(row.bar, row.bar));
-    if (std::abs(inverse.append(column, line, entry(row, row.bar), smallest_pivot)) <=
+    if (std::abs(inverse.append(column, line, entry(row, row), smallest_pivot)) <=
         smallest_pivot)
       return false;
     rows.push_back(row);

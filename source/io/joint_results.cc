@@ -37,7 +37,8 @@ namespace fuga
             result.T =
               result.state == ContactState::open ? state.unreleased[element.tangential_bar] : T;
             result.jump_t = jumps[element.tangential_bar];
-            result.slip   = state.slips[k];
+            result.slip   = state.slips[k][0];
+            result.slip2  = state.slips[k][1];
           }
         if (element.has_second_tangential_bar())
           {
@@ -45,8 +46,6 @@ namespace fuga
             result.T2 =
               result.state == ContactState::open ? state.unreleased[bar] : state.forces[bar];
             result.jump_t2 = jumps[bar];
-            result.slip    = state.dislocations[element.tangential_bar];
-            result.slip2   = state.dislocations[bar];
           }
         if (!closed_water.empty())
           result.water_pressure = (closed_water[element.normal_bar] +

@@ -68,7 +68,7 @@ TEST(BeyondLimit, PlateauOfSlidingBlock)
       T += record.beyond[0].forces[2 * k + 1];
       // The last bar to slip had the jump 8/33 (V4: d = 0.10303 + 8 x 0.02424 =
       // 0.297).
-      EXPECT_GT(record.beyond[0].slips[k], 5. - rounding);
+      EXPECT_GT(record.beyond[0].slips[k][0], 5. - rounding);
     }
   EXPECT_NEAR(T, f, rounding);
 }
@@ -157,9 +157,9 @@ TEST(BeyondLimit, BrittleCohesionOfBlock)
         EXPECT_NEAR(state.forces[2 * k + 1], 0.4, rounding);
     }
   EXPECT_NEAR(record.lengths[0], 0.7, rounding);
-  EXPECT_NEAR(record.beyond[0].slips[0], 0., rounding);
+  EXPECT_NEAR(record.beyond[0].slips[0][0], 0., rounding);
   EXPECT_NEAR(record.lengths[1], 2.7, rounding);
-  EXPECT_NEAR(record.beyond[1].slips[0], 2., rounding);
+  EXPECT_NEAR(record.beyond[1].slips[0][0], 2., rounding);
 }
 
 // V5 in the small, with bonds that break: a bar of two nodes with a spring k = 1 between them,
@@ -192,7 +192,7 @@ TEST(BeyondLimit, BrittleBondsOfBar)
   EXPECT_EQ(result.verdict, Verdict::limit_load);
   EXPECT_NEAR(result.t, 1. + 1.4 / 2., rounding);
   EXPECT_LE(record.worst.worst(), rounding);
-  EXPECT_NEAR(record.levels[1].slips[0], 1.1, rounding); // P = 1.3
+  EXPECT_NEAR(record.levels[1].slips[0][0], 1.1, rounding); // P = 1.3
   EXPECT_EQ(result.beyond.end, BeyondLimit::End::largest_jump);
   ASSERT_EQ(record.beyond.size(), 2u);
   for (const JointState &state : record.beyond)
@@ -201,8 +201,8 @@ TEST(BeyondLimit, BrittleBondsOfBar)
       EXPECT_NEAR(state.forces[1], 0.2, rounding);
       EXPECT_NEAR(state.forces[3], 0.2, rounding);
     }
-  EXPECT_NEAR(record.beyond[0].slips[0], 1.2, rounding);
-  EXPECT_NEAR(record.beyond[0].slips[1], 1., rounding);
-  EXPECT_NEAR(record.beyond[1].slips[0] - record.beyond[0].slips[0], 2., rounding);
-  EXPECT_NEAR(record.beyond[1].slips[1] - record.beyond[0].slips[1], 2., rounding);
+  EXPECT_NEAR(record.beyond[0].slips[0][0], 1.2, rounding);
+  EXPECT_NEAR(record.beyond[0].slips[1][0], 1., rounding);
+  EXPECT_NEAR(record.beyond[1].slips[0][0] - record.beyond[0].slips[0][0], 2., rounding);
+  EXPECT_NEAR(record.beyond[1].slips[1][0] - record.beyond[0].slips[1][0], 2., rounding);
 }

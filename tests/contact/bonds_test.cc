@@ -203,8 +203,8 @@ TEST(Bonds, FrictionLostAtTheApexIsRedistributed)
       EXPECT_NEAR(end.forces[1], 0.09, tolerance);
       EXPECT_NEAR(end.forces[3], 0.27, tolerance);
       // ρ/A = 1: the block moves by the shear of the second layer.
-      EXPECT_NEAR(end.slips[0], 0.27 - 0.09, tolerance);
-      EXPECT_EQ(end.slips[1], 0.);
+      EXPECT_NEAR(end.slips[0][0], 0.27 - 0.09, tolerance);
+      EXPECT_EQ(end.slips[1][0], 0.);
     }
 }
 
@@ -231,13 +231,13 @@ TEST(Bonds, DilatancyPressesUntilItsLimit)
       const double W = 1. / (0.5 + compliance);
       EXPECT_NEAR(run.record.events[0].t, 1.2, tolerance);
       const double s = (0.9 - 0.6) / (1. + 0.6 * 0.3 * W);
-      EXPECT_NEAR(run.record.levels[0].slips[0], s, tolerance);
+      EXPECT_NEAR(run.record.levels[0].slips[0][0], s, tolerance);
       EXPECT_NEAR(run.record.levels[0].dilations[0], 0.3 * s, tolerance);
       EXPECT_NEAR(run.record.levels[0].forces[0], -1. - 0.3 * s * W, tolerance);
       const double N_end = -1. - 0.15 * W;
       EXPECT_NEAR(run.record.levels[1].forces[0], N_end, tolerance);
       EXPECT_NEAR(run.record.levels[1].dilations[0], 0.15, tolerance);
-      EXPECT_NEAR(run.record.levels[1].slips[0], 3. + 0.6 * N_end, tolerance);
+      EXPECT_NEAR(run.record.levels[1].slips[0][0], 3. + 0.6 * N_end, tolerance);
     }
 }
 
@@ -254,7 +254,7 @@ TEST(Bonds, DilatancyOnNonlinearLayer)
   const PathRun run(one, LoadHistory({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 1.}}), {1., 2.});
   EXPECT_LE(run.record.worst.worst(), 1e-10); // of the interpolated curve
   const JointState &end = run.record.levels[1];
-  const double s = end.slips[0], N = end.forces[0];
+  const double s = end.slips[0][0], N = end.forces[0];
   EXPECT_GT(s, 0.1);
   EXPECT_NEAR(end.dilations[0], 0.3 * s, tolerance);
   EXPECT_NEAR(end.forces[1], -0.6 * N, tolerance);
@@ -321,7 +321,7 @@ TEST(ShearCouplingPath, SlipAndReversal)
           const double sign       = level == 0 ? 1. : -1.;
           EXPECT_NEAR(state.forces[1], -sign * 0.4 * state.forces[0], 1e-12);
           const auto r =
-            coupling.response(-run.jump(level, 0), run.jump(level, 1) - state.slips[0]);
+            coupling.response(-run.jump(level, 0), run.jump(level, 1) - state.slips[0][0]);
           EXPECT_NEAR(state.forces[0], -r.sigma, 1e-11);
           EXPECT_NEAR(state.forces[1], r.tau, 1e-11);
         }

@@ -131,7 +131,7 @@ namespace
         }
       n *= n_copies;
       state.dislocations.assign(2 * n, 0.);
-      state.slips.assign(n, 0.);
+      state.slips.assign(n, {{0., 0.}});
       state.dilations.assign(n, 0.);
       state.unreleased.assign(2 * n, 0.);
       for (const ContactElement &element : elements)

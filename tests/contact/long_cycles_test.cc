@@ -68,6 +68,6 @@ TEST(LargeCycles, RatchetOfRockingBlock)
                 record.loss.back(),
                 1e-9 * 0.27);
   expect_answer({"V6 rocking block", "advance in cycles 3 to 10000", 0.3 * 9998., "closed form"},
-                record.last.slips[0] - record.end_of_second.slips[0],
+                record.last.slips[0][0] - record.end_of_second.slips[0][0],
                 1e-10 * 3000.);
 }

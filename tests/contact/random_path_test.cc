@@ -144,7 +144,7 @@ namespace
               continue;
             ++n_pieces;
             const auto found = judges::enumerate_step(
-              problem, from.slips, judges::judge_load(scene.system, history.factors(to.t)));
+              problem, judges::judge_slips(from), judges::judge_load(scene.system, history.factors(to.t)));
             double nearest = std::numeric_limits<double>::infinity();
             for (const auto &solution : found.solutions)
               {
@@ -160,7 +160,7 @@ namespace
             // says nothing, which must stay rare.
             const auto lemke =
               judges::lemke_step(problem,
-                                 from.slips,
+                                 judges::judge_slips(from),
                                  judges::judge_load(scene.system, history.factors(to.t)),
                                  tolerance);
             if (!lemke.solved)

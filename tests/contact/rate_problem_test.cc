@@ -48,7 +48,7 @@ namespace
           state.states = {sign > 0. ? ContactState::slip_forward : ContactState::slip_backward};
           state.forces = {-1., 2. * sign};
           state.dislocations = {0., 0.};
-          state.slips        = {0.};
+          state.slips        = {{{0., 0.}}};
           state.dilations    = {0.};
           state.strengths    = {virgin_strength(joint.elements[0].friction, 1.)};
           state.unreleased   = {0., 0.};

@@ -82,7 +82,7 @@ TEST(StateChanges, OpenStickSlipOpenWithinOneLevel)
   EXPECT_NEAR(end.forces[1], -0.125, tolerance);
   EXPECT_NEAR(jumps[0], -0.75, tolerance);
   EXPECT_NEAR(jumps[1], 1.125, tolerance);
-  EXPECT_NEAR(end.slips[0], 1.375, tolerance);
+  EXPECT_NEAR(end.slips[0][0], 1.375, tolerance);
 
   // The ledger. External work: normal 5/16 (the path there and back is elastic); tangential, piece
   // by piece ∫F_t du_t = 3/196 + 5/2 (1/16 - 9/784) + 15/8 + (1.625² - 4)/3 + (1 - 1.625²)/2.
@@ -231,7 +231,7 @@ TEST(StateChanges, RestickInsideCurvedSegment)
                 record.events[1].t,
                 1e-11);
   expect_answer({"V11 law (9)", "slip kept at re-stick", slip, "closed form"},
-                record.levels[0].slips[0],
+                record.levels[0].slips[0][0],
                 1e-11);
   EXPECT_NEAR(record.levels[0].forces[1], (1. - slip) / 3., 1e-11);
 

@@ -8,6 +8,7 @@
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
+#include <fuga/contact/joint_state.h>
 
 #include <stdexcept>
 #include <vector>
@@ -47,6 +48,16 @@ namespace fuga::judges
       }
     validate(problem);
     return problem;
+  }
+
+  /** The slips along the first tangent, the only one in the plane. */
+  inline Vector
+  judge_slips(const JointState &state)
+  {
+    Vector slips;
+    for (const TangentVector &slip : state.slips)
+      slips.push_back(slip[0]);
+    return slips;
   }
 
   /** F a: the load of the judges for the pattern factors @p factors. */

@@ -99,7 +99,7 @@ namespace fuga::stress
       state.dilations.assign(joint.elements.size(), 0.);
       state.forces.assign(n_bars, 0.);
       state.dislocations.assign(n_bars, 0.);
-      state.slips.assign(joint.elements.size(), 0.);
+      state.slips.assign(joint.elements.size(), {{0., 0.}});
       return state;
     }
 

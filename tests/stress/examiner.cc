@@ -119,7 +119,7 @@ namespace fuga::stress
     StepSolution result;
     result.x      = judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t);
     result.forces = state.forces;
-    result.slip   = state.slips;
+    result.slip   = judge_slips(state);
     result.states = state.states;
     complete(at, slip_before, load(state.t), result);
     return result;
@@ -157,7 +157,7 @@ namespace fuga::stress
   Examiner::examine_step(const JointState &from, const JointState &to) const
   {
     const JudgeProblem at   = problem_at(from);
-    const StepSolution ours = solution(at, to, from.slips);
+    const StepSolution ours = solution(at, to, judge_slips(from));
     StepReport report;
     report.residual = ours.residual;
     // Where the load vanishes rounding is what is left: it is measured by what was there before.
@@ -166,7 +166,7 @@ namespace fuga::stress
     };
     if (size(to) < size(from))
       report.residual *= size(to) / size(from);
-    if (const auto other = solve_anew(at, from.slips, load(from.t), load(to.t)))
+    if (const auto other = solve_anew(at, judge_slips(from), load(from.t), load(to.t)))
       report.distance = distance(*other, ours);
     return report;
   }
@@ -292,7 +292,7 @@ namespace fuga::stress
     for (std::size_t i = 0; i < now.size(); ++i)
       beyond[i] += part * rate[i];
     const double nearby = 1e3 * part;
-    const auto other    = solve_anew(at, state.slips, now, beyond);
-    return other && distance(*other, solution(at, state, state.slips)) <= nearby;
+    const auto other    = solve_anew(at, judge_slips(state), now, beyond);
+    return other && distance(*other, solution(at, state, judge_slips(state))) <= nearby;
   }
 } // namespace fuga::stress

@@ -58,6 +58,13 @@ namespace fuga
       return second_tangential_bar != no_bar;
     }
 
+    /** The normal bar (0), the tangential one (1), the second tangential one (2); or no_bar. */
+    unsigned int
+    bar(const std::size_t i) const
+    {
+      return i == 0 ? normal_bar : i == 1 ? tangential_bar : second_tangential_bar;
+    }
+
     unsigned int
     n_bars() const
     {

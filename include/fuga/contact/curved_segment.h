@@ -128,7 +128,7 @@ namespace fuga
     LayerMotion
     closing(const std::size_t k, const PathPoint &point) const;
     LayerMotion
-    shearing(const std::size_t k, const PathPoint &point) const;
+    shearing(const std::size_t k, const std::size_t a, const PathPoint &point) const;
     std::vector<EventFunction>
     event_functions(const double tau, const PathPoint &point) const;
     double

@@ -6,6 +6,7 @@
 
 #include <fuga/base/dense_matrix.h>
 #include <fuga/base/fields.h>
+#include <fuga/contact/tangent_vector.h>
 #include <fuga/contact/water_in_joints.h>
 #include <fuga/laws/contact_state.h>
 #include <fuga/laws/friction_law.h>
@@ -23,8 +24,9 @@ namespace fuga
     Vector forces;
     /** Dislocations d of the bars [m], see LayeredSystem. */
     Vector dislocations;
-    /** Irreversible slip s of each element [m]; follows the jump while the element is open. */
-    Vector slips;
+    /** Irreversible slip s of each element along its tangents [m]; follows the jump while the
+     * element is open. */
+    std::vector<TangentVector> slips;
     /** Rise of the lips by dilatancy [m]: they touch when the gap equals it. */
     Vector dilations;
     /** What is left of each element's strength. */

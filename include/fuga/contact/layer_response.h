@@ -43,17 +43,18 @@ namespace fuga
   lip_opening_rate(const ContactElement &element, const JointState &at, const JointRates &rates);
 
   /** Elastic shear deformation of the layer, jump - slip [m]. */
-  double
+  TangentVector
   elastic_shear(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Elastic shear deformation that belongs to the present shear force (and gap) [m]. */
-  double
+  /** Elastic shear deformation that belongs to the present shear force (and gap), along it [m]. */
+  TangentVector
   shear_deformation(const ContactElement &element, const JointState &at, const std::size_t k);
 
   /** Bar forces of a layer [MN]; N, T are zero where the respective bar is rigid or linear. */
   struct LayerForces
   {
-    double normal = 0., shear = 0.;
+    double normal       = 0.;
+    TangentVector shear = {{0., 0.}};
   };
 
   /** N_law, T_law at the present gap and elastic shear; continued linearly into tension so that
@@ -65,11 +66,25 @@ namespace fuga
   double
   nonlinear_energy(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Derivatives of these forces [MN/m]: N by the gap, N by the shear = T by the gap, T by the
-   * shear. */
+  /** Derivatives of these forces [MN/m]. The layer is isotropic in its plane. */
   struct LayerTangent
   {
+    /** N by the gap; N by the length of the elastic shear = T along it by the gap; T along it by
+     * its length. */
     double normal = 0., mixed = 0., shear = 0.;
+    /** T across the elastic shear by the shear across: the secant stiffness. */
+    double across = 0.;
+    /** Direction of the elastic shear. */
+    TangentVector direction = {{1., 0.}};
+
+    /** Entry of the matrix in the order of the bars: normal, first tangent, second tangent. */
+    double
+    operator()(const std::size_t i, const std::size_t j) const
+    {
+      if (i == 0 || j == 0)
+        return i == j ? normal : mixed * direction[i + j - 1];
+      return (i == j ? across : 0.) + (shear - across) * direction[i - 1] * direction[j - 1];
+    }
   };
 
   LayerTangent
@@ -81,7 +96,7 @@ namespace fuga
 
   /** Rate of slip ṡ of an element that slips or is open, from the rates of its bars [m per unit of
    * the path]. */
-  double
+  TangentVector
   slip_rate(const ContactElement &element,
             const JointState &at,
             const std::size_t k,

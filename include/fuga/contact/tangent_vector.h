@@ -15,6 +15,13 @@ namespace fuga
   /** A vector in the tangent plane of an element, in the directions of its tangential bars. */
   using TangentVector = std::array<double, 2>;
 
+  /** a + factor b */
+  inline TangentVector
+  sum(const TangentVector &a, const double factor, const TangentVector &b)
+  {
+    return {{a[0] + factor * b[0], a[1] + factor * b[1]}};
+  }
+
   inline double
   dot(const TangentVector &a, const TangentVector &b)
   {

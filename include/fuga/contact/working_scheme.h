@@ -42,6 +42,8 @@ namespace fuga
     /** The inverse belongs to an earlier stiffness of nonlinear layers. */
     bool stale = false;
     std::vector<ContactState> states;
+    /** Of slip, in space. */
+    std::vector<TangentVector> directions;
     std::vector<Strength> strengths;
     /** By element; empty if no layer is nonlinear. */
     std::vector<LayerTangent> tangents;
@@ -60,6 +62,7 @@ namespace fuga
            singular,
            stale,
            states,
+           directions,
            strengths,
            tangents,
            rows,
@@ -70,6 +73,7 @@ namespace fuga
     visit("singular", singular);
     visit("stale", stale);
     visit("states", states);
+    visit("directions", directions);
     visit("strengths", strengths);
     visit("tangents", tangents);
     visit("rows", rows);
@@ -93,7 +97,7 @@ namespace fuga
    * leave. A bar is *active* if its dislocation is unknown; its row then reads
    *
    *     open           N = 0            and   T = 0
-   *     slip           T + σ f N = σ c A
+   *     slip           T + σ f N = σ c A; along two tangents e·T + f N = c A, with d_t along e
    *     closed, nonlinear layer         N = N_law(g),   stuck:   T = T_law(jump - slip)
    *     slip with dilatancy             g = 0 above the risen lips
    *
@@ -117,8 +121,18 @@ namespace fuga
       return states;
     }
 
+    /** @p direction of slip counts where there are two tangential bars. */
     void
-    set_state(const std::size_t element, const ContactState state);
+    set_state(const std::size_t element,
+              const ContactState state,
+              const TangentVector &direction = {{1., 0.}});
+
+    /** The direction in which an element slips; zero if it does not. */
+    TangentVector
+    slip_direction_of(const std::size_t element) const
+    {
+      return slip_direction(elements[element], states[element], directions[element]);
+    }
 
     /** What is left of the strength of an element. */
     void
@@ -232,8 +246,12 @@ namespace fuga
                     DenseMatrix &M) const;
     std::optional<SchemeRow>
     tangential_row(const std::size_t element, const ContactState in_state) const;
+    /** What a unit of the unknown of @p of does to the equation of @p row. */
     double
-    entry(const SchemeRow &row, const std::size_t bar) const;
+    entry(const SchemeRow &row, const SchemeRow &of) const;
+    /** own · p */
+    double
+    forces_in(const SchemeRow &row, const Vector &forces) const;
     DenseMatrix
     active_matrix() const;
     bool
@@ -272,6 +290,8 @@ namespace fuga
     const LayeredSystem &system;
     bool nonlinear = false;
     UpdatedInverse inverse;
+    /** Element of each bar. */
+    std::vector<std::size_t> element_of_bar;
     /** Row of each bar, or no_row. */
     std::vector<std::size_t> position;
     std::vector<bool> ever_active;

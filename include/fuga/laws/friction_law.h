@@ -86,6 +86,13 @@ namespace fuga
       return cohesion > 0. || tension > 0.;
     }
 
+    /** Coulomb's cone is more than the line T = 0. */
+    bool
+    resists_shear() const
+    {
+      return friction > 0. || cohesion > 0.;
+    }
+
     bool
     operator==(const Strength &other) const
     {
