@@ -102,11 +102,10 @@ namespace fuga
     for (unsigned int c = 0; c < dim; ++c)
       point[c] = position[c];
     Place place{element, {}};
+    LoneCell<dim> alone(space);
     for (const JointFace *face : faces)
       {
-        if (!LoneCell<dim>::is_near(space, face->cell, point))
-          continue;
-        const auto inside = LoneCell<dim>(space, face->cell).coordinates(point);
+        const auto inside = alone.coordinates(face->cell, point);
         if (!inside)
           continue;
         const auto &nodes = space.reference_element().face(face->number).nodes;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/grid/grid_generator.h>
 
 #include <fuga/bodies/cell_coordinates.h>
-
-#include <numeric>
 
 namespace fuga
 {
@@ -34,47 +32,22 @@ namespace fuga
   }
 
 
-  namespace
-  {
-    template <int dim>
-    std::vector<dealii::Point<dim>>
-    corners_of(const Discretization<dim> &space, const std::size_t cell)
-    {
-      std::vector<dealii::Point<dim>> corners;
-      for (std::size_t v = 0; v < space.reference_element().n_corners(); ++v)
-        corners.push_back(space.position(space.cell_nodes(cell)[v]));
-      return corners;
-    }
-  } // namespace
-
-
   template <int dim>
-  LoneCell<dim>::LoneCell(const Discretization<dim> &space, const std::size_t cell)
-    : discretization(space)
+  LoneCell<dim>::LoneCell(const Discretization<dim> &space) : discretization(space)
   {
-    const std::vector<dealii::Point<dim>> corners = corners_of(space, cell);
-    const unsigned int n                          = static_cast<unsigned int>(corners.size());
-    std::vector<dealii::CellData<dim>> data(1, dealii::CellData<dim>(n));
-    std::iota(data[0].vertices.begin(), data[0].vertices.end(), 0);
-    mesh.create_triangulation(corners, data, {});
-  }
-
-
-  template <int dim>
-  bool
-  LoneCell<dim>::is_near(const Discretization<dim> &space,
-                         const std::size_t cell,
-                         const dealii::Point<dim> &point)
-  {
-    return dealii::BoundingBox<dim>(corners_of(space, cell)).point_inside(point, inside_tolerance);
+    dealii::GridGenerator::reference_cell(
+      mesh, space.reference_element().scalar_element().reference_cell());
   }
 
 
   template <int dim>
   std::optional<dealii::Point<dim>>
-  LoneCell<dim>::coordinates(const dealii::Point<dim> &point) const
+  LoneCell<dim>::coordinates(const std::size_t number, const dealii::Point<dim> &point)
   {
-    return coordinates_in<dim>(mesh.begin_active(), discretization.mapping(), point);
+    const auto cell = mesh.begin_active();
+    for (const unsigned int v : cell->vertex_indices())
+      cell->vertex(v) = discretization.position(discretization.cell_nodes(number)[v]);
+    return coordinates_in<dim>(cell, discretization.mapping(), point);
   }
 
 

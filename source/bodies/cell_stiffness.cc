@@ -10,7 +10,7 @@ namespace fuga
                                     const std::vector<LameConstants> &material_of_body)
     : discretization(space)
     , materials(material_of_body)
-    , geometry(space)
+    , values(space)
     , n_nodes(space.reference_element().n_nodes())
     , matrix(n_nodes * dim * n_nodes * dim)
   {
@@ -22,7 +22,7 @@ namespace fuga
   CellStiffness<dim>::of(const std::size_t cell)
   {
     const unsigned int next = discretization.cell_body(cell);
-    const bool is_moved     = geometry.move_to(cell);
+    const bool is_moved     = values.move_to(cell);
     if (is_moved || next != body)
       {
         body = next;
@@ -36,14 +36,13 @@ namespace fuga
   void
   CellStiffness<dim>::compute()
   {
-    const auto &quadrature = discretization.reference_element().quadrature();
     for (std::size_t a = 0; a < n_nodes; ++a)
       for (std::size_t b = 0; b <= a; ++b)
         {
           dealii::Tensor<2, dim> product;
-          for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
-            product += outer_product(geometry.volume(q) * geometry.gradients(q)[a],
-                                     geometry.gradients(q)[b]);
+          for (std::size_t q = 0; q < values.n_points(); ++q)
+            product +=
+              outer_product(values.volume(q) * values.gradient(a, q), values.gradient(b, q));
           dealii::Tensor<2, dim> block = plane_block(product);
           if (discretization.is_axisymmetric())
             add_hoop(a, b, block);
@@ -79,20 +78,16 @@ namespace fuga
                                dealii::Tensor<2, dim> &block) const
   {
     const LameConstants &material = materials[body];
-    const auto &quadrature        = discretization.reference_element().quadrature();
-    for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+    for (std::size_t q = 0; q < values.n_points(); ++q)
       {
-        const double radius = geometry.point(q)[0];
-        const double hoop_a = quadrature.values[q][a] / radius,
-                     hoop_b = quadrature.values[q][b] / radius;
+        const double radius = values.point(q)[0];
+        const double hoop_a = values.value(a, q) / radius, hoop_b = values.value(b, q) / radius;
         for (unsigned int c = 0; c < dim; ++c)
           {
-            block[c][0] +=
-              material.lambda * geometry.volume(q) * geometry.gradients(q)[a][c] * hoop_b;
-            block[0][c] +=
-              material.lambda * geometry.volume(q) * hoop_a * geometry.gradients(q)[b][c];
+            block[c][0] += material.lambda * values.volume(q) * values.gradient(a, q)[c] * hoop_b;
+            block[0][c] += material.lambda * values.volume(q) * hoop_a * values.gradient(b, q)[c];
           }
-        block[0][0] += (material.lambda + 2. * material.mu) * geometry.volume(q) * hoop_a * hoop_b;
+        block[0][0] += (material.lambda + 2. * material.mu) * values.volume(q) * hoop_a * hoop_b;
       }
   }
 

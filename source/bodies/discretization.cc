@@ -6,7 +6,6 @@
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -22,8 +21,9 @@ namespace fuga
 {
   namespace
   {
-    ReferenceShape
-    shape_of_cells(const JointedMesh &jointed, const unsigned int dim)
+    template <int dim>
+    dealii::ReferenceCell
+    shape_of_cells(const JointedMesh &jointed)
     {
       if (jointed.cells.empty())
         throw InputError("The mesh has no cells.");
@@ -44,8 +44,9 @@ namespace fuga
               "Dimension = 3."
             : "The cells of a model in space are tetrahedra or hexahedra. For a plane model set "
               "Dimension = 2.");
-      const bool hypercube = shape == CellShape::quadrilateral || shape == CellShape::hexahedron;
-      return hypercube ? ReferenceShape::hypercube : ReferenceShape::simplex;
+      if (n_vertices(shape) == dim + 1)
+        return dealii::ReferenceCells::get_simplex<dim>();
+      return dealii::ReferenceCells::get_hypercube<dim>();
     }
   } // namespace
 
@@ -56,8 +57,7 @@ namespace fuga
                                       const unsigned int stage)
     : axisymmetric(model.assumption == PlaneAssumption::axisymmetric)
     , thickness(model.thickness)
-    , reference(shape_of_cells(jointed, dim), model.polynomial_degree, axisymmetric)
-    , cell_mapping(reference.make_mapping())
+    , reference(shape_of_cells<dim>(jointed), model.polynomial_degree, axisymmetric)
     , mesh(make_triangulation<dim>(jointed, model))
     , element(std::make_unique<dealii::FESystem<dim>>(reference.scalar_element(), dim))
     , there(bodies_in_stage(jointed.body_names, model, stage))

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/boundary_conditions.h>
-#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/cell_values.h>
 #include <fuga/bodies/depth_pressure.h>
 #include <fuga/bodies/face_map.h>
 #include <fuga/bodies/lame_constants.h>
@@ -131,9 +131,8 @@ namespace fuga
       for (unsigned int c = 0; c < dim; ++c)
         uniform[c] = direction.value(dealii::Point<dim>(), c);
 
-    const auto &quadrature    = discretization.reference_element().quadrature();
     const std::size_t n_local = discretization.reference_element().n_nodes();
-    CellGeometry<dim> geometry(discretization);
+    CellValues<dim> values(discretization);
     Vector share(n_local);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
@@ -141,25 +140,25 @@ namespace fuga
         if (specific == 0.)
           continue;
         const unsigned int *nodes = discretization.cell_nodes(cell);
-        if (geometry.move_to(cell))
+        if (values.move_to(cell))
           {
             std::fill(share.begin(), share.end(), 0.);
-            for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+            for (std::size_t q = 0; q < values.n_points(); ++q)
               for (std::size_t i = 0; i < n_local; ++i)
-                share[i] += geometry.volume(q) * quadrature.values[q][i];
+                share[i] += values.volume(q) * values.value(i, q);
           }
         if (direction.is_uniform())
           for (std::size_t i = 0; i < n_local; ++i)
             for (unsigned int c = 0; c < dim; ++c)
               forces[nodes[i] * dim + c] += specific * share[i] * uniform[c];
         else
-          for (std::size_t q = 0; q < quadrature.weight.size(); ++q)
+          for (std::size_t q = 0; q < values.n_points(); ++q)
             for (unsigned int c = 0; c < dim; ++c)
               {
                 const double force =
-                  specific * geometry.volume(q) * direction.value(geometry.point(q), c);
+                  specific * values.volume(q) * direction.value(values.point(q), c);
                 for (std::size_t i = 0; i < n_local; ++i)
-                  forces[nodes[i] * dim + c] += force * quadrature.values[q][i];
+                  forces[nodes[i] * dim + c] += force * values.value(i, q);
               }
       }
   }
@@ -178,23 +177,23 @@ namespace fuga
       modulus[index_of(mesh.body_names, material.body)] =
         thermal_modulus(material, model.assumption);
 
-    const auto &quadrature = discretization.reference_element().quadrature();
-    CellGeometry<dim> geometry(discretization);
+    const std::size_t n_local = discretization.reference_element().n_nodes();
+    CellValues<dim> values(discretization);
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
         const unsigned int *nodes = discretization.cell_nodes(cell);
         const unsigned int body   = discretization.cell_body(cell);
-        geometry.move_to(cell);
-        for (std::size_t q = 0; q < geometry.n_points(); ++q)
+        values.move_to(cell);
+        for (std::size_t q = 0; q < values.n_points(); ++q)
           {
             const double stress =
-              modulus[body] * temperature.strain(geometry.point(q), body) * geometry.volume(q);
-            for (std::size_t i = 0; i < geometry.gradients(q).size(); ++i)
+              modulus[body] * temperature.strain(values.point(q), body) * values.volume(q);
+            for (std::size_t i = 0; i < n_local; ++i)
               {
                 for (unsigned int c = 0; c < dim; ++c)
-                  forces[nodes[i] * dim + c] += stress * geometry.gradients(q)[i][c];
+                  forces[nodes[i] * dim + c] += stress * values.gradient(i, q)[c];
                 if (discretization.is_axisymmetric())
-                  forces[nodes[i] * dim] += stress * quadrature.values[q][i] / geometry.point(q)[0];
+                  forces[nodes[i] * dim] += stress * values.value(i, q) / values.point(q)[0];
               }
           }
       }

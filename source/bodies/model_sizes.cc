@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/cell_values.h>
 #include <fuga/bodies/face_map.h>
 #include <fuga/bodies/model_sizes.h>
 
@@ -31,16 +31,16 @@ namespace fuga
   body_sizes(const Discretization<dim> &space, const JointedMesh &mesh)
   {
     std::vector<BodySize<dim>> sizes(mesh.body_names.size());
-    CellGeometry<dim> geometry(space);
+    CellValues<dim> values(space);
     for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
       {
         BodySize<dim> &size = sizes[space.cell_body(cell)];
         ++size.n_cells;
-        geometry.move_to(cell);
-        for (std::size_t q = 0; q < geometry.n_points(); ++q)
+        values.move_to(cell);
+        for (std::size_t q = 0; q < values.n_points(); ++q)
           {
-            size.volume += geometry.volume(q);
-            size.centroid += geometry.volume(q) * geometry.point(q);
+            size.volume += values.volume(q);
+            size.centroid += values.volume(q) * values.point(q);
           }
       }
     for (BodySize<dim> &size : sizes)

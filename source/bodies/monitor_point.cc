@@ -36,13 +36,12 @@ namespace fuga
     : discretization(space), point(find_position(mesh, definition))
   {
     const unsigned int body = index_of(mesh.body_names, definition.body);
+    LoneCell<dim> alone(space);
     for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
       {
-        if ((!definition.body.empty() && space.cell_body(cell) != body) ||
-            !LoneCell<dim>::is_near(space, cell, point))
+        if (!definition.body.empty() && space.cell_body(cell) != body)
           continue;
-        const LoneCell<dim> alone(space, cell);
-        const auto inside = alone.coordinates(point);
+        const auto inside = alone.coordinates(cell, point);
         if (!inside)
           continue;
         Shares found = shares_in(cell, *inside);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/mapping_fe.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping.h>
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
@@ -22,14 +21,14 @@ namespace fuga
   {
     template <int dim>
     std::unique_ptr<dealii::FiniteElement<dim>>
-    make_element(const ReferenceShape shape, const unsigned int degree)
+    make_element(const dealii::ReferenceCell &shape, const unsigned int degree)
     {
       // The integral of a quadratic function over the face of a tetrahedron vanishes at the
       // corners: no area for their contact elements.
-      const unsigned int largest = shape == ReferenceShape::hypercube ? 8 : dim == 2 ? 2 : 1;
+      const unsigned int largest = shape.is_hyper_cube() ? 8 : dim == 2 ? 2 : 1;
       if (degree < 1 || degree > largest)
         {
-          const bool simplex = shape == ReferenceShape::simplex;
+          const bool simplex = shape.is_simplex();
           throw InputError(fmt::format(
             "Polynomial degree {}: on {} the degrees 1 to {} exist; change the degree or the mesh.",
             degree,
@@ -37,56 +36,34 @@ namespace fuga
                      : (simplex ? "tetrahedra" : "hexahedra"),
             largest));
         }
-      if (shape == ReferenceShape::simplex)
+      if (shape.is_simplex())
         return std::make_unique<dealii::FE_SimplexP<dim>>(degree);
       return std::make_unique<dealii::FE_Q<dim>>(degree);
     }
 
-    /** Exact for the stiffness of affine cells and for constant loads; with a radius as factor for
-     *  constant loads and for what a constant stress does. */
-    template <int dim>
-    dealii::Quadrature<dim>
-    make_quadrature(const ReferenceShape shape, const unsigned int degree, const bool with_radius)
-    {
-      if (shape == ReferenceShape::simplex)
-        return dealii::QGaussSimplex<dim>(degree + (with_radius ? 1 : 0));
-      return dealii::QGauss<dim>(degree + 1);
-    }
-
     template <int dim>
     std::vector<double>
-    values_at(const dealii::FiniteElement<dim> &element, const dealii::Point<dim> &point)
+    linear_functions(const dealii::ReferenceCell &cell, const dealii::Point<dim> &point)
     {
-      std::vector<double> values(element.n_dofs_per_cell());
+      std::vector<double> values(cell.n_vertices());
       for (unsigned int i = 0; i < values.size(); ++i)
-        values[i] = element.shape_value(i, point);
+        values[i] = cell.d_linear_shape_function(point, i);
       return values;
-    }
-
-    template <int dim>
-    std::vector<dealii::Tensor<1, dim>>
-    gradients_at(const dealii::FiniteElement<dim> &element, const dealii::Point<dim> &point)
-    {
-      std::vector<dealii::Tensor<1, dim>> gradients(element.n_dofs_per_cell());
-      for (unsigned int i = 0; i < gradients.size(); ++i)
-        gradients[i] = element.shape_grad(i, point);
-      return gradients;
     }
   } // namespace
 
 
   template <int dim>
-  ReferenceElement<dim>::ReferenceElement(const ReferenceShape reference_shape,
+  ReferenceElement<dim>::ReferenceElement(const dealii::ReferenceCell &shape,
                                           const unsigned int degree,
                                           const bool with_radius)
-    : shape(reference_shape)
-    , element(make_element<dim>(shape, degree))
-    , geometry(make_element<dim>(shape, 1))
+    : element(make_element<dim>(shape, degree))
+    , rule(std::make_unique<dealii::Quadrature<dim>>(shape.get_gauss_type_quadrature<dim>(
+        degree + (shape.is_hyper_cube() || with_radius ? 1 : 0))))
+    , faces(shape.n_faces())
   {
     for (const auto &point : element->get_unit_support_points())
-      node_geometry.push_back(values_at(*geometry, point));
-    tabulate_cell(degree, with_radius);
-    faces.resize(element->reference_cell().n_faces());
+      node_geometry.push_back(linear_functions(shape, point));
     for (unsigned int f = 0; f < faces.size(); ++f)
       tabulate_face(f, degree);
   }
@@ -97,28 +74,10 @@ namespace fuga
 
 
   template <int dim>
-  std::unique_ptr<dealii::Mapping<dim, dim>>
-  ReferenceElement<dim>::make_mapping() const
+  const dealii::Mapping<dim, dim> &
+  ReferenceElement<dim>::mapping() const
   {
-    if (shape == ReferenceShape::simplex)
-      return std::make_unique<dealii::MappingFE<dim>>(*geometry);
-    return std::make_unique<dealii::MappingQ1<dim>>();
-  }
-
-
-  template <int dim>
-  void
-  ReferenceElement<dim>::tabulate_cell(const unsigned int degree, const bool with_radius)
-  {
-    const auto points = make_quadrature<dim>(shape, degree, with_radius);
-    cell.weight       = points.get_weights();
-    for (const auto &point : points.get_points())
-      {
-        cell.values.push_back(values_at(*element, point));
-        cell.gradients.push_back(gradients_at(*element, point));
-        cell.geometry_values.push_back(values_at(*geometry, point));
-        cell.geometry_gradients.push_back(gradients_at(*geometry, point));
-      }
+    return element->reference_cell().template get_default_linear_mapping<dim>();
   }
 
 
@@ -126,15 +85,7 @@ namespace fuga
   std::vector<double>
   ReferenceElement<dim>::corner_values(const unsigned int number, const FacePoint &point) const
   {
-    if constexpr (dim == 2)
-      return {1. - point[0], point[0]};
-    else if (faces[number].corners.size() == 3)
-      return {1. - point[0] - point[1], point[0], point[1]};
-    else
-      return {(1. - point[0]) * (1. - point[1]),
-              point[0] * (1. - point[1]),
-              (1. - point[0]) * point[1],
-              point[0] * point[1]};
+    return linear_functions(element->reference_cell().face_reference_cell(number), point);
   }
 
 
@@ -144,14 +95,11 @@ namespace fuga
                                             const FacePoint &point,
                                             const unsigned int coordinate) const
   {
-    if constexpr (dim == 2)
-      return {-1., 1.};
-    else if (faces[number].corners.size() == 3)
-      return coordinate == 0 ? std::vector<double>{-1., 1., 0.} : std::vector<double>{-1., 0., 1.};
-    else if (coordinate == 0)
-      return {point[1] - 1., 1. - point[1], -point[1], point[1]};
-    else
-      return {point[0] - 1., -point[0], 1. - point[0], point[0]};
+    const auto face = element->reference_cell().face_reference_cell(number);
+    std::vector<double> derivatives(face.n_vertices());
+    for (unsigned int i = 0; i < derivatives.size(); ++i)
+      derivatives[i] = face.d_linear_shape_function_gradient(point, i)[coordinate];
+    return derivatives;
   }
 
 
@@ -182,16 +130,8 @@ namespace fuga
     Face &face                   = faces[number];
     face.corners.resize(n_corners);
     for (unsigned int v = 0; v < n_corners; ++v)
-      {
-        FacePoint corner;
-        if (n_corners == 3)
-          for (unsigned int c = 0; c < dim - 1; ++c)
-            corner[c] = v == c + 1 ? 1. : 0.;
-        else
-          for (unsigned int c = 0; c < dim - 1; ++c)
-            corner[c] = (v >> c) & 1;
-        face.corner_points.push_back(corner);
-      }
+      face.corner_points.push_back(
+        reference.face_reference_cell(number).template vertex<dim - 1>(v));
 
     using Place = std::array<double, dim - 1>; // the last coordinate first, without rounding
     std::vector<std::pair<Place, unsigned int>> on_face;
@@ -228,13 +168,12 @@ namespace fuga
   {
     find_face_nodes(number);
     Face &face = faces[number];
-    dealii::Quadrature<dim - 1> rule;
-    if (dim == 3 && shape == ReferenceShape::simplex)
-      rule = dealii::QGaussSimplex<dim - 1>(degree + 2);
-    else
-      rule = dealii::QGauss<dim - 1>(degree + 2);
-    face.weight = rule.get_weights();
-    face.points = rule.get_points();
+    const dealii::Quadrature<dim - 1> points =
+      element->reference_cell()
+        .face_reference_cell(number)
+        .template get_gauss_type_quadrature<dim - 1>(degree + 2);
+    face.weight = points.get_weights();
+    face.points = points.get_points();
     for (const FacePoint &point : face.points)
       face.values.push_back(face_values(number, point));
   }

@@ -5,7 +5,7 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <fuga/bodies/cell_geometry.h>
+#include <fuga/bodies/cell_values.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,13 +91,13 @@ TEST_P(Patch, area_of_the_bodies)
 {
   const BlockMesh mesh = column(GetParam(), 0.3);
   const Discretization<2> space(mesh.mesh, column_model(GetParam(), 1., 1.));
-  CellGeometry<2> geometry(space);
+  CellValues<2> values(space);
   double area = 0.;
   for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
     {
-      geometry.move_to(cell);
-      for (std::size_t q = 0; q < space.reference_element().quadrature().weight.size(); ++q)
-        area += geometry.volume(q);
+      values.move_to(cell);
+      for (std::size_t q = 0; q < values.n_points(); ++q)
+        area += values.volume(q);
     }
   EXPECT_NEAR(area, 5., 1e-13);
 }

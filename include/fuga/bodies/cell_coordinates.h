@@ -24,23 +24,18 @@ namespace fuga
                  const dealii::Point<dim> &point);
 
   /**
-   * A cell of the tables by itself, for what deal.II computes on single cells: a process has the
-   * tables of all cells, but deal.II's objects of its own cells only.
+   * One cell of the tables after the other by itself, as deal.II's functions for single cells take
+   * it: a process has the tables of all cells, but deal.II's objects of its own cells only.
    */
   template <int dim>
   class LoneCell
   {
   public:
-    LoneCell(const Discretization<dim> &space, const std::size_t cell);
+    explicit LoneCell(const Discretization<dim> &space);
 
-    /** Whether the point lies in the box around the corners. */
-    static bool
-    is_near(const Discretization<dim> &space,
-            const std::size_t cell,
-            const dealii::Point<dim> &point);
-
+    /** Goes to a cell and returns the coordinates of a point there, if it lies in the cell. */
     std::optional<dealii::Point<dim>>
-    coordinates(const dealii::Point<dim> &point) const;
+    coordinates(const std::size_t cell, const dealii::Point<dim> &point);
 
     /** Of the shape functions, at a point of the reference cell. */
     std::vector<dealii::Tensor<1, dim>>

@@ -4,8 +4,7 @@
 #ifndef fuga_bodies_cell_stiffness_h
 #define fuga_bodies_cell_stiffness_h
 
-#include <fuga/bodies/cell_geometry.h>
-#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/cell_values.h>
 #include <fuga/bodies/lame_constants.h>
 
 namespace fuga
@@ -38,7 +37,7 @@ namespace fuga
 
     const Discretization<dim> &discretization;
     const std::vector<LameConstants> &materials;
-    CellGeometry<dim> geometry;
+    CellValues<dim> values;
     std::size_t n_nodes;
     std::vector<double> matrix;
     unsigned int body = static_cast<unsigned int>(-1);

@@ -70,7 +70,7 @@ namespace fuga
     const dealii::Mapping<dim, dim> &
     mapping() const
     {
-      return *cell_mapping;
+      return reference.mapping();
     }
 
     const ReferenceElement<dim> &
@@ -287,7 +287,6 @@ namespace fuga
     bool axisymmetric;
     double thickness;
     ReferenceElement<dim> reference;
-    std::unique_ptr<dealii::Mapping<dim, dim>> cell_mapping;
     std::unique_ptr<dealii::Triangulation<dim, dim>> mesh;
     std::unique_ptr<dealii::FiniteElement<dim, dim>> element;
     std::unique_ptr<dealii::DoFHandler<dim, dim>> dofs;

@@ -16,22 +16,18 @@ namespace dealii
   class FiniteElement;
   template <int dim, int spacedim>
   class Mapping;
+  template <int dim>
+  class Quadrature;
+  class ReferenceCell;
 } // namespace dealii
 
 namespace fuga
 {
-  /** Shape of all cells of a mesh. */
-  enum class ReferenceShape
-  {
-    hypercube,
-    simplex
-  };
-
   /**
    * Everything that depends on the kind of element only: the scalar Lagrange element, where its
-   * nodes are, and tables of its values at quadrature points. The one place where finite element,
-   * mapping and quadrature are chosen from the shape of the cells (a tensor Gauss rule on a
-   * triangle is accepted by deal.II and doubles its area).
+   * nodes are, and tables of its faces, whose nodes joints need in an order of their own. The one
+   * place where finite element, mapping and quadrature are chosen from the shape of the cells (a
+   * tensor Gauss rule on a triangle is accepted by deal.II and doubles its area).
    *
    * The geometry of a cell is linear (bilinear, trilinear) in its corners, whatever the degree. The
    * corners are the first nodes of the cell.
@@ -58,22 +54,11 @@ namespace fuga
       std::vector<std::vector<double>> values;
     };
 
-    /** Tables at the quadrature points of the cell; weights sum to the reference measure. */
-    struct Quadrature
-    {
-      std::vector<double> weight;
-      std::vector<std::vector<double>> values;
-      std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
-      /** Of the (bi)linear functions of the corners. */
-      std::vector<std::vector<double>> geometry_values;
-      std::vector<std::vector<dealii::Tensor<1, dim>>> geometry_gradients;
-    };
-
     /**
      * @p with_radius: integrands have a radius as factor.
      * @throws InputError when there is no such element, with the degrees that exist.
      */
-    ReferenceElement(const ReferenceShape shape,
+    ReferenceElement(const dealii::ReferenceCell &shape,
                      const unsigned int degree,
                      const bool with_radius = false);
 
@@ -85,8 +70,9 @@ namespace fuga
       return *element;
     }
 
-    std::unique_ptr<dealii::Mapping<dim, dim>>
-    make_mapping() const;
+    /** (Bi)linear. */
+    const dealii::Mapping<dim, dim> &
+    mapping() const;
 
     std::size_t
     n_nodes() const
@@ -107,10 +93,12 @@ namespace fuga
       return node_geometry[i];
     }
 
-    const Quadrature &
+    /** Exact for the stiffness of affine cells and for constant loads; with a radius as factor for
+     *  constant loads and for what a constant stress does. */
+    const dealii::Quadrature<dim> &
     quadrature() const
     {
-      return cell;
+      return *rule;
     }
 
     const Face &
@@ -135,19 +123,14 @@ namespace fuga
 
   private:
     void
-    tabulate_cell(const unsigned int degree, const bool with_radius);
-
-    void
     tabulate_face(const unsigned int number, const unsigned int degree);
 
     void
     find_face_nodes(const unsigned int number);
 
-    ReferenceShape shape;
     std::unique_ptr<dealii::FiniteElement<dim, dim>> element;
-    std::unique_ptr<dealii::FiniteElement<dim, dim>> geometry;
+    std::unique_ptr<dealii::Quadrature<dim>> rule;
     std::vector<std::vector<double>> node_geometry;
-    Quadrature cell;
     std::vector<Face> faces;
   };
 } // namespace fuga
