@@ -49,12 +49,6 @@ namespace fuga
   } // namespace
 
   std::string
-  direction_word(const LayerDirection direction)
-  {
-    return direction == LayerDirection::normal ? "Normal" : "Shear";
-  }
-
-  std::string
   law_word(const LayerLaw law)
   {
     for (const LawWord &known : known_laws)
@@ -63,24 +57,16 @@ namespace fuga
     return "";
   }
 
-  std::vector<std::string>
+  std::vector<std::pair<std::string, LayerLaw>>
   law_words(const LayerDirection direction)
   {
-    std::vector<std::string> result;
+    std::vector<std::pair<std::string, LayerLaw>> result;
     for (const LawWord &known : known_laws)
       if (known.in_shear || direction == LayerDirection::normal)
-        result.emplace_back(known.word);
+        result.emplace_back(known.word, known.law);
     return result;
   }
 
-  std::optional<LayerLaw>
-  law_of_word(const std::string &word, const LayerDirection direction)
-  {
-    for (const LawWord &known : known_laws)
-      if (known.word == word && (known.in_shear || direction == LayerDirection::normal))
-        return known.law;
-    return {};
-  }
 
   bool
   has_compliance_entry(const LayerLaw law)
@@ -93,45 +79,6 @@ namespace fuga
   {
     return law == LayerLaw::cubic_root || law == LayerLaw::cubic_root_tangent ||
            law == LayerLaw::hyperbolic;
-  }
-
-  std::string
-  missing_entry(const JointParameters &joint, const LayerDirection direction)
-  {
-    const auto [law, compliance, curve] = view(joint, direction);
-    const bool normal                   = direction == LayerDirection::normal;
-    const std::string start             = "'" + direction_word(direction) + " ";
-    if ((law == LayerLaw::cubic_root || law == LayerLaw::cubic_root_tangent) &&
-        joint.thickness == 0.)
-      return fmt::format("'Thickness' is missing. The {} law needs the thickness of the layer.",
-                         law_word(law));
-    if (needs_compliance(law) && compliance == 0.)
-      return start + fmt::format("compliance' is missing: the {} law needs a compliance > 0. For a "
-                                 "rigid joint choose the law rigid.",
-                                 law_word(law));
-    if (law == LayerLaw::hyperbolic && curve.closure_limit == 0.)
-      return start + "closure limit' is missing. The hyperbolic law needs the closure that no "
-                     "stress reaches.";
-    if (law == LayerLaw::exponential || law == LayerLaw::power)
-      {
-        if (curve.reference_deformation == 0.)
-          return start + (normal ? "reference closure" : "reference jump") +
-                 fmt::format("' is missing. The {} law needs a point of the curve.", law_word(law));
-        if (curve.reference_stress == 0.)
-          return start +
-                 fmt::format("reference stress' is missing. The {} law needs a point of the "
-                             "curve.",
-                             law_word(law));
-      }
-    if (law == LayerLaw::power && curve.exponent == 0.)
-      return start + "exponent' is missing. The power law needs it; 1 is a straight line.";
-    if (law == LayerLaw::tabular && curve.table.empty())
-      return start + "table' is missing. Give the points of the curve: 0: 0; w: stress; ...";
-    if (law == LayerLaw::expression && curve.stress_expression.empty())
-      return start + "stress expression' is missing. Give the stress as an expression of w.";
-    if (law == LayerLaw::expression && curve.tangent_expression.empty())
-      return start + "tangent expression' is missing. Give the derivative of the stress by w.";
-    return "";
   }
 
   std::unique_ptr<ComplianceLaw>
@@ -161,16 +108,16 @@ namespace fuga
         case LayerLaw::tabular:
           return std::make_unique<TabularLaw>(curve.table, curve.interpolation);
         case LayerLaw::expression:
-          return std::make_unique<ExpressionLaw>(curve.stress_expression,
-                                                 curve.tangent_expression,
-                                                 curve.closure_limit > 0.
-                                                   ? curve.closure_limit
-                                                   : std::numeric_limits<double>::infinity(),
-                                                 constants,
-                                                 fmt::format("{}: {} law of joint '{}'",
-                                                             joint.origin,
-                                                             direction_word(direction),
-                                                             joint.definition.name));
+          return std::make_unique<ExpressionLaw>(
+            curve.stress_expression,
+            curve.tangent_expression,
+            curve.closure_limit > 0. ? curve.closure_limit
+                                     : std::numeric_limits<double>::infinity(),
+            constants,
+            fmt::format("{}: {} law of joint '{}'",
+                        joint.origin,
+                        direction == LayerDirection::normal ? "Normal" : "Shear",
+                        joint.definition.name));
       }
     return nullptr;
   }

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/construction.h>
-#include <fuga/io/parameter_expressions.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 
@@ -19,7 +19,7 @@ namespace fuga
     /** Numbers of the names in the list @p entry, or of all @p known if it is not given. */
     std::vector<unsigned int>
     read_numbers(const ParameterSection &section,
-                 const std::string &entry,
+                 const AnyEntry &entry,
                  const std::string &what,
                  const std::vector<std::string> &known)
     {
@@ -40,26 +40,15 @@ namespace fuga
 
     /** An entry that belongs to another quantity says that the user wants something else. */
     void
-    refuse(const ParameterSection &section, const std::string &entry, const std::string &wanted)
+    refuse(const ParameterSection &section, const AnyEntry &entry, const std::string &wanted)
     {
+      const AccuracyEntries &e = entries_of<AccuracyEntries>();
       if (section.given(entry))
         section.fail(entry,
                      fmt::format("this belongs to Quantity = {}, but here is Quantity = {}. Remove "
                                  "the line, or change the quantity.",
                                  wanted,
-                                 section.text("Quantity")));
-    }
-
-
-    Quantity
-    read_quantity(const ParameterSection &section)
-    {
-      const std::string quantity = section.text("Quantity");
-      if (quantity == "contact pressure")
-        return Quantity::pressure;
-      if (quantity == "resultant")
-        return Quantity::resultant;
-      return quantity == "monitor" ? Quantity::monitor : Quantity::none;
+                                 section.text(e.quantity)));
     }
 
 
@@ -68,12 +57,13 @@ namespace fuga
                   const ModelDefinition &model,
                   AccuracyTarget &target)
     {
-      refuse(section, "Components", "resultant or monitor");
-      if (!section.given("Where"))
+      const AccuracyEntries &e = entries_of<AccuracyEntries>();
+      refuse(section, e.components, "resultant or monitor");
+      if (!section.given(e.where))
         return;
-      target.where = section.text("Where");
+      target.where = section.text(e.where);
       check_expression(section,
-                       "Where",
+                       e.where,
                        target.where,
                        model.dimension == 3 ? ExpressionArguments::place_in_space
                                             : ExpressionArguments::place,
@@ -84,13 +74,14 @@ namespace fuga
     void
     check_combinations(const ParameterSection &section, const Parameters &parameters)
     {
+      const AccuracyEntries &e = entries_of<AccuracyEntries>();
       if (parameters.of_sweep)
         section.fail(
-          "Quantity",
+          e.quantity,
           "the variants of a sweep have the mesh of the file: none finds its own. Remove the "
           "section Sweep and run the variants one by one (--set), or remove this entry.");
       if (first_stages_of_phases(parameters.model).size() > 1)
-        section.fail("Quantity",
+        section.fail(e.quantity,
                      "bodies are built or removed, or joints grouted, on the way: the mesh is not "
                      "adapted to that. Refine it by Mesh/Refinements, and remove this entry.");
     }
@@ -100,22 +91,20 @@ namespace fuga
   void
   read_accuracy(const ParameterValues &values, Parameters &parameters)
   {
-    const ParameterSection section = values.section("Target accuracy");
+    const AccuracyEntries &e       = entries_of<AccuracyEntries>();
+    const ParameterSection section = values.section<AccuracyEntries>();
     AccuracyTarget &target         = parameters.accuracy;
-    target.quantity                = read_quantity(section);
-    target.origin                  = section.origin("Quantity");
-    target.relative_error          = section.number("Relative error");
-    target.max_unknowns            = section.number("Largest number of unknowns");
-    target.max_rounds              = section.integer("Largest number of rounds");
+    section.read(target);
+    target.origin = section.origin(e.quantity);
     if (target.quantity != Quantity::monitor)
-      refuse(section, "Monitors", "monitor");
+      refuse(section, e.monitors, "monitor");
     if (target.quantity != Quantity::pressure)
-      refuse(section, "Where", "contact pressure");
+      refuse(section, e.where, "contact pressure");
     if (target.quantity == Quantity::none || target.quantity == Quantity::monitor)
-      refuse(section, "Joints", "contact pressure or resultant");
+      refuse(section, e.joints, "contact pressure or resultant");
     if (target.quantity == Quantity::none)
       {
-        refuse(section, "Components", "resultant or monitor");
+        refuse(section, e.components, "resultant or monitor");
         return;
       }
     check_combinations(section, parameters);
@@ -131,26 +120,26 @@ namespace fuga
       {
         for (const MonitorDefinition &monitor : parameters.model.monitors)
           names.push_back(monitor.name);
-        target.items = read_numbers(section, "Monitors", "monitor", names);
+        target.items = read_numbers(section, e.monitors, "monitor", names);
       }
     else
       {
         for (const JointParameters &joint : parameters.joints)
           names.push_back(joint.definition.name);
-        target.items = read_numbers(section, "Joints", "joint", names);
+        target.items = read_numbers(section, e.joints, "joint", names);
         components   = {"N", "T", "M"};
         if (in_space)
           components.insert(components.end(), {"T2", "M1", "Mn"});
       }
     if (target.items.empty())
-      section.fail("Quantity",
+      section.fail(e.quantity,
                    target.quantity == Quantity::monitor
                      ? "there are no monitors. Add one to section Monitors."
                      : "there are no joints. Name a monitor instead.");
     if (target.quantity == Quantity::pressure)
       return;
-    target.components = read_numbers(section, "Components", "component", components);
-    if (!section.given("Components"))
+    target.components = read_numbers(section, e.components, "component", components);
+    if (!section.given(e.components))
       {
         target.components = {0, 1};
         if (in_space)

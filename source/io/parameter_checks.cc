@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 
@@ -18,18 +19,19 @@ namespace fuga
     BoundaryCondition
     read_boundary(const ParameterSection &section, const unsigned int dimension)
     {
+      const BoundaryEntries &e = entries_of<BoundaryEntries>();
       BoundaryCondition condition;
       condition.boundary                   = section.name();
-      condition.origin                     = section.origin("Fixed");
-      const std::vector<std::string> words = section.list("Fixed");
+      condition.origin                     = section.origin(e.fixed);
+      const std::vector<std::string> words = section.list(e.fixed);
       for (const std::string &word : words)
         {
           if ((word == "free" || word == "all") && words.size() > 1)
             section.fail(
-              "Fixed",
+              e.fixed,
               fmt::format("'{}' stands alone. Write either it or a list of components.", word));
           if (word == "z" && dimension == 2)
-            section.fail("Fixed", "a plane problem has no component z. Use x, y or all.");
+            section.fail(e.fixed, "a plane problem has no component z. Use x, y or all.");
           if (word == "free")
             condition.named_free = true;
           else if (word == "all")
@@ -37,7 +39,7 @@ namespace fuga
           else if (word == "x" || word == "y" || word == "z")
             condition.fixed[static_cast<std::size_t>(word[0] - 'x')] = true;
           else
-            section.fail("Fixed",
+            section.fail(e.fixed,
                          fmt::format("'{}' is unknown. Allowed: {}, or the words all, free.",
                                      word,
                                      dimension == 2 ? "x or y or x, y" : "some of x, y, z"));
@@ -62,6 +64,7 @@ namespace fuga
                           const LoadDefinition &load,
                           const ModelDefinition &model)
     {
+      const LoadEntries &e = entries_of<LoadEntries>();
       if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature ||
           load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap)
         return;
@@ -69,7 +72,7 @@ namespace fuga
         if (const BoundaryCondition *condition = find_condition(model, target);
             condition != nullptr && condition->named_free)
           section.fail(
-            load.kind == LoadKind::point_force ? "Point" : "Boundaries",
+            load.kind == LoadKind::point_force ? e.point : e.boundaries,
             fmt::format("'{}' is said to be free at {}. Remove that statement or this load.",
                         target,
                         condition->origin));
@@ -82,14 +85,11 @@ namespace fuga
                  const LoadDefinition &load,
                  const std::vector<std::string> &joints)
     {
+      const LoadEntries &e = entries_of<LoadEntries>();
       if (load.kind != LoadKind::uplift && load.kind != LoadKind::imposed_gap)
         return;
       for (const std::string &target : load.targets)
-        if (std::find(joints.begin(), joints.end(), target) == joints.end())
-          section.fail("Joints",
-                       fmt::format("there is no joint '{}' in section Joints. {}",
-                                   target,
-                                   name_hint(target, joints, "joints")));
+        number_of(target, joints, "joint", section, e.joints);
     }
 
 
@@ -99,6 +99,7 @@ namespace fuga
                        const LoadDefinition &load,
                        const ModelDefinition &model)
     {
+      const LoadEntries &e = entries_of<LoadEntries>();
       if (load.kind != LoadKind::displacement)
         return;
       for (const std::string &target : load.targets)
@@ -107,7 +108,7 @@ namespace fuga
           for (unsigned int c = 0; c < model.dimension; ++c)
             if (!load.expressions[c].empty() && (condition == nullptr || !condition->fixed[c]))
               section.fail(
-                "Value",
+                e.value,
                 fmt::format("component {} of boundary '{}' is to be moved but it is not "
                             "fixed{}. Set Boundaries/{}/Fixed, or leave the component "
                             "empty.",
@@ -135,7 +136,7 @@ namespace fuga
   read_boundaries(const ParameterValues &values, const unsigned int dimension)
   {
     std::vector<BoundaryCondition> conditions;
-    for (const ParameterSection &section : values.subsections("Boundaries"))
+    for (const ParameterSection &section : values.subsections<BoundaryEntries>())
       values.attempt(section, [&]() { conditions.push_back(read_boundary(section, dimension)); });
     return conditions;
   }
@@ -144,21 +145,22 @@ namespace fuga
   void
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model)
   {
-    const std::vector<ParameterSection> sections = values.subsections("Loads");
+    const SweepEntries &e                        = entries_of<SweepEntries>();
+    const std::vector<ParameterSection> sections = values.subsections<LoadEntries>();
     // A variant may leave out the stages of a load.
-    const ParameterSection sweep = values.section("Sweep");
-    const bool stages_vary       = sweep.given("Stages") || sweep.given("Load sequences");
+    const ParameterSection sweep = values.section<SweepEntries>();
+    const bool stages_vary       = sweep.given(e.stages) || sweep.given(e.load_sequences);
     for (std::size_t i = 0; i < sections.size(); ++i)
       values.attempt(sections[i], [&]() {
         check_free_boundaries(sections[i], model.loads[i], model);
-        if (!values.is_broken("Boundaries"))
+        if (!values.is_broken<BoundaryEntries>())
           check_displacement(sections[i], model.loads[i], model);
-        check_joints(sections[i], model.loads[i], values.subsection_names("Joints"));
-        if (!values.is_broken("Stages") && !stages_vary && !is_used(model, i))
+        check_joints(sections[i], model.loads[i], values.subsection_names<JointEntries>());
+        if (!values.is_broken<StageEntries>() && !stages_vary && !is_used(model, i))
           sections[i].fail(fmt::format(
             "no stage uses this load; the stages are {}. Add '{}: t' to the Loads of one, or "
             "remove the load.",
-            quoted_list(values.subsection_names("Stages")),
+            quoted_list(values.subsection_names<StageEntries>()),
             model.loads[i].name));
       });
   }

@@ -3,7 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/construction.h>
-#include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
@@ -14,35 +14,22 @@ namespace fuga
 {
   namespace
   {
-    unsigned int
-    read_stage(const ParameterSection &section,
-               const std::string &entry,
-               const std::vector<std::string> &stages)
-    {
-      const std::string name = section.text(entry);
-      const auto found       = std::find(stages.begin(), stages.end(), name);
-      if (found == stages.end())
-        section.fail(entry,
-                     fmt::format("there is no stage '{}' in section Stages. {}",
-                                 name,
-                                 name_hint(name, stages, "stages")));
-      return static_cast<unsigned int>(found - stages.begin());
-    }
-
-
     void
     read_life(const ParameterSection &section,
               const std::vector<std::string> &stages,
               Material &material)
     {
-      if (section.given("Built at stage"))
-        material.built_at = read_stage(section, "Built at stage", stages);
-      if (!section.given("Removed at stage"))
+      const BodyEntries &e = entries_of<BodyEntries>();
+      if (section.given(e.built_at))
+        material.built_at =
+          number_of(section.value(e.built_at), stages, "stage", section, e.built_at);
+      if (!section.given(e.removed_at))
         return;
-      material.removed_at = read_stage(section, "Removed at stage", stages);
+      material.removed_at =
+        number_of(section.value(e.removed_at), stages, "stage", section, e.removed_at);
       if (material.removed_at <= material.built_at)
         section.fail(
-          "Removed at stage",
+          e.removed_at,
           "the body would be removed before it has stood for a stage. Name a stage behind "
           "the one in which it is built (without 'Built at stage' the first one).");
     }
@@ -54,19 +41,16 @@ namespace fuga
                         const bool is_first,
                         StageDefinition &stage)
     {
-      if (!section.given("Grouted joints"))
+      const StageEntries &e = entries_of<StageEntries>();
+      if (!section.given(e.grouted_joints))
         return;
       if (is_first)
-        section.fail("Grouted joints",
+        section.fail(e.grouted_joints,
                      "before the first stage nothing has opened. A joint without 'Initial gap' is "
                      "closed from the start.");
-      stage.grouted_joints = section.list("Grouted joints");
+      stage.grouted_joints = section.list(e.grouted_joints);
       for (const std::string &joint : stage.grouted_joints)
-        if (std::find(joints.begin(), joints.end(), joint) == joints.end())
-          section.fail("Grouted joints",
-                       fmt::format("there is no joint '{}' in section Joints. {}",
-                                   joint,
-                                   name_hint(joint, joints, "joints")));
+        number_of(joint, joints, "joint", section, e.grouted_joints);
     }
   } // namespace
 
@@ -74,12 +58,13 @@ namespace fuga
   void
   read_construction(const ParameterValues &values, ModelDefinition &model)
   {
-    const std::vector<ParameterSection> bodies = values.subsections("Bodies");
+    const std::vector<ParameterSection> bodies = values.subsections<BodyEntries>();
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      read_life(bodies[i], values.subsection_names("Stages"), model.materials[i]);
-    const std::vector<ParameterSection> stages = values.subsections("Stages");
+      read_life(bodies[i], values.subsection_names<StageEntries>(), model.materials[i]);
+    const std::vector<ParameterSection> stages = values.subsections<StageEntries>();
     for (std::size_t i = 0; i < stages.size(); ++i)
-      read_grouted_joints(stages[i], values.subsection_names("Joints"), i == 0, model.stages[i]);
+      read_grouted_joints(
+        stages[i], values.subsection_names<JointEntries>(), i == 0, model.stages[i]);
     for (const unsigned int stage : first_stages_of_phases(model))
       if (!model.stages.empty() &&
           std::none_of(model.materials.begin(), model.materials.end(), [stage](const auto &body) {

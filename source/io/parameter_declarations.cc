@@ -5,9 +5,6 @@
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_number_pattern.h>
 
-#include <algorithm>
-#include <set>
-
 namespace fuga
 {
   std::string
@@ -29,20 +26,6 @@ namespace fuga
   }
 
 
-  bool
-  EntryDeclaration::holds_numbers() const
-  {
-    static const std::set<std::string> names = {"Point",
-                                                "Level",
-                                                "Tailwater level",
-                                                "Flow direction",
-                                                "Pressure profile",
-                                                "Normal table",
-                                                "Shear table"};
-    return names.count(name) > 0;
-  }
-
-
   std::vector<std::string>
   EntryDeclaration::choices() const
   {
@@ -51,6 +34,15 @@ namespace fuga
     const std::string words  = pattern->description(dealii::Patterns::PatternBase::Text);
     const std::string prefix = "Any one of ";
     return split_pieces(words.substr(words.rfind(prefix, 0) == 0 ? prefix.size() : 0), ',');
+  }
+
+
+  SectionDeclaration::SectionDeclaration(const std::string &section_name,
+                                         const std::string &text,
+                                         const std::vector<std::string> &names,
+                                         const bool entries_are_free)
+    : name(section_name), documentation(text), example_names(names), free_entries(entries_are_free)
+  {
   }
 
 
@@ -76,9 +68,20 @@ namespace fuga
   const SectionDeclaration *
   find_section(const std::string &name)
   {
-    const auto &sections = parameter_declarations();
-    const auto found     = std::find_if(
-      sections.begin(), sections.end(), [&](const auto &section) { return section.name == name; });
-    return found == sections.end() ? nullptr : &*found;
+    for (const SectionDeclaration &section : parameter_declarations())
+      if (section.name == name)
+        return &section;
+    return nullptr;
+  }
+
+
+  const EntryDeclaration *
+  find_entry(const std::string &full_name)
+  {
+    const std::size_t first = full_name.find('/'), last = full_name.rfind('/');
+    if (first == std::string::npos)
+      return find_section("")->find(full_name);
+    const SectionDeclaration *section = find_section(full_name.substr(0, first));
+    return section == nullptr ? nullptr : section->find(full_name.substr(last + 1));
   }
 } // namespace fuga

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
@@ -13,7 +14,7 @@ namespace fuga
   {
     double
     read_number(const ParameterSection &section,
-                const std::string &entry,
+                const AnyEntry &entry,
                 const std::string &form,
                 const std::string &point,
                 const std::string &text)
@@ -34,7 +35,7 @@ namespace fuga
 
 
   std::vector<std::array<double, 2>>
-  read_table(const ParameterSection &section, const std::string &entry, const std::string &form)
+  read_table(const ParameterSection &section, const AnyEntry &entry, const std::string &form)
   {
     std::vector<std::array<double, 2>> table;
     for (const std::string &point : split_pieces(section.text(entry), ';'))
@@ -55,7 +56,7 @@ namespace fuga
                         "after {:g}. {}",
                         a,
                         table.back()[0],
-                        entry == "Level" || entry == "Tailwater level"
+                        entry.declaration->content == TextContent::level
                           ? "t is the load time: it runs from 0 to 1 in the first stage, "
                             "from 1 to 2 in the second one."
                           : "Sort the points."));
@@ -67,7 +68,7 @@ namespace fuga
 
   LevelDefinition
   read_level(const ParameterSection &section,
-             const std::string &entry,
+             const AnyEntry &entry,
              const std::map<std::string, double> &constants)
   {
     LevelDefinition result;
@@ -90,25 +91,25 @@ namespace fuga
   read_depth_pressure(const ParameterSection &section,
                       const std::map<std::string, double> &constants)
   {
+    const LoadEntries &e = entries_of<LoadEntries>();
     DepthPressure depth;
-    static_cast<LevelDefinition &>(depth) = read_level(section, "Level", constants);
-    const std::string type                = section.text("Type");
-    const double unit_weight              = section.number("Unit weight");
-    if (type == "westergaard")
+    static_cast<LevelDefinition &>(depth) = read_level(section, e.level, constants);
+    const LoadType type                   = section.value(e.type);
+    const double unit_weight              = section.value(e.unit_weight);
+    if (type == LoadType::westergaard)
       {
-        depth.root   = 7. / 8. * section.number("Horizontal coefficient") * unit_weight;
-        depth.bottom = section.number("Bottom level");
+        depth.root   = 7. / 8. * section.value(e.horizontal_coefficient) * unit_weight;
+        depth.bottom = section.value(e.bottom_level);
         if (depth.root == 0.)
-          section.fail("Horizontal coefficient",
+          section.fail(e.horizontal_coefficient,
                        "the coefficient is 0, so that this load does nothing. Set it, or remove "
                        "the load.");
         return depth;
       }
     const double coefficient =
-      type == "earth pressure" ? section.number("Earth pressure coefficient") : 1.;
-    depth.gradient = coefficient * unit_weight;
-    if (section.given("Surcharge"))
-      depth.surcharge = coefficient * section.number("Surcharge");
+      type == LoadType::earth_pressure ? section.value(e.earth_coefficient) : 1.;
+    depth.gradient  = coefficient * unit_weight;
+    depth.surcharge = coefficient * section.value_or(e.surcharge, 0.);
     return depth;
   }
 } // namespace fuga

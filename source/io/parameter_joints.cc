@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -17,10 +19,10 @@ namespace fuga
   namespace
   {
     void
-    need(const ParameterSection &section, const std::string &entry, const std::string &because)
+    need(const ParameterSection &section, const Text &entry, const std::string &because)
     {
-      if (!section.given(entry) || section.text(entry).empty())
-        section.fail(fmt::format("'{}' is missing: {}.", entry, because));
+      if (section.value_or(entry, {}).empty())
+        section.fail(fmt::format("'{}' is missing: {}.", entry.name(), because));
     }
 
 
@@ -29,10 +31,11 @@ namespace fuga
               const std::vector<std::string> &bodies,
               JointDefinition &joint)
     {
-      for (const char *const lip : {"Plus lip", "Minus lip"})
-        refuse_both(section, lip, "Line");
-      joint.line = section.text("Line");
-      for (const char *const side : {"Plus body", "Minus body"})
+      const JointEntries &e = entries_of<JointEntries>();
+      for (const Text &lip : {e.plus_lip, e.minus_lip})
+        refuse_both(section, lip, e.line);
+      joint.line = section.text(e.line);
+      for (const Text &side : {e.plus_body, e.minus_body})
         {
           need(section, side, "a joint with 'Line' names the bodies on both sides of it");
           const std::string body = section.text(side);
@@ -44,33 +47,34 @@ namespace fuga
                                                        "'Minus lip = rigid' instead of 'Line'."
                                                      : ""));
         }
-      joint.plus_body  = section.text("Plus body");
-      joint.minus_body = section.text("Minus body");
+      joint.plus_body  = section.text(e.plus_body);
+      joint.minus_body = section.text(e.minus_body);
     }
 
 
     void
     read_lips(const ParameterSection &section, JointDefinition &joint)
     {
-      for (const char *const body : {"Plus body", "Minus body"})
+      const JointEntries &e = entries_of<JointEntries>();
+      for (const Text &body : {e.plus_body, e.minus_body})
         if (section.given(body))
           section.fail(
             body, "a joint between lips does not name bodies. Remove the entry, or use 'Line'.");
-      need(section, "Plus lip", "a joint is either a 'Line' or has 'Plus lip' and 'Minus lip'");
-      need(section, "Minus lip", "write the name of the opposite boundary, or the word rigid");
-      joint.plus_lip = section.text("Plus lip");
+      need(section, e.plus_lip, "a joint is either a 'Line' or has 'Plus lip' and 'Minus lip'");
+      need(section, e.minus_lip, "write the name of the opposite boundary, or the word rigid");
+      joint.plus_lip = section.text(e.plus_lip);
       if (joint.plus_lip == "rigid")
         section.fail(
-          "Plus lip",
+          e.plus_lip,
           "only the minus lip can be rigid. Exchange the lips: the normal points into the "
           "body.");
-      const std::string minus_lip = section.text("Minus lip");
+      const std::string minus_lip = section.text(e.minus_lip);
       if (minus_lip == joint.plus_lip)
         section.fail(
-          "Minus lip",
+          e.minus_lip,
           fmt::format("this is the plus lip too, see {}. The lips are two boundaries, or "
                       "one boundary and the word rigid.",
-                      section.origin("Plus lip")));
+                      section.origin(e.plus_lip)));
       joint.against_rigid = minus_lip == "rigid";
       if (!joint.against_rigid)
         joint.minus_lip = minus_lip;
@@ -80,29 +84,31 @@ namespace fuga
     JointDefinition
     read_place(const ParameterSection &section, const std::vector<std::string> &bodies)
     {
+      const JointEntries &e = entries_of<JointEntries>();
       JointDefinition joint;
       joint.name = section.name();
-      if (section.given("Line"))
+      if (section.given(e.line))
         read_line(section, bodies, joint);
-      else if (section.given("Plus lip") || section.given("Minus lip"))
+      else if (section.given(e.plus_lip) || section.given(e.minus_lip))
         read_lips(section, joint);
       else
         section.fail(
           "it is not said where the joint is. Give 'Line', 'Plus body' and 'Minus body', or "
           "'Plus lip' and 'Minus lip'.");
-      joint.corner_angle = section.number("Corner angle");
+      section.read(joint);
       return joint;
     }
 
 
     /** Laws that section Sweep gives this joint; other words are refused where they are read. */
     std::vector<LayerLaw>
-    swept_laws(const ParameterSection &section, const LayerDirection direction)
+    swept_laws(const ParameterSection &section, const Entry<LayerLaw> &entry)
     {
       std::vector<LayerLaw> laws;
-      for (const std::string &word : section.swept(direction_word(direction) + " law"))
-        if (const auto law = law_of_word(word, direction))
-          laws.push_back(*law);
+      for (const std::string &swept : section.swept(entry))
+        for (const auto &[word, law] : entry.words)
+          if (word == swept)
+            laws.push_back(law);
       return laws;
     }
 
@@ -111,9 +117,10 @@ namespace fuga
     double
     largest_stress(const ParameterValues &values)
     {
-      double softest = std::numeric_limits<double>::infinity();
-      for (const ParameterSection &body : values.subsections("Bodies"))
-        softest = std::min(softest, body.number("Young modulus"));
+      const BodyEntries &e = entries_of<BodyEntries>();
+      double softest       = std::numeric_limits<double>::infinity();
+      for (const ParameterSection &body : values.subsections<BodyEntries>())
+        softest = std::min(softest, body.value(e.young_modulus));
       return 0.01 * softest;
     }
 
@@ -123,24 +130,24 @@ namespace fuga
                const ParameterValues &values,
                const ModelDefinition &model)
     {
+      const JointEntries &e                          = entries_of<JointEntries>();
       const std::map<std::string, double> &constants = model.constants;
       JointParameters joint;
       joint.origin     = section.origin();
-      joint.definition = read_place(section, values.subsection_names("Bodies"));
+      joint.definition = read_place(section, values.subsection_names<BodyEntries>());
       joint.friction   = read_strength(section);
-      joint.thickness  = section.given("Thickness") ? section.number("Thickness") : 0.;
+      section.read(joint);
       const LayerSurroundings surroundings = {constants,
                                               largest_stress(values),
-                                              swept_laws(section, LayerDirection::normal),
-                                              swept_laws(section, LayerDirection::shear),
+                                              swept_laws(section, e.normal.law),
+                                              swept_laws(section, e.shear.law),
                                               !joint.friction.is_frictionless()};
       read_layer(section, LayerDirection::normal, surroundings, joint);
       read_layer(section, LayerDirection::shear, surroundings, joint);
       joint.shear_growth = read_shear_growth(section);
       check_shear_growth(section, joint);
-      joint.initial_gap = section.text("Initial gap");
       check_expression(section,
-                       "Initial gap",
+                       e.initial_gap,
                        joint.initial_gap,
                        model.dimension == 2 ? ExpressionArguments::place
                                             : ExpressionArguments::place_in_space,
@@ -150,9 +157,33 @@ namespace fuga
   } // namespace
 
 
+  unsigned int
+  number_of(const std::string &name,
+            const std::vector<std::string> &known,
+            const std::string &what,
+            const ParameterSection &section,
+            const AnyEntry &entry)
+  {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end())
+      {
+        const std::string names = what == "body" ? "bodies" : what + "s";
+        std::string place       = names;
+        place[0]                = static_cast<char>(std::toupper(place[0]));
+        section.fail(entry,
+                     fmt::format("there is no {} '{}' in section {}. {}",
+                                 what,
+                                 name,
+                                 place,
+                                 name_hint(name, known, names)));
+      }
+    return static_cast<unsigned int>(found - known.begin());
+  }
+
+
   void
   check_expression(const ParameterSection &section,
-                   const std::string &entry,
+                   const AnyEntry &entry,
                    const std::string &expression,
                    const ExpressionArguments arguments,
                    const std::map<std::string, double> &constants)
@@ -167,9 +198,9 @@ namespace fuga
   read_joints(const ParameterValues &values, const ModelDefinition &model)
   {
     std::vector<JointParameters> joints;
-    for (const ParameterSection &section : values.subsections("Joints"))
+    for (const ParameterSection &section : values.subsections<JointEntries>())
       values.attempt(section, [&]() {
-        if (!values.is_broken("Bodies"))
+        if (!values.is_broken<BodyEntries>())
           joints.push_back(read_joint(section, values, model));
       });
     return joints;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
@@ -15,12 +16,12 @@
 namespace fuga
 {
   void
-  refuse_both(const ParameterSection &section, const std::string &one, const std::string &other)
+  refuse_both(const ParameterSection &section, const AnyEntry &one, const AnyEntry &other)
   {
     if (section.given(one) && section.given(other))
       section.fail(one,
                    fmt::format("'{}' is given as well, see {}. Keep one of the two.",
-                               other,
+                               other.name(),
                                section.origin(other)));
   }
 
@@ -28,29 +29,30 @@ namespace fuga
   {
     struct OwnedEntry
     {
-      const char *name;
+      AnyEntry entry;
       std::vector<LayerLaw> owners;
     };
 
-    /** The entries that only some laws use, without the direction. */
-    const std::vector<OwnedEntry> &
-    owned_entries()
+    /** The entries that only some laws use. */
+    std::vector<OwnedEntry>
+    owned_entries(const LayerEntries &e)
     {
-      using L                                   = LayerLaw;
-      static const std::vector<OwnedEntry> list = {
-        {"compliance", {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
-        {"stiffness", {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
-        {"closure limit", {L::hyperbolic, L::expression}},
-        {"reference closure", {L::exponential, L::power}},
-        {"reference jump", {L::power}},
-        {"reference stress", {L::exponential, L::power}},
-        {"exponent", {L::power}},
-        {"table", {L::tabular}},
-        {"interpolation", {L::tabular}},
-        {"stress expression", {L::expression}},
-        {"tangent expression", {L::expression}}};
+      using L                      = LayerLaw;
+      std::vector<OwnedEntry> list = {
+        {e.compliance, {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
+        {e.stiffness, {L::linear, L::cubic_root, L::cubic_root_tangent, L::hyperbolic}},
+        {e.reference_deformation, {L::exponential, L::power}},
+        {e.reference_stress, {L::exponential, L::power}},
+        {e.exponent, {L::power}},
+        {e.table, {L::tabular}},
+        {e.interpolation, {L::tabular}},
+        {e.stress_expression, {L::expression}},
+        {e.tangent_expression, {L::expression}}};
+      if (e.closure_limit.declaration != nullptr)
+        list.insert(list.begin() + 2, {e.closure_limit, {L::hyperbolic, L::expression}});
       return list;
     }
+
 
     bool
     contains(const std::vector<LayerLaw> &laws, const LayerLaw law)
@@ -60,76 +62,72 @@ namespace fuga
 
     /** "'Normal law = power' (file:3)", or that the law is the default. */
     std::string
-    law_statement(const ParameterSection &section, const std::string &direction)
+    law_statement(const ParameterSection &section, const Entry<LayerLaw> &law)
     {
-      const std::string entry = direction + " law";
       return fmt::format("'{} = {}' ({})",
-                         entry,
-                         section.text(entry),
-                         section.given(entry) ? section.origin(entry) : "the default");
+                         law.name(),
+                         section.text(law),
+                         section.given(law) ? section.origin(law) : "the default");
     }
+
 
     void
     refuse_foreign_entries(const ParameterSection &section,
-                           const LayerDirection direction,
+                           const LayerEntries &e,
                            const std::vector<LayerLaw> &laws)
     {
-      const std::string word = direction_word(direction);
-      for (const auto &[name, owners] : owned_entries())
+      for (const auto &[entry, owners] : owned_entries(e))
         {
-          const std::string entry = word + " " + name;
           if (!section.given(entry) ||
               std::any_of(owners.begin(), owners.end(), [&laws = laws](const LayerLaw owner) {
                 return contains(laws, owner);
               }))
             continue;
           std::string names;
-          for (const std::string &law : law_words(direction))
-            if (contains(owners, *law_of_word(law, direction)))
-              names += (names.empty() ? "" : ", ") + law;
+          for (const auto &[word, law] : e.law.words)
+            if (contains(owners, law))
+              names += (names.empty() ? "" : ", ") + word;
           section.fail(entry,
                        fmt::format("{} does not use this entry. It belongs to the law{} {}. Remove "
                                    "this entry, or choose another law.",
-                                   law_statement(section, word),
+                                   law_statement(section, e.law),
                                    names.find(',') == std::string::npos ? "" : "s",
                                    names));
         }
     }
 
+
     /** ρ of one direction; a linear law without compliance becomes rigid. */
     double
     read_compliance(const ParameterSection &section,
-                    const std::string &direction,
+                    const LayerEntries &e,
                     const bool is_needed,
                     LayerLaw &law)
     {
-      const std::string compliance = direction + " compliance";
-      const std::string stiffness  = direction + " stiffness";
-      refuse_both(section, compliance, stiffness);
-      const bool is_given = section.given(compliance) || section.given(stiffness);
-      if (!is_given && has_compliance_entry(law) &&
-          (is_needed || section.given(direction + " law")))
+      refuse_both(section, e.compliance, e.stiffness);
+      const bool is_given = section.given(e.compliance) || section.given(e.stiffness);
+      if (!is_given && has_compliance_entry(law) && (is_needed || section.given(e.law)))
         section.fail(fmt::format("'{}' or '{}' is missing. Give one of the two; compliance 0, or "
-                                 "'{} law = rigid', means an exactly rigid joint.",
-                                 compliance,
-                                 stiffness,
-                                 direction));
-      const double rho = section.given(compliance)  ? section.number(compliance)
-                         : section.given(stiffness) ? 1. / section.number(stiffness)
-                                                    : 0.;
+                                 "'{} = rigid', means an exactly rigid joint.",
+                                 e.compliance.name(),
+                                 e.stiffness.name(),
+                                 e.law.name()));
+      const double rho = section.given(e.stiffness) ? 1. / section.value(e.stiffness)
+                                                    : section.value_or(e.compliance, 0.);
       if (rho == 0. && needs_compliance(law))
         section.fail(
-          compliance,
+          e.compliance,
           fmt::format("{} needs a compliance > 0. For a rigid joint choose the law rigid.",
-                      law_statement(section, direction)));
+                      law_statement(section, e.law)));
       if (law == LayerLaw::linear && rho == 0.)
         law = LayerLaw::rigid;
       // Entries of other laws of a sweep do not count.
       return has_compliance_entry(law) ? rho : 0.;
     }
 
+
     double
-    read_number(const ParameterSection &section, const std::string &entry, const std::string &word)
+    read_number(const ParameterSection &section, const AnyEntry &entry, const std::string &word)
     {
       double value      = 0.;
       const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -144,7 +142,7 @@ namespace fuga
     }
 
     std::vector<TabularLaw::Point>
-    read_table(const ParameterSection &section, const std::string &entry)
+    read_table(const ParameterSection &section, const AnyEntry &entry)
     {
       std::vector<TabularLaw::Point> table;
       for (const std::string &pair : split_pieces(section.text(entry), ';'))
@@ -175,53 +173,73 @@ namespace fuga
       return table;
     }
 
-    double
-    number_or_none(const ParameterSection &section, const std::string &entry)
+    /** What the law needs besides the entries that are given: "" or a sentence. */
+    std::string
+    missing_entry(const LayerEntries &e,
+                  const LayerLaw law,
+                  const double thickness,
+                  const double compliance,
+                  const LayerCurve &curve)
     {
-      return section.given(entry) ? section.number(entry) : 0.;
+      const std::string word = law_word(law);
+      const auto missing     = [](const AnyEntry &entry, const std::string &why) {
+        return fmt::format("'{}' is missing{}", entry.name(), why);
+      };
+      if ((law == LayerLaw::cubic_root || law == LayerLaw::cubic_root_tangent) && thickness == 0.)
+        return missing(entries_of<JointEntries>().thickness,
+                       fmt::format(". The {} law needs the thickness of the layer.", word));
+      if (needs_compliance(law) && compliance == 0.)
+        return missing(e.compliance,
+                       fmt::format(": the {} law needs a compliance > 0. For a rigid joint choose "
+                                   "the law rigid.",
+                                   word));
+      if (law == LayerLaw::hyperbolic && curve.closure_limit == 0.)
+        return missing(e.closure_limit,
+                       ". The hyperbolic law needs the closure that no stress reaches.");
+      if (law == LayerLaw::exponential || law == LayerLaw::power)
+        for (const AnyEntry &entry : {e.reference_deformation, e.reference_stress})
+          if ((entry == e.reference_stress ? curve.reference_stress
+                                           : curve.reference_deformation) == 0.)
+            return missing(entry, fmt::format(". The {} law needs a point of the curve.", word));
+      if (law == LayerLaw::power && curve.exponent == 0.)
+        return missing(e.exponent, ". The power law needs it; 1 is a straight line.");
+      if (law == LayerLaw::tabular && curve.table.empty())
+        return missing(e.table, ". Give the points of the curve: 0: 0; w: stress; ...");
+      if (law == LayerLaw::expression && curve.stress_expression.empty())
+        return missing(e.stress_expression, ". Give the stress as an expression of w.");
+      if (law == LayerLaw::expression && curve.tangent_expression.empty())
+        return missing(e.tangent_expression, ". Give the derivative of the stress by w.");
+      return "";
     }
+
 
     LayerCurve
     read_curve(const ParameterSection &section,
-               const LayerDirection direction,
+               const LayerEntries &e,
                const std::map<std::string, double> &constants)
     {
-      const std::string word = direction_word(direction);
       LayerCurve curve;
-      if (direction == LayerDirection::normal)
-        curve.closure_limit = number_or_none(section, "Normal closure limit");
-      curve.reference_deformation = number_or_none(
-        section,
-        direction == LayerDirection::normal ? "Normal reference closure" : "Shear reference jump");
-      curve.reference_stress = number_or_none(section, word + " reference stress");
-      curve.exponent         = number_or_none(section, word + " exponent");
-      if (section.given(word + " table"))
-        curve.table = read_table(section, word + " table");
-      if (section.text(word + " interpolation") == "piecewise linear")
-        curve.interpolation = TableInterpolation::piecewise_linear;
-      for (const auto &[name, target] :
-           {std::pair<std::string, std::string *>(" stress expression", &curve.stress_expression),
-            {" tangent expression", &curve.tangent_expression}})
-        if (section.given(word + name))
-          {
-            *target = section.text(word + name);
-            check_expression(
-              section, word + name, *target, ExpressionArguments::deformation, constants);
-          }
+      if (e.closure_limit.declaration != nullptr)
+        curve.closure_limit = section.value_or(e.closure_limit, 0.);
+      curve.reference_deformation = section.value_or(e.reference_deformation, 0.);
+      curve.reference_stress      = section.value_or(e.reference_stress, 0.);
+      curve.exponent              = section.value_or(e.exponent, 0.);
+      if (section.given(e.table))
+        curve.table = read_table(section, e.table);
+      curve.interpolation      = section.value(e.interpolation);
+      curve.stress_expression  = section.value_or(e.stress_expression, {});
+      curve.tangent_expression = section.value_or(e.tangent_expression, {});
+      for (const Text &entry : {e.stress_expression, e.tangent_expression})
+        if (section.given(entry))
+          check_expression(
+            section, entry, section.value(entry), ExpressionArguments::deformation, constants);
       return curve;
     }
 
-    /** The entry to which the message of a refused law points. */
-    std::string
-    culprit(const LayerLaw law, const std::string &direction)
-    {
-      return direction + (law == LayerLaw::tabular      ? " table"
-                          : law == LayerLaw::expression ? " stress expression"
-                                                        : " law");
-    }
 
     void
     check_layer(const ParameterSection &section,
+                const LayerEntries &e,
                 const LayerDirection direction,
                 const LayerSurroundings &surroundings,
                 const JointParameters &joint)
@@ -229,8 +247,11 @@ namespace fuga
       const LayerLaw law = direction == LayerDirection::normal ? joint.normal_law : joint.shear_law;
       const auto curve   = make_layer_law(joint, direction, surroundings.constants);
       const auto problem = check_law(*curve, surroundings.largest_stress);
+      const AnyEntry &culprit = law == LayerLaw::tabular      ? AnyEntry(e.table)
+                                : law == LayerLaw::expression ? AnyEntry(e.stress_expression)
+                                                              : AnyEntry(e.law);
       if (problem)
-        section.fail(culprit(law, direction_word(direction)),
+        section.fail(culprit,
                      fmt::format("at w = {:.6g} {}. A law begins at w = 0 with stress 0 and grows "
                                  "smoothly. Correct the law; fuga --plot-law draws one that is "
                                  "accepted.",
@@ -239,29 +260,28 @@ namespace fuga
     }
   } // namespace
 
+
   void
   read_layer(const ParameterSection &section,
              const LayerDirection direction,
              const LayerSurroundings &surroundings,
              JointParameters &joint)
   {
-    const bool normal      = direction == LayerDirection::normal;
-    const std::string word = direction_word(direction);
-    LayerLaw &law          = normal ? joint.normal_law : joint.shear_law;
-    law                    = *law_of_word(section.text(word + " law"), direction);
-
+    const bool normal     = direction == LayerDirection::normal;
+    const LayerEntries &e = entries_of<JointEntries>().layer(direction);
+    LayerLaw &law         = normal ? joint.normal_law : joint.shear_law;
+    double &compliance    = normal ? joint.normal_compliance : joint.shear_compliance;
+    LayerCurve &curve     = normal ? joint.normal_curve : joint.shear_curve;
     std::vector<LayerLaw> laws =
       normal ? surroundings.swept_normal_laws : surroundings.swept_shear_laws;
     laws.push_back(law);
-    refuse_foreign_entries(section, direction, laws);
-    (normal ? joint.normal_compliance : joint.shear_compliance) =
-      read_compliance(section, word, normal || surroundings.has_shear, law);
-    (normal ? joint.normal_curve : joint.shear_curve) =
-      read_curve(section, direction, surroundings.constants);
-    if (const std::string missing = missing_entry(joint, direction); !missing.empty())
-      section.fail(word + " law", missing);
-
+    refuse_foreign_entries(section, e, laws);
+    compliance = read_compliance(section, e, normal || surroundings.has_shear, law);
+    curve      = read_curve(section, e, surroundings.constants);
+    if (const std::string missing = missing_entry(e, law, joint.thickness, compliance, curve);
+        !missing.empty())
+      section.fail(e.law, missing);
     if (law != LayerLaw::linear)
-      check_layer(section, direction, surroundings, joint);
+      check_layer(section, e, direction, surroundings, joint);
   }
 } // namespace fuga

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/parameter_declarations.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 
@@ -29,80 +29,87 @@ namespace fuga
     }
 
 
-    /** A word of Type with the entries that belong to it. */
-    struct LoadType
+    /** The entries that belong to a type of load. */
+    struct TypeEntries
     {
-      std::string name;
+      LoadType type;
       LoadKind kind;
-      std::vector<std::string> required, optional;
+      std::vector<AnyEntry> required, optional;
     };
 
 
-    const std::vector<LoadType> &
+    const std::vector<TypeEntries> &
     load_types()
     {
-      static const std::vector<LoadType> types = {
-        {"weight", LoadKind::weight, {}, {"Bodies", "Value"}},
-        {"seismic",
-         LoadKind::weight,
+      using T                                     = LoadType;
+      using K                                     = LoadKind;
+      static const LoadEntries &e                 = entries_of<LoadEntries>();
+      static const std::vector<TypeEntries> types = {
+        {T::weight, K::weight, {}, {e.bodies, e.value}},
+        {T::seismic,
+         K::weight,
          {},
-         {"Bodies", "Horizontal coefficient", "Horizontal direction", "Vertical coefficient"}},
-        {"temperature", LoadKind::temperature, {"Value"}, {"Bodies"}},
-        {"pressure", LoadKind::pressure, {"Boundaries", "Value"}, {}},
-        {"hydrostatic", LoadKind::depth_pressure, {"Boundaries", "Level", "Unit weight"}, {}},
-        {"earth pressure",
-         LoadKind::depth_pressure,
-         {"Boundaries", "Level", "Unit weight", "Earth pressure coefficient"},
-         {"Surcharge"}},
-        {"westergaard",
-         LoadKind::depth_pressure,
-         {"Boundaries", "Level", "Unit weight", "Horizontal coefficient", "Bottom level"},
+         {e.bodies, e.horizontal_coefficient, e.horizontal_direction, e.vertical_coefficient}},
+        {T::temperature, K::temperature, {e.value}, {e.bodies}},
+        {T::pressure, K::pressure, {e.boundaries, e.value}, {}},
+        {T::hydrostatic, K::depth_pressure, {e.boundaries, e.level, e.unit_weight}, {}},
+        {T::earth_pressure,
+         K::depth_pressure,
+         {e.boundaries, e.level, e.unit_weight, e.earth_coefficient},
+         {e.surcharge}},
+        {T::westergaard,
+         K::depth_pressure,
+         {e.boundaries, e.level, e.unit_weight, e.horizontal_coefficient, e.bottom_level},
          {}},
-        {"uplift",
-         LoadKind::uplift,
-         {"Joints", "Level", "Unit weight"},
-         {"Upstream end",
-          "Flow direction",
-          "Profile from",
-          "Tailwater level",
-          "Drain distance",
-          "Drain efficiency",
-          "Drains after crack",
-          "Pressure profile",
-          "Cracks"}},
-        {"traction", LoadKind::traction, {"Boundaries", "Value"}, {}},
-        {"point force", LoadKind::point_force, {"Point", "Value"}, {}},
-        {"displacement", LoadKind::displacement, {"Boundaries", "Value"}, {}},
-        {"imposed gap", LoadKind::imposed_gap, {"Joints", "Value"}, {}}};
+        {T::uplift,
+         K::uplift,
+         {e.joints, e.level, e.unit_weight},
+         {e.upstream_end,
+          e.flow_direction,
+          e.profile_from,
+          e.tailwater_level,
+          e.drain_distance,
+          e.drain_efficiency,
+          e.drains_after_crack,
+          e.pressure_profile,
+          e.cracks}},
+        {T::traction, K::traction, {e.boundaries, e.value}, {}},
+        {T::point_force, K::point_force, {e.point, e.value}, {}},
+        {T::displacement, K::displacement, {e.boundaries, e.value}, {}},
+        {T::imposed_gap, K::imposed_gap, {e.joints, e.value}, {}}};
       return types;
     }
 
 
     /** The type of a load, whose entries are all there, and no others. */
-    const LoadType &
+    const TypeEntries &
     read_type(const ParameterSection &section)
     {
-      const std::string name         = section.text("Type");
-      const LoadType &type           = *std::find_if(load_types().begin(),
-                                           load_types().end(),
-                                           [&](const LoadType &t) { return t.name == name; });
-      std::vector<std::string> known = type.required;
-      known.insert(known.end(), type.optional.begin(), type.optional.end());
-      const SectionDeclaration &declared = *find_section("Loads");
-      for (const std::string &entry : declared.entry_names())
-        if (entry != "Type" && section.given(entry) && !contains(known, entry))
+      const LoadEntries &e   = entries_of<LoadEntries>();
+      const std::string name = section.text(e.type);
+      const TypeEntries &type =
+        *std::find_if(load_types().begin(), load_types().end(), [&](const TypeEntries &t) {
+          return t.type == section.value(e.type);
+        });
+      std::vector<std::string> known;
+      for (const auto *const entries : {&type.required, &type.optional})
+        for (const AnyEntry &entry : *entries)
+          known.push_back(entry.name());
+      section.for_given([&](const AnyEntry &entry) {
+        if (!(entry == e.type) && !contains(known, entry.name()))
           section.fail(entry,
                        fmt::format("a load of type {} ({}) has no such entry; it has {}. Remove "
                                    "this line, or correct the type.",
                                    name,
-                                   section.origin("Type"),
+                                   section.origin(e.type),
                                    quoted_list(known)));
-      for (const std::string &entry : type.required)
+      });
+      for (const AnyEntry &entry : type.required)
         if (!section.given(entry))
           section.fail(fmt::format("'{}' is missing, which a load of type {} needs. {}",
-                                   entry,
+                                   entry.name(),
                                    name,
-                                   declared.find(entry)->documentation));
+                                   entry.declaration->documentation));
       return type;
     }
 
@@ -112,20 +119,21 @@ namespace fuga
                  const ModelDefinition &model,
                  LoadDefinition &load)
     {
+      const LoadEntries &e = entries_of<LoadEntries>();
       if (load.kind == LoadKind::point_force)
         {
-          const PointReference point = read_point(section, model.dimension);
+          const PointReference point = read_point(section, e.point, model.dimension);
           load.has_coordinates       = point.name.empty();
           load.coordinates           = point.coordinates;
           if (!point.name.empty())
             load.targets = {point.name};
         }
       else if (load.kind == LoadKind::weight || load.kind == LoadKind::temperature)
-        load.targets = section.list("Bodies");
+        load.targets = section.list(e.bodies);
       else
         load.targets = section.list(
-          load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap ? "Joints"
-                                                                              : "Boundaries");
+          load.kind == LoadKind::uplift || load.kind == LoadKind::imposed_gap ? e.joints
+                                                                              : e.boundaries);
     }
 
 
@@ -136,37 +144,34 @@ namespace fuga
     check_bodies(const ParameterSection &section,
                  const ModelDefinition &model,
                  const LoadDefinition &load,
-                 const std::string &entry,
+                 const AnyEntry &entry,
                  double Material::*property)
     {
+      const LoadEntries &e = entries_of<LoadEntries>();
       std::vector<std::string> bodies;
       bool any               = false;
-      const std::string word = lower_case(entry);
+      const std::string word = lower_case(entry.name());
       for (const Material &material : model.materials)
         {
           bodies.push_back(material.body);
           any = any || material.*property > 0.;
           if (contains(load.targets, material.body) && material.*property == 0.)
-            section.fail("Bodies",
+            section.fail(e.bodies,
                          fmt::format("body '{}' has {} 0, so that this load does nothing to it. "
                                      "Set Bodies/{}/{}, or take the body out of the list.",
                                      material.body,
                                      word,
                                      material.body,
-                                     entry));
+                                     entry.name()));
         }
       for (const std::string &body : load.targets)
-        if (!contains(bodies, body))
-          section.fail("Bodies",
-                       fmt::format("there is no body '{}' in section Bodies. {}",
-                                   body,
-                                   name_hint(body, bodies, "bodies")));
+        number_of(body, bodies, "body", section, e.bodies);
       if (!any)
         section.fail(
           fmt::format("no body has a {}, so that this load does nothing. Set '{}' of the "
                       "bodies, or remove the load.",
                       word,
-                      entry));
+                      entry.name()));
     }
 
 
@@ -175,21 +180,22 @@ namespace fuga
                      const ModelDefinition &model,
                      const LoadKind kind)
     {
-      if (!section.given("Value"))
+      const LoadEntries &e = entries_of<LoadEntries>();
+      if (!section.given(e.value))
         return model.dimension == 2 ? std::vector<std::string>{"0", "-1"}
                                     : std::vector<std::string>{"0", "0", "-1"}; // a weight
-      const std::vector<std::string> expressions = split_pieces(section.text("Value"), ';');
+      const std::vector<std::string> expressions = split_pieces(section.text(e.value), ';');
       const bool is_scalar = kind == LoadKind::pressure || kind == LoadKind::temperature ||
                              kind == LoadKind::imposed_gap;
       const std::size_t n = is_scalar ? 1 : model.dimension;
       if (expressions.size() != n)
         section.fail(
-          "Value",
+          e.value,
           fmt::format("{} expression(s) separated by ';' instead of {}: a {} in {} dimensions "
                       "has {}.",
                       expressions.size(),
                       n,
-                      section.text("Type"),
+                      section.text(e.type),
                       model.dimension,
                       n == 1 ? "one value" : "one per component"));
       bool all_empty = true;
@@ -198,16 +204,16 @@ namespace fuga
           {
             all_empty = false;
             check_expression(section,
-                             "Value",
+                             e.value,
                              expression,
                              model.dimension == 2 ? ExpressionArguments::place_and_time
                                                   : ExpressionArguments::place_in_space_and_time,
                              model.constants);
           }
         else if (kind != LoadKind::displacement)
-          section.fail("Value", "an expression is empty. Write 0 for a component without load.");
+          section.fail(e.value, "an expression is empty. Write 0 for a component without load.");
       if (all_empty)
-        section.fail("Value", "all components are empty. Prescribe one at least.");
+        section.fail(e.value, "all components are empty. Prescribe one at least.");
       return expressions;
     }
 
@@ -215,21 +221,29 @@ namespace fuga
     LoadDefinition
     read_load(const ParameterSection &section, const ModelDefinition &model)
     {
-      const LoadType &type = read_type(section);
+      const TypeEntries &type = read_type(section);
       LoadDefinition load;
       load.name   = section.name();
       load.kind   = type.kind;
       load.origin = section.origin();
       read_targets(section, model, load);
       if (load.kind == LoadKind::weight)
-        check_bodies(section, model, load, "Weight density", &Material::weight_density);
+        check_bodies(section,
+                     model,
+                     load,
+                     entries_of<BodyEntries>().weight_density,
+                     &Material::weight_density);
       if (load.kind == LoadKind::temperature)
-        check_bodies(section, model, load, "Thermal expansion", &Material::thermal_expansion);
+        check_bodies(section,
+                     model,
+                     load,
+                     entries_of<BodyEntries>().thermal_expansion,
+                     &Material::thermal_expansion);
       if (load.has_level())
         load.depth = read_depth_pressure(section, model.constants);
       if (load.kind == LoadKind::uplift)
         load.uplift = read_uplift(section, model);
-      if (type.name == "seismic")
+      if (type.type == LoadType::seismic)
         load.expressions = read_seismic_coefficients(section, model.dimension);
       else if (!load.has_level())
         load.expressions = read_expressions(section, model, load.kind);
@@ -242,49 +256,44 @@ namespace fuga
                  const std::string &piece,
                  const ModelDefinition &model)
     {
+      const StageEntries &e   = entries_of<StageEntries>();
       const std::size_t colon = piece.find(':');
       const std::string name  = normalise_blanks(piece.substr(0, colon));
       if (colon == std::string::npos)
-        section.fail("Loads",
+        section.fail(e.loads,
                      fmt::format("'{}' has no ':'. Write 'LOAD: FACTOR', for example '{}: t'.",
                                  piece,
                                  name.empty() ? "weight" : name));
       std::vector<std::string> names;
       for (const LoadDefinition &load : model.loads)
         names.push_back(load.name);
-      const auto known = std::find(names.begin(), names.end(), name);
-      if (known == names.end())
-        section.fail("Loads",
-                     fmt::format("there is no load '{}' in section Loads. {}",
-                                 name,
-                                 name_hint(name, names, "loads")));
+      const unsigned int load      = number_of(name, names, "load", section, e.loads);
       const std::string expression = normalise_blanks(piece.substr(colon + 1));
       if (expression.empty())
-        section.fail("Loads",
+        section.fail(e.loads,
                      fmt::format("'{}:' has no factor. Write for example '{}: t'.", name, name));
       check_expression(
-        section, "Loads", expression, ExpressionArguments::stage_fraction, model.constants);
-      return {static_cast<unsigned int>(known - names.begin()), expression};
+        section, e.loads, expression, ExpressionArguments::stage_fraction, model.constants);
+      return {load, expression};
     }
 
 
     StageDefinition
     read_stage(const ParameterSection &section, const ModelDefinition &model)
     {
+      const StageEntries &e = entries_of<StageEntries>();
       StageDefinition stage;
       stage.name   = section.name();
       stage.origin = section.origin();
-      stage.levels = section.integer("Levels");
-      stage.keeps_water =
-        section.given("Water in joints") && section.text("Water in joints") == "unchanged";
-      for (const std::string &piece : split_pieces(section.text("Loads"), ';'))
+      section.read(stage);
+      for (const std::string &piece : split_pieces(section.text(e.loads), ';'))
         {
           if (piece.empty())
-            section.fail("Loads", "an item of the list is empty. Remove the ';' that is too many.");
+            section.fail(e.loads, "an item of the list is empty. Remove the ';' that is too many.");
           const StageDefinition::History history = read_history(section, piece, model);
           for (const StageDefinition::History &other : stage.histories)
             if (other.load == history.load)
-              section.fail("Loads",
+              section.fail(e.loads,
                            fmt::format("load '{}' is in the list twice. Unite the two factors.",
                                        model.loads[history.load].name));
           stage.histories.push_back(history);
@@ -298,11 +307,11 @@ namespace fuga
   read_loads(const ParameterValues &values, const ModelDefinition &model)
   {
     std::vector<LoadDefinition> loads;
-    for (const ParameterSection &section : values.subsections("Loads"))
+    for (const ParameterSection &section : values.subsections<LoadEntries>())
       {
         loads.emplace_back();
         loads.back().name = section.name();
-        if (!values.is_broken("Bodies"))
+        if (!values.is_broken<BodyEntries>())
           values.attempt(section, [&]() { loads.back() = read_load(section, model); });
       }
     return loads;
@@ -313,7 +322,7 @@ namespace fuga
   read_stages(const ParameterValues &values, const ModelDefinition &model)
   {
     std::vector<StageDefinition> stages;
-    for (const ParameterSection &section : values.subsections("Stages"))
+    for (const ParameterSection &section : values.subsections<StageEntries>())
       {
         stages.emplace_back();
         values.attempt(section, [&]() { stages.back() = read_stage(section, model); });

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace fuga
 {
@@ -27,16 +26,16 @@ namespace fuga
 
 
   PointReference
-  read_point(const ParameterSection &section, const unsigned int dimension)
+  read_point(const ParameterSection &section, const Text &entry, const unsigned int dimension)
   {
-    const std::string text                = section.text("Point");
+    const std::string text                = section.value(entry);
     const std::vector<double> coordinates = read_coordinates(text);
     PointReference point;
     if (coordinates.size() == dimension)
       std::copy(coordinates.begin(), coordinates.end(), point.coordinates.begin());
     else if (!coordinates.empty() || text.find(',') != std::string::npos)
       section.fail(
-        "Point",
+        entry,
         fmt::format("this is neither the name of one point nor {} coordinates separated "
                     "by a comma. Write for example 'Point = crest' or 'Point = 2.5, 10'.",
                     dimension));
@@ -49,25 +48,20 @@ namespace fuga
   std::vector<MonitorDefinition>
   read_monitors(const ParameterValues &values, const unsigned int dimension)
   {
-    const std::vector<std::string> bodies = values.subsection_names("Bodies");
+    const MonitorEntries &e               = entries_of<MonitorEntries>();
+    const std::vector<std::string> bodies = values.subsection_names<BodyEntries>();
     std::vector<MonitorDefinition> monitors;
-    for (const ParameterSection &section : values.subsections("Monitors"))
+    for (const ParameterSection &section : values.subsections<MonitorEntries>())
       values.attempt(section, [&]() {
-        const PointReference point = read_point(section, dimension);
+        const PointReference point = read_point(section, e.point, dimension);
         MonitorDefinition monitor;
         monitor.name        = section.name();
         monitor.point_name  = point.name;
         monitor.coordinates = point.coordinates;
-        monitor.origin      = section.origin("Point");
-        monitor.stress      = section.text("Stress") == "true";
-        if (section.given("Body"))
-          monitor.body = section.text("Body");
-        if (section.given("Body") &&
-            std::find(bodies.begin(), bodies.end(), monitor.body) == bodies.end())
-          section.fail("Body",
-                       fmt::format("there is no body '{}' in section Bodies. {}",
-                                   monitor.body,
-                                   name_hint(monitor.body, bodies, "bodies")));
+        monitor.origin      = section.origin(e.point);
+        section.read(monitor);
+        if (section.given(e.body))
+          number_of(monitor.body, bodies, "body", section, e.body);
         monitors.push_back(std::move(monitor));
       });
     return monitors;

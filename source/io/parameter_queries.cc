@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/parameter_declarations.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_values.h>
 
 #include <algorithm>
@@ -12,12 +12,13 @@ namespace fuga
   void
   ParameterValues::find_units(const ParameterScan &scan)
   {
+    const OutputEntries &output = entries_of<OutputEntries>();
     for (const ScannedEntry &entry : scan.entries)
-      if (entry.path == SectionPath{"Output"} && !entry.value.empty())
+      if (entry.path == SectionPath{output.name} && !entry.value.empty())
         {
-          if (entry.name == "Force unit")
+          if (entry.name == output.force_unit.name())
             units.force = entry.value;
-          if (entry.name == "Length unit")
+          if (entry.name == output.length_unit.name())
             units.length = entry.value;
         }
   }
@@ -89,7 +90,7 @@ namespace fuga
   {
     std::map<std::string, double> result;
     for (const std::string &name : constant_names)
-      result[name] = handler.get_double({"Constants"}, name);
+      result[name] = handler.get_double({entries_of<ConstantEntries>().name}, name);
     return result;
   }
 } // namespace fuga

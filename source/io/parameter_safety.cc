@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 
@@ -27,12 +28,13 @@ namespace fuga
     std::vector<unsigned int>
     read_increased_loads(const ParameterSection &section, const ModelDefinition &model)
     {
+      const SafetyEntries &e = entries_of<SafetyEntries>();
       std::vector<unsigned int> loads;
       const auto add = [&loads](const unsigned int load) {
         if (std::find(loads.begin(), loads.end(), load) == loads.end())
           loads.push_back(load);
       };
-      for (const std::string &name : section.list("Load factor"))
+      for (const std::string &name : section.list(e.load_factor))
         {
           const auto name_of = [](const auto &item) { return item.name; };
           const auto load    = position(model.loads, name, name_of);
@@ -50,7 +52,7 @@ namespace fuga
               for (const StageDefinition &item : model.stages)
                 if (position(model.loads, item.name, name_of) < 0)
                   known.push_back(item.name);
-              section.fail("Load factor",
+              section.fail(e.load_factor,
                            fmt::format("there is neither a load nor a stage '{}'. {}",
                                        name,
                                        name_hint(name, known, "loads and stages")));
@@ -70,7 +72,7 @@ namespace fuga
       if (law.dilatancy == 0. || law.dilatancy * largest_factor <= residual_friction(law))
         return;
       section.fail(
-        "Largest factor",
+        entries_of<SafetyEntries>().largest_factor,
         fmt::format("joint '{}' has the dilatancy {:g}, which is not reduced and must not "
                     "exceed the friction {:g} / factor: sliding would create energy. "
                     "Allowed are factors up to {:g}.",
@@ -86,33 +88,28 @@ namespace fuga
                         const double largest_factor,
                         std::vector<JointParameters> &joints)
     {
-      const auto name_of = [](const JointParameters &joint) { return joint.definition.name; };
+      const SafetyEntries &e = entries_of<SafetyEntries>();
+      const auto name_of     = [](const JointParameters &joint) { return joint.definition.name; };
       std::vector<std::string> known;
       for (const JointParameters &joint : joints)
         known.push_back(name_of(joint));
-      const bool all                       = !section.given("Joints");
-      const std::vector<std::string> names = all ? known : section.list("Joints");
+      const bool all                       = !section.given(e.joints);
+      const std::vector<std::string> names = all ? known : section.list(e.joints);
       bool any                             = false;
       for (const std::string &name : names)
         {
-          const auto j = position(joints, name, name_of);
-          if (j < 0)
-            section.fail("Joints",
-                         fmt::format("there is no joint '{}' in section Joints. {}",
-                                     name,
-                                     name_hint(name, known, "joints")));
-          JointParameters &joint = joints[static_cast<std::size_t>(j)];
+          JointParameters &joint = joints[number_of(name, known, "joint", section, e.joints)];
           joint.friction.reduced = !joint.friction.is_frictionless();
           any |= joint.friction.reduced;
           if (!all && !joint.friction.reduced)
-            section.fail("Joints",
+            section.fail(e.joints,
                          fmt::format("joint '{}' has neither friction nor cohesion, so that "
                                      "there is nothing to reduce. Take it out of the list.",
                                      name));
           check_dilatancy(section, joint, largest_factor);
         }
       if (!any)
-        section.fail("Strength reduction",
+        section.fail(e.strength_reduction,
                      "no joint has friction or cohesion, so that there is nothing to reduce. Write "
                      "no, or remove the line.");
     }
@@ -122,31 +119,32 @@ namespace fuga
   void
   read_safety(const ParameterValues &values, Parameters &parameters)
   {
-    const ParameterSection section = values.section("Safety");
+    const SafetyEntries &e         = entries_of<SafetyEntries>();
+    const ParameterSection section = values.section<SafetyEntries>();
     ModelDefinition &model         = parameters.model;
-    const bool reduction           = section.text("Strength reduction") == "yes";
-    if (section.given("Joints") && !reduction)
-      section.fail("Joints",
+    const bool reduction           = section.value(e.strength_reduction);
+    if (section.given(e.joints) && !reduction)
+      section.fail(e.joints,
                    "these joints are for a strength reduction. Add 'Strength reduction = yes', or "
                    "remove the line.");
 
     std::vector<StageDefinition> searches;
-    const auto add = [&](const char *name, const StagePurpose purpose, const char *entry) {
+    const auto add = [&](const char *name, const StagePurpose purpose, const AnyEntry &entry) {
       StageDefinition stage;
       stage.name           = name;
       stage.origin         = section.origin(entry);
       stage.purpose        = purpose;
-      stage.largest_factor = section.number("Largest factor");
+      stage.largest_factor = section.value(e.largest_factor);
       searches.push_back(stage);
     };
     if (reduction)
       {
-        add("strength reduction", StagePurpose::strength_reduction, "Strength reduction");
+        add("strength reduction", StagePurpose::strength_reduction, e.strength_reduction);
         mark_reduced_joints(section, searches.back().largest_factor, parameters.joints);
       }
-    if (section.given("Load factor"))
+    if (section.given(e.load_factor))
       {
-        add("load factor", StagePurpose::load_factor, "Load factor");
+        add("load factor", StagePurpose::load_factor, e.load_factor);
         searches.back().increased_loads = read_increased_loads(section, model);
       }
     for (const StageDefinition &search : searches)

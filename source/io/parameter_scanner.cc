@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_scanner.h>
 
@@ -47,7 +48,7 @@ namespace fuga
     void
     fold_into_sweep(ScannedEntry &entry)
     {
-      if (entry.path.size() < 2 || entry.path.front() != "Sweep")
+      if (entry.path.size() < 2 || entry.path.front() != entries_of<SweepEntries>().name)
         return;
       entry.name = path_name({entry.path.begin() + 1, entry.path.end()}) + "/" + entry.name;
       entry.path.resize(1);
@@ -60,7 +61,7 @@ namespace fuga
       for (ScannedEntry &entry : scan.entries)
         fold_into_sweep(entry);
       const auto is_inside = [](const ScannedSection &section) {
-        return section.path.size() > 1 && section.path.front() == "Sweep";
+        return section.path.size() > 1 && section.path.front() == entries_of<SweepEntries>().name;
       };
       scan.sections.erase(std::remove_if(scan.sections.begin(), scan.sections.end(), is_inside),
                           scan.sections.end());

@@ -19,36 +19,35 @@ namespace fuga
 
 
   bool
-  ParameterSection::given(const std::string &entry) const
+  ParameterSection::given(const AnyEntry &entry) const
   {
-    const ScannedEntry wanted{path, entry, "", ""};
-    return values->entry_origins.count(wanted.full_name()) > 0;
+    return values->entry_origins.count(full_name(entry)) > 0;
   }
 
 
   std::string
-  ParameterSection::text(const std::string &entry) const
+  ParameterSection::text(const AnyEntry &entry) const
   {
-    return values->handler.get(path, entry);
+    return values->handler.get(path, entry.name());
   }
 
 
   double
-  ParameterSection::number(const std::string &entry) const
+  ParameterSection::number(const AnyEntry &entry) const
   {
-    return values->handler.get_double(path, entry);
+    return values->handler.get_double(path, entry.name());
   }
 
 
   unsigned int
-  ParameterSection::integer(const std::string &entry) const
+  ParameterSection::integer(const AnyEntry &entry) const
   {
-    return static_cast<unsigned int>(values->handler.get_integer(path, entry));
+    return static_cast<unsigned int>(values->handler.get_integer(path, entry.name()));
   }
 
 
   std::vector<std::string>
-  ParameterSection::list(const std::string &entry) const
+  ParameterSection::list(const AnyEntry &entry) const
   {
     const std::vector<std::string> pieces = split_pieces(text(entry), ',');
     for (auto piece = pieces.begin(); piece != pieces.end(); ++piece)
@@ -63,32 +62,49 @@ namespace fuga
 
 
   std::vector<std::string>
-  ParameterSection::swept(const std::string &entry) const
+  ParameterSection::swept(const AnyEntry &entry) const
   {
-    const auto found = values->swept.find(ScannedEntry{path, entry, "", ""}.full_name());
+    const auto found = values->swept.find(full_name(entry));
     return found == values->swept.end() ? std::vector<std::string>() : found->second;
   }
 
 
   std::string
-  ParameterSection::origin(const std::string &entry) const
+  ParameterSection::origin(const AnyEntry &entry) const
   {
-    const ScannedEntry wanted{path, entry, "", ""};
-    if (const auto at = values->entry_origins.find(wanted.full_name());
-        !entry.empty() && at != values->entry_origins.end())
-      return at->second;
+    const auto at = values->entry_origins.find(full_name(entry));
+    return at == values->entry_origins.end() ? origin() : at->second;
+  }
+
+
+  std::string
+  ParameterSection::origin() const
+  {
     const auto at = values->section_origins.find(path);
     return at == values->section_origins.end() ? values->file_name : at->second;
   }
 
 
-  void
-  ParameterSection::fail(const std::string &entry, const std::string &problem_and_remedy) const
+  std::string
+  ParameterSection::full_name(const AnyEntry &entry) const
   {
-    const ScannedEntry wanted{path, entry, "", ""};
+    return ScannedEntry{path, entry.name(), "", ""}.full_name();
+  }
+
+
+  const SectionDeclaration &
+  ParameterSection::declaration() const
+  {
+    return *find_section(path.empty() ? "" : path.front());
+  }
+
+
+  void
+  ParameterSection::fail(const AnyEntry &entry, const std::string &problem_and_remedy) const
+  {
     throw InputError(fmt::format("{}: {} = '{}': {}",
                                  origin(entry),
-                                 wanted.full_name(),
+                                 full_name(entry),
                                  text(entry),
                                  in_units(problem_and_remedy, values->units)));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
@@ -17,14 +18,15 @@ namespace fuga
     std::array<double, 2>
     read_horizontal_direction(const ParameterSection &section, const unsigned int dimension)
     {
-      const std::string entry = "Horizontal direction";
+      const LoadEntries &e = entries_of<LoadEntries>();
+      const Text &entry    = e.horizontal_direction;
       if (!section.given(entry))
         return {{1., 0.}};
       if (dimension == 2)
         section.fail(entry,
                      "in the plane the only horizontal direction is x. Remove this entry; the sign "
                      "of 'Horizontal coefficient' says which way.");
-      if (!section.given("Horizontal coefficient"))
+      if (!section.given(e.horizontal_coefficient))
         section.fail(entry,
                      "a direction without 'Horizontal coefficient' does nothing. Add the "
                      "coefficient, or remove this entry.");
@@ -47,24 +49,23 @@ namespace fuga
   std::vector<std::string>
   read_seismic_coefficients(const ParameterSection &section, const unsigned int dimension)
   {
-    const auto coefficient = [&](const char *entry) {
+    const LoadEntries &e   = entries_of<LoadEntries>();
+    const auto coefficient = [&](const Number &entry) {
       return section.given(entry) ? section.text(entry) : std::string("0");
     };
-    const auto acts = [&](const char *entry) {
-      return section.given(entry) && section.number(entry) != 0.;
-    };
-    if (!acts("Horizontal coefficient") && !acts("Vertical coefficient"))
+    const auto acts = [&](const Number &entry) { return section.value_or(entry, 0.) != 0.; };
+    if (!acts(e.horizontal_coefficient) && !acts(e.vertical_coefficient))
       section.fail("no coefficient is given, or all are 0, so that this load does nothing. Set "
                    "'Horizontal coefficient' or 'Vertical coefficient'.");
     const std::array<double, 2> direction = read_horizontal_direction(section, dimension);
-    const std::string horizontal          = coefficient("Horizontal coefficient");
+    const std::string horizontal          = coefficient(e.horizontal_coefficient);
     std::vector<std::string> force_per_weight;
     for (unsigned int c = 0; c + 1 < dimension; ++c)
       force_per_weight.push_back(direction[c] == 1. ? horizontal
                                  : direction[c] == 0.
                                    ? "0"
                                    : fmt::format("({}) * ({:.17g})", horizontal, direction[c]));
-    force_per_weight.push_back(coefficient("Vertical coefficient"));
+    force_per_weight.push_back(coefficient(e.vertical_coefficient));
     return force_per_weight;
   }
 } // namespace fuga

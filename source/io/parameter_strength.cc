@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
+#include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_strength.h>
 
 #include <fmt/format.h>
@@ -16,42 +18,20 @@ namespace fuga
     /** A coefficient, or tan of an angle in degrees; @p otherwise if neither is given. */
     double
     read_coefficient(const ParameterSection &section,
-                     const std::string &name,
+                     const Number &coefficient,
+                     const Number &angle,
                      const double otherwise)
     {
-      const std::string coefficient = name + " coefficient", angle = name + " angle";
-      if (section.given(coefficient) && section.given(angle))
-        section.fail(coefficient,
-                     fmt::format("'{}' is given as well, see {}. Keep one of the two.",
-                                 angle,
-                                 section.origin(angle)));
+      refuse_both(section, coefficient, angle);
       if (section.given(angle))
-        return std::tan(section.number(angle) * degree);
-      if (!section.given(coefficient))
-        return otherwise;
-      const double value               = section.number(coefficient);
+        return std::tan(section.value(angle) * degree);
+      const double value               = section.value_or(coefficient, otherwise);
       const double looks_like_an_angle = 5.;
-      if (value > looks_like_an_angle)
+      if (section.given(coefficient) && value > looks_like_an_angle)
         section.fail(
           coefficient,
-          fmt::format("a coefficient > 5 looks like an angle in degrees: use '{}'.", angle));
+          fmt::format("a coefficient > 5 looks like an angle in degrees: use '{}'.", angle.name()));
       return value;
-    }
-
-    /** The entry to blame for a problem of the whole law. */
-    std::string
-    entry_of(const StrengthProblem::Part part)
-    {
-      switch (part)
-        {
-          case StrengthProblem::Part::residual:
-            return "Residual friction coefficient";
-          case StrengthProblem::Part::tension:
-            return "Tensile strength";
-          case StrengthProblem::Part::dilatancy:
-            return "Dilatancy angle";
-        }
-      return "";
     }
   } // namespace
 
@@ -89,38 +69,31 @@ namespace fuga
   FrictionLaw
   read_strength(const ParameterSection &section)
   {
+    const JointEntries &e = entries_of<JointEntries>();
     FrictionLaw law;
-    law.coefficient = read_coefficient(section, "Friction", 0.);
+    section.read(law);
+    law.coefficient = read_coefficient(section, e.friction_coefficient, e.friction_angle, 0.);
     law.friction_loss =
-      law.coefficient - read_coefficient(section, "Residual friction", law.coefficient);
-    law.cohesion         = section.number("Cohesion");
-    law.tensile_strength = section.number("Tensile strength");
-    law.dilatancy        = std::tan(section.number("Dilatancy angle") * degree);
-    if (section.text("Bond lost by") == "slip")
-      {
-        law.bond_loss = FrictionLaw::BondLoss::slip;
-        if (law.cohesion == 0. && law.tensile_strength == 0.)
-          section.fail("Bond lost by",
-                       "there is no bond to lose: give 'Cohesion' or 'Tensile strength'.");
-      }
-    if (section.given("Dilation limit"))
-      {
-        law.dilation_limit = section.number("Dilation limit");
-        if (law.dilatancy == 0.)
-          section.fail("Dilation limit", "there is no dilatancy to limit: 'Dilatancy angle' is 0.");
-      }
-    for (const char *const entry :
-         {"Residual friction coefficient", "Residual friction angle", "Dilatancy angle"})
+      law.coefficient -
+      read_coefficient(section, e.residual_coefficient, e.residual_angle, law.coefficient);
+    law.dilatancy = std::tan(section.value(e.dilatancy_angle) * degree);
+    if (law.bond_loss == FrictionLaw::BondLoss::slip && law.cohesion == 0. &&
+        law.tensile_strength == 0.)
+      section.fail(e.bond_loss, "there is no bond to lose: give 'Cohesion' or 'Tensile strength'.");
+    if (section.given(e.dilation_limit) && law.dilatancy == 0.)
+      section.fail(e.dilation_limit, "there is no dilatancy to limit: 'Dilatancy angle' is 0.");
+    for (const AnyEntry &entry : {e.residual_coefficient, e.residual_angle, e.dilatancy_angle})
       if (law.coefficient == 0. && section.given(entry))
         section.fail(entry,
                      "the joint has no friction: give 'Friction coefficient' or 'Friction angle'.");
     if (const std::optional<StrengthProblem> problem = find_strength_problem(law))
       {
-        const std::string entry = entry_of(problem->part);
-        section.fail(section.given(entry) || problem->part != StrengthProblem::Part::residual
-                       ? entry
-                       : "Residual friction angle",
-                     problem->text);
+        using Part            = StrengthProblem::Part;
+        const Number &culprit = problem->part == Part::tension     ? e.tensile_strength
+                                : problem->part == Part::dilatancy ? e.dilatancy_angle
+                                : section.given(e.residual_angle)  ? e.residual_angle
+                                                                   : e.residual_coefficient;
+        section.fail(culprit, problem->text);
       }
     return law;
   }
@@ -129,31 +102,32 @@ namespace fuga
   ShearGrowth
   read_shear_growth(const ParameterSection &section)
   {
-    const std::string closure = "Shear growth closure", pressure = "Shear growth pressure",
-                      exponent = "Shear growth exponent";
-    const std::string word     = section.text("Shear stiffness grows with");
+    const JointEntries &e = entries_of<JointEntries>();
     ShearGrowth growth;
-    if (word == "nothing")
+    section.read(growth);
+    const std::string word = section.text(e.shear_growth);
+    if (growth.kind == ShearGrowth::Kind::none)
       {
-        for (const std::string &entry : {closure, pressure, exponent})
+        for (const AnyEntry &entry : {e.growth_closure, e.growth_pressure, e.growth_exponent})
           if (section.given(entry))
             section.fail(entry,
-                         "'Shear stiffness grows with = nothing': remove this entry, or choose "
-                         "closure or pressure.");
+                         fmt::format("'{} = {}': remove this entry, or choose closure or pressure.",
+                                     e.shear_growth.name(),
+                                     word));
         return growth;
       }
-    growth.kind = word == "closure" ? ShearGrowth::Kind::closure : ShearGrowth::Kind::pressure;
-    const std::string scale  = word == "closure" ? closure : pressure;
-    const std::string unused = word == "closure" ? pressure : closure;
+    const bool by_closure = growth.kind == ShearGrowth::Kind::closure;
+    const Number &scale   = by_closure ? e.growth_closure : e.growth_pressure;
+    const Number &unused  = by_closure ? e.growth_pressure : e.growth_closure;
     if (section.given(unused))
       section.fail(unused,
-                   fmt::format("'Shear stiffness grows with = {}' ({}) does not use this entry.",
+                   fmt::format("'{} = {}' ({}) does not use this entry.",
+                               e.shear_growth.name(),
                                word,
-                               section.origin("Shear stiffness grows with")));
+                               section.origin(e.shear_growth)));
     if (!section.given(scale))
-      section.fail("Shear stiffness grows with", fmt::format("'{}' is missing.", scale));
-    growth.scale    = section.number(scale);
-    growth.exponent = section.given(exponent) ? section.number(exponent) : 1.;
+      section.fail(e.shear_growth, fmt::format("'{}' is missing.", scale.name()));
+    growth.scale = section.value(scale);
     return growth;
   }
 
@@ -161,9 +135,10 @@ namespace fuga
   void
   check_shear_growth(const ParameterSection &section, const JointParameters &joint)
   {
+    const JointEntries &e = entries_of<JointEntries>();
     if (joint.shear_growth.kind == ShearGrowth::Kind::none)
       return;
-    const std::string entry = "Shear stiffness grows with";
+    const AnyEntry &entry = e.shear_growth;
     if (joint.friction.is_frictionless())
       section.fail(entry, "the joint carries no shear: give friction or cohesion.");
     if (joint.normal_law == LayerLaw::rigid)
@@ -178,7 +153,7 @@ namespace fuga
                    "when it is sheared.");
     if (joint.shear_growth.kind == ShearGrowth::Kind::pressure &&
         joint.friction.tensile_strength > 0.5 * joint.shear_growth.scale)
-      section.fail("Tensile strength",
+      section.fail(e.tensile_strength,
                    "more than half of 'Shear growth pressure': the shear stiffness would vanish "
                    "under tension.");
   }

@@ -17,14 +17,12 @@ namespace fuga
     /** Behind an error so many further variants are read: they may have errors of their own. */
     constexpr std::size_t n_read_behind_error = 200;
 
-    /** The name of an entry of a joint, empty for another one. */
-    std::string
-    entry_of_joint(const std::string &full_name)
+    /** What an entry decides, by its name in an echo. */
+    Decides
+    decided_by(const std::string &full_name)
     {
-      const std::string section = "Joints/";
-      return full_name.compare(0, section.size(), section) == 0
-               ? full_name.substr(full_name.rfind('/') + 1)
-               : "";
+      const EntryDeclaration *const entry = find_entry(full_name);
+      return entry == nullptr ? Decides::condensation : entry->decides;
     }
 
     /**
@@ -34,31 +32,22 @@ namespace fuga
     std::string
     condensation_key(const Parameters &parameters)
     {
-      static const std::set<std::string> places = {
-        "Line", "Plus body", "Minus body", "Plus lip", "Minus lip"};
       std::string key;
       for (const auto &[name, value] : parameters.echo)
-        if (const std::string entry = entry_of_joint(name);
-            entry.empty() || places.count(entry) > 0)
+        if (decided_by(name) <= Decides::condensation)
           key += name + "=" + value + "\n";
       for (const JointParameters &joint : parameters.joints)
         key += joint.friction.is_frictionless() ? '0' : '1';
       return key;
     }
 
-    /** What decides about the layers of the joints: all of them but their strength. */
+    /** What decides about the layers of the joints beyond the condensation. */
     std::string
     layer_key(const Parameters &parameters)
     {
-      static const std::vector<EntryDeclaration> strength =
-        parameter_entries::joint_strength_entries();
       std::string key;
       for (const auto &[name, value] : parameters.echo)
-        if (const std::string entry = entry_of_joint(name);
-            !entry.empty() &&
-            std::none_of(strength.begin(), strength.end(), [&](const EntryDeclaration &one) {
-              return one.name == entry;
-            }))
+        if (decided_by(name) == Decides::layers)
           key += name + "=" + value + "\n";
       return key;
     }
@@ -69,11 +58,8 @@ namespace fuga
     {
       if (line.targets.empty())
         return "";
-      const ScannedEntry &target        = line.targets.front();
-      const SectionDeclaration *section = find_section(target.path.front());
-      const EntryDeclaration *entry     = section == nullptr ? nullptr : section->find(target.name);
-      static const std::set<std::string> levels = {"Level", "Tailwater level"};
-      if (entry == nullptr || !(entry->is_number() || levels.count(entry->name) > 0))
+      const EntryDeclaration *entry = find_entry(line.targets.front().full_name());
+      if (entry == nullptr || !(entry->is_number() || entry->content == TextContent::level))
         return "";
       const std::size_t begin = entry->documentation.find('[');
       const std::size_t end   = entry->documentation.find(']');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <cmath>
@@ -11,32 +12,23 @@ namespace fuga
   namespace
   {
     void
-    read_drain(const ParameterSection &section, Uplift &uplift)
+    check_drain(const ParameterSection &section)
     {
-      if (section.given("Drains after crack"))
-        {
-          if (!section.given("Drain distance"))
-            section.fail("Drains after crack",
-                         "there is no drain. Add 'Drain distance' and 'Drain efficiency', or "
-                         "remove this line.");
-          uplift.drains_after_crack = section.text("Drains after crack") == "kept"
-                                        ? Uplift::Drains::kept
-                                        : Uplift::Drains::lost;
-        }
-      const bool distance = section.given("Drain distance");
-      if (distance != section.given("Drain efficiency"))
-        section.fail(distance ? "Drain distance" : "Drain efficiency",
+      const LoadEntries &e = entries_of<LoadEntries>();
+      if (section.given(e.drains_after_crack) && !section.given(e.drain_distance))
+        section.fail(e.drains_after_crack,
+                     "there is no drain. Add 'Drain distance' and 'Drain efficiency', or "
+                     "remove this line.");
+      const bool distance = section.given(e.drain_distance);
+      if (distance != section.given(e.drain_efficiency))
+        section.fail(distance ? e.drain_distance : e.drain_efficiency,
                      fmt::format("a drain has a distance and an efficiency. Add '{}', or remove "
                                  "this line.",
-                                 distance ? "Drain efficiency" : "Drain distance"));
-      if (!distance)
-        return;
-      if (section.given("Pressure profile"))
-        section.fail("Pressure profile",
+                                 (distance ? e.drain_efficiency : e.drain_distance).name()));
+      if (distance && section.given(e.pressure_profile))
+        section.fail(e.pressure_profile,
                      fmt::format("the drain ({}) makes the profile. Remove one of the two.",
-                                 section.origin("Drain distance")));
-      uplift.drain_distance   = section.number("Drain distance");
-      uplift.drain_efficiency = section.number("Drain efficiency");
+                                 section.origin(e.drain_distance)));
     }
 
 
@@ -44,43 +36,45 @@ namespace fuga
     std::array<double, 3>
     read_flow(const ParameterSection &section, const unsigned int dimension)
     {
-      const bool by_name = section.given("Upstream end");
-      if (!by_name && !section.given("Flow direction"))
+      const LoadEntries &e = entries_of<LoadEntries>();
+      const bool by_name   = section.given(e.upstream_end);
+      if (!by_name && !section.given(e.flow_direction))
         section.fail("'Upstream end' is missing, which a load of type uplift needs: the end of the "
                      "joint that lies in the reservoir. Write it, or, in space, 'Flow direction'.");
-      if (by_name && section.given("Flow direction"))
-        section.fail("Flow direction",
+      if (by_name && section.given(e.flow_direction))
+        section.fail(e.flow_direction,
                      fmt::format("the direction of the water is known from the upstream end ({}). "
                                  "Remove one of the two.",
-                                 section.origin("Upstream end")));
+                                 section.origin(e.upstream_end)));
       std::array<double, 3> flow = {{0., 0., 0.}};
       if (!by_name)
         {
-          const std::vector<double> given = read_coordinates(section.text("Flow direction"));
+          const std::vector<double> given = read_coordinates(section.text(e.flow_direction));
           double length                   = 0.;
           for (const double component : given)
             length += component * component;
           if (given.size() != dimension || length == 0.)
-            section.fail("Flow direction",
+            section.fail(e.flow_direction,
                          fmt::format("'{}' is no direction. Write {} numbers that are not all 0, "
                                      "separated by commas: the vector from the upstream end to the "
                                      "other one.",
-                                     section.text("Flow direction"),
+                                     section.text(e.flow_direction),
                                      dimension));
           for (std::size_t c = 0; c < given.size(); ++c)
             flow[c] = given[c] / std::sqrt(length);
           return flow;
         }
-      const std::string end = section.text("Upstream end");
-      const bool across     = end == "front" || end == "back";
+      const JointEnd end = section.value(e.upstream_end);
+      const bool across  = end == JointEnd::front || end == JointEnd::back;
       if (across && dimension == 2)
         section.fail(
-          "Upstream end",
+          e.upstream_end,
           fmt::format("'{}' is an end in space only. In the plane an end is left, right, "
                       "bottom or top.",
-                      end));
-      const std::size_t c = end == "left" || end == "right" ? 0 : across ? 1 : dimension - 1;
-      flow[c]             = end == "left" || end == "front" || end == "bottom" ? 1. : -1.;
+                      section.text(e.upstream_end)));
+      const bool along = end == JointEnd::left || end == JointEnd::right;
+      const bool low   = end == JointEnd::left || end == JointEnd::front || end == JointEnd::bottom;
+      flow[along ? 0 : across ? 1 : dimension - 1] = low ? 1. : -1.;
       return flow;
     }
 
@@ -88,16 +82,17 @@ namespace fuga
     void
     read_profile(const ParameterSection &section, Uplift &uplift)
     {
-      uplift.profile = read_table(section, "Pressure profile", "s: share");
+      const LoadEntries &e = entries_of<LoadEntries>();
+      uplift.profile       = read_table(section, e.pressure_profile, "s: share");
       if (uplift.profile.front()[0] != 0. || uplift.profile.back()[0] != 1.)
-        section.fail("Pressure profile",
+        section.fail(e.pressure_profile,
                      fmt::format("the profile goes from s = {:g} to {:g}, and must go from 0 (the "
                                  "upstream end) to 1 (the other one).",
                                  uplift.profile.front()[0],
                                  uplift.profile.back()[0]));
       for (const auto &[s, share] : uplift.profile)
         if (share < 0. || share > 1.)
-          section.fail("Pressure profile",
+          section.fail(e.pressure_profile,
                        fmt::format("the share {:g} at s = {:g} is not between 0 (pressure of the "
                                    "downstream end) and 1 (of the upstream end).",
                                    share,
@@ -109,18 +104,17 @@ namespace fuga
   Uplift
   read_uplift(const ParameterSection &section, const ModelDefinition &model)
   {
+    const LoadEntries &e = entries_of<LoadEntries>();
     Uplift uplift;
-    uplift.flow         = read_flow(section, model.dimension);
-    uplift.fills_cracks = !section.given("Cracks") || section.text("Cracks") == "reservoir";
-    if (section.given("Profile from") && section.text("Profile from") == "joint")
-      uplift.profile_from = Uplift::ProfileFrom::joint;
-    if (section.given("Tailwater level"))
+    uplift.flow = read_flow(section, model.dimension);
+    section.read(uplift);
+    if (section.given(e.tailwater_level))
       {
         uplift.has_tailwater = true;
-        uplift.tailwater     = read_level(section, "Tailwater level", model.constants);
+        uplift.tailwater     = read_level(section, e.tailwater_level, model.constants);
       }
-    read_drain(section, uplift);
-    if (section.given("Pressure profile"))
+    check_drain(section);
+    if (section.given(e.pressure_profile))
       read_profile(section, uplift);
     return uplift;
   }

@@ -97,7 +97,7 @@ namespace fuga
     errors.throw_if_any();
     find_units(scan);
     const auto is_constant = [](const ScannedEntry &entry) {
-      return entry.path == SectionPath{"Constants"};
+      return entry.path == SectionPath{entries_of<ConstantEntries>().name};
     };
     for (const bool constants_now : {true, false})
       for (const ScannedEntry &entry : scan.entries)
@@ -223,11 +223,9 @@ namespace fuga
   ParameterValues::add_constant(const ScannedEntry &entry)
   {
     static const std::set<std::string> reserved = {"x", "y", "z", "t", "pi"};
-    static const EntryDeclaration constant =
-      parameter_entries::required("",
-                                  parameter_entries::any_number(),
-                                  "A constant is a number or an expression of constants above it.",
-                                  {});
+    EntryDeclaration constant;
+    constant.pattern       = parameter_patterns::any_number().check;
+    constant.documentation = "A constant is a number or an expression of constants above it.";
     expressions.add_unknown(entry.name);
     if (!is_identifier(entry.name) || reserved.count(entry.name) > 0)
       entry.fail(
@@ -255,7 +253,7 @@ namespace fuga
     ConstantExpressions::Result result;
     if (declaration.is_number())
       result = expressions.number(entry.value);
-    else if (declaration.holds_numbers())
+    else if (declaration.content != TextContent::words)
       result = expressions.numbers(entry.value);
     else
       return entry;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/input_errors.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/parameter_values.h>
@@ -30,19 +31,20 @@ namespace fuga
     std::string
     read_mesh_file(const ParameterSection &mesh, const std::string &parameter_file)
     {
-      const std::string name = mesh.text("File");
+      const MeshEntries &e   = entries_of<MeshEntries>();
+      const std::string name = mesh.text(e.file);
       const std::string path = resolve(parameter_file, name);
       std::error_code ignored;
       if (fs::path(name).extension() != ".msh")
-        mesh.fail("File", "the name of a mesh file ends in .msh (Gmsh, version 2.2 or 4.1, text).");
+        mesh.fail(e.file, "the name of a mesh file ends in .msh (Gmsh, version 2.2 or 4.1, text).");
       if (!fs::exists(path, ignored))
         mesh.fail(
-          "File",
+          e.file,
           fmt::format("the mesh file '{}' does not exist. The name is relative to the folder "
                       "of the parameter file.",
                       path));
       if (fs::is_directory(path, ignored))
-        mesh.fail("File", "this is a directory. Give the name of a .msh file.");
+        mesh.fail(e.file, "this is a directory. Give the name of a .msh file.");
       return path;
     }
 
@@ -51,12 +53,11 @@ namespace fuga
     read_materials(const ParameterValues &values)
     {
       std::vector<Material> materials;
-      for (const ParameterSection &section : values.subsections("Bodies"))
-        materials.push_back({section.name(),
-                             section.number("Young modulus"),
-                             section.number("Poisson ratio"),
-                             section.number("Weight density"),
-                             section.number("Thermal expansion")});
+      for (const ParameterSection &section : values.subsections<BodyEntries>())
+        {
+          materials.push_back({section.name()});
+          section.read(materials.back());
+        }
       if (materials.empty())
         throw InputError(
           fmt::format("{}: there are no bodies. Add a section Bodies with one subsection "
@@ -70,7 +71,8 @@ namespace fuga
     void
     check_space(const ParameterSection &mesh, const unsigned int dimension)
     {
-      for (const char *const entry : {"Assumption", "Thickness"})
+      const MeshEntries &e = entries_of<MeshEntries>();
+      for (const AnyEntry &entry : {AnyEntry(e.assumption), AnyEntry(e.thickness)})
         if (dimension == 3 && mesh.given(entry))
           mesh.fail(entry,
                     "a model in space (Dimension = 3) has no plane and nothing across it. Remove "
@@ -78,35 +80,17 @@ namespace fuga
     }
 
 
-    BodySolver
-    read_body_solver(const ParameterSection &section)
-    {
-      for (const BodySolver solver : {BodySolver::direct,
-                                      BodySolver::direct_on_disk,
-                                      BodySolver::iterative,
-                                      BodySolver::matrix_free})
-        if (section.text("Bodies") == name_of(solver))
-          return solver;
-      return BodySolver::automatic;
-    }
-
-
     void
     read_mesh_settings(const ParameterSection &mesh, ModelDefinition &model)
     {
+      const MeshEntries &e = entries_of<MeshEntries>();
       check_space(mesh, model.dimension);
-      model.polynomial_degree      = mesh.integer("Polynomial degree");
-      model.refinements            = mesh.integer("Refinements");
-      const std::string assumption = mesh.text("Assumption");
-      model.assumption             = assumption == "plane stress"   ? PlaneAssumption::plane_stress
-                                     : assumption == "axisymmetric" ? PlaneAssumption::axisymmetric
-                                                                    : PlaneAssumption::plane_strain;
-      if (model.assumption == PlaneAssumption::axisymmetric && mesh.given("Thickness"))
-        mesh.fail("Thickness",
+      mesh.read(model);
+      if (model.assumption == PlaneAssumption::axisymmetric && mesh.given(e.thickness))
+        mesh.fail(e.thickness,
                   fmt::format("an axisymmetric model ({}) has no thickness: areas and forces are "
                               "those of the full circle. Remove this entry.",
-                              mesh.origin("Assumption")));
-      model.thickness = mesh.number("Thickness");
+                              mesh.origin(e.assumption)));
     }
 
 
@@ -114,15 +98,14 @@ namespace fuga
     read_model(const ParameterValues &values)
     {
       ModelDefinition model;
-      model.dimension       = values.section("").integer("Dimension");
-      model.load_knots      = values.section("Solver").integer("Load knots");
-      model.body_solver     = read_body_solver(values.section("Solver"));
+      values.section<TopLevel>().read(model);
+      values.section<SolverEntries>().read(model);
       model.constants       = values.constants();
       model.constants["pi"] = std::acos(-1.);
 
-      const ParameterSection mesh = values.section("Mesh");
+      const ParameterSection mesh = values.section<MeshEntries>();
       values.attempt(mesh, [&]() { read_mesh_settings(mesh, model); });
-      if (!values.is_broken("Bodies"))
+      if (!values.is_broken<BodyEntries>())
         model.materials = read_materials(values);
       model.boundary_conditions = read_boundaries(values, model.dimension);
       model.loads               = read_loads(values, model);
@@ -137,54 +120,20 @@ namespace fuga
     }
 
 
-    SolverSettings
-    read_solver(const ParameterSection &section)
-    {
-      SolverSettings solver;
-      solver.follow_events       = section.text("Follow") == "events";
-      const std::string branch   = section.text("Non-unique");
-      solver.non_unique          = branch == "stop"    ? NonUniqueChoice::stop
-                                   : branch == "first" ? NonUniqueChoice::first
-                                                       : NonUniqueChoice::largest_dissipation;
-      solver.beyond_limit        = section.text("Beyond limit load") == "arc length";
-      solver.beyond_jump         = section.number("Largest jump beyond limit");
-      solver.iteration           = section.text("Iteration") == "newton" ? IterationKind::newton
-                                                                         : IterationKind::constant_stiffness;
-      solver.iteration_tolerance = section.number("Iteration tolerance");
-      solver.maximum_iterations  = section.integer("Maximum iterations");
-      solver.certificate_bound   = section.number("Certificate bound");
-      return solver;
-    }
-
-
     OutputSettings
     read_output(const ParameterValues &values, const std::string &parameter_file)
     {
-      const ParameterSection section = values.section("Output");
-      const std::string directory    = values.section("").text("Output directory");
-      const std::string fields       = section.text("Fields");
-      const std::string checkpoint   = section.text("Checkpoint");
-      const std::string log          = section.text("Log");
+      const OutputEntries &e         = entries_of<OutputEntries>();
+      const ParameterSection section = values.section<OutputEntries>();
+      const std::string directory =
+        values.section<TopLevel>().value(entries_of<TopLevel>().output_directory);
       OutputSettings output;
-      output.directory  = directory.empty()
-                            ? (fs::path("results") / fs::path(parameter_file).stem()).string()
-                            : resolve(parameter_file, directory);
-      output.fields     = fields == "levels" ? FieldOutput::levels
-                          : fields == "end"  ? FieldOutput::end
-                                             : FieldOutput::never;
-      output.checkpoint = checkpoint == "levels"        ? CheckpointOutput::levels
-                          : checkpoint == "events"      ? CheckpointOutput::events
-                          : checkpoint == "every event" ? CheckpointOutput::every_event
-                                                        : CheckpointOutput::never;
-      output.monitors =
-        section.text("Monitors") == "events" ? MonitorOutput::events : MonitorOutput::levels;
-      output.log    = log == "events"   ? LogDetail::events
-                      : log == "levels" ? LogDetail::levels
-                                        : LogDetail::quiet;
-      output.report = section.text("Report") == "true";
-      output.units  = {section.text("Force unit"),
-                       section.text("Length unit"),
-                       section.given("Force unit") || section.given("Length unit")};
+      output.directory = directory.empty()
+                           ? (fs::path("results") / fs::path(parameter_file).stem()).string()
+                           : resolve(parameter_file, directory);
+      section.read(output);
+      section.read(output.units);
+      output.units.named = section.given(e.force_unit) || section.given(e.length_unit);
       return output;
     }
   } // namespace
@@ -209,22 +158,24 @@ namespace fuga
     const std::string &file = scan.file;
     const ParameterValues values(scan, errors);
     // All else depends on the dimension, and expressions on the constants.
-    if (values.is_broken("") || values.is_broken("Constants") || values.is_broken("Solver"))
+    if (values.is_broken<TopLevel>() || values.is_broken<ConstantEntries>() ||
+        values.is_broken<SolverEntries>())
       errors.throw_if_any();
 
     Parameters parameters;
     parameters.of_sweep       = values.is_variant();
     parameters.parameter_file = file;
-    parameters.title          = values.section("").text("Title");
+    parameters.title          = values.section<TopLevel>().value(entries_of<TopLevel>().title);
     if (!errors.attempt([&]() { parameters.model = read_model(values); }))
       errors.throw_if_any();
     parameters.joints = read_joints(values, parameters.model);
-    for (const char *const name : {"Solver", "Output", "Sweep", "Safety", "Target accuracy"})
-      if (values.is_broken(name))
-        errors.throw_if_any();
-    parameters.solver           = read_solver(values.section("Solver"));
+    if (values.is_broken<SolverEntries>() || values.is_broken<OutputEntries>() ||
+        values.is_broken<SweepEntries>() || values.is_broken<SafetyEntries>() ||
+        values.is_broken<AccuracyEntries>())
+      errors.throw_if_any();
+    values.section<SolverEntries>().read(parameters.solver);
     parameters.output           = read_output(values, file);
-    const ParameterSection mesh = values.section("Mesh");
+    const ParameterSection mesh = values.section<MeshEntries>();
     values.attempt(mesh, [&]() { parameters.mesh_file = read_mesh_file(mesh, file); });
     errors.throw_if_any(); // what follows needs all that is above
 

@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/load_assembly.h>
 #include <fuga/io/checkpoint.h>
+#include <fuga/io/parameter_entries.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,21 +18,19 @@ namespace fuga
     using Echo   = std::vector<Entry>;
     using Values = std::map<std::string, std::string>;
 
-    /** What may change: the path does not depend on it. The mesh is told by its content. */
-    const std::set<std::string> free_entries = {"Title",
-                                                "Output directory",
-                                                "Mesh/File",
-                                                "Solver/Certificate bound",
-                                                "Output/Fields",
-                                                "Output/Checkpoint",
-                                                "Output/Log",
-                                                "Output/Report"};
+    /** Whether the path does not depend on it. The mesh is told by its content. */
+    bool
+    may_change(const std::string &full_name)
+    {
+      const EntryDeclaration *const entry = find_entry(full_name);
+      return entry != nullptr && entry->decides == Decides::nothing;
+    }
 
     /** The stage that an entry belongs to, or nothing. */
     std::string
     stage_of_entry(const std::string &path)
     {
-      const std::string section = "Stages/";
+      const std::string section = entries_of<StageEntries>().name + "/";
       return path.rfind(section, 0) == 0
                ? path.substr(section.size(), path.rfind('/') - section.size())
                : "";
@@ -67,8 +66,7 @@ namespace fuga
     {
       Echo result;
       for (const Entry &entry : echo)
-        if (free_entries.count(entry.first) == 0 &&
-            without_stages.count(stage_of_entry(entry.first)) == 0)
+        if (!may_change(entry.first) && without_stages.count(stage_of_entry(entry.first)) == 0)
           result.push_back(entry);
       return result;
     }
@@ -122,9 +120,10 @@ namespace fuga
                   parameters.model.stages.end(),
                   [](const StageDefinition &s) { return s.purpose != StagePurpose::loading; });
     if (!added.empty() && has_searches)
-      changes.push_back(fmt::format("Stages/{}: added, but the results hold factors of safety of the "
-                                    "state before it",
-                                    *added.begin()));
+      changes.push_back(
+        fmt::format("Stages/{}: added, but the results hold factors of safety of the "
+                    "state before it",
+                    *added.begin()));
     const FileIdentity mesh = identify_file(parameters.mesh_file);
     if (!(mesh == checkpoint.mesh))
       changes.push_back(fmt::format("the mesh {}: another content ({} bytes, were {})",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/io/parameter_declarations.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
+#include <fuga/io/parameter_values.h>
 #include <fuga/io/sweep_plan.h>
 
 #include <fmt/format.h>
@@ -17,34 +18,42 @@ namespace fuga
     /** More variants than this are a slip of the pen. */
     constexpr std::size_t max_variants = 20000;
 
-    const std::string sweep = "Sweep", stages = "Stages", sequences = "Load sequences";
+    const SweepEntries &
+    entries()
+    {
+      return entries_of<SweepEntries>();
+    }
 
-    /** Entries of all joints, or of those that Sweep/Joints lists, by their own names. */
-    const std::set<std::string> older_names = {
-      "Friction coefficient", "Cohesion", "Normal compliance", "Shear compliance", "Normal law"};
-
-    /** Entries of a joint that stand for the same: the one that is varied replaces the other one.
-     */
-    const std::vector<std::pair<std::string, std::string>> alternatives = {
-      {"Friction coefficient", "Friction angle"},
-      {"Residual friction coefficient", "Residual friction angle"},
-      {"Normal compliance", "Normal stiffness"},
-      {"Shear compliance", "Shear stiffness"}};
+    const std::string &
+    stages()
+    {
+      return entries_of<StageEntries>().name;
+    }
 
     /** Takes the other form of an entry that is varied out of @p scan, unless it is varied as well. */
     void
     take_out_alternative(const ScannedEntry &varied, ParameterScan &scan)
     {
-      const auto is_other = [&](const ScannedEntry &entry) {
-        return entry.path == varied.path && scan.swept.count(entry.full_name()) == 0 &&
-               std::any_of(alternatives.begin(), alternatives.end(), [&](const auto &pair) {
-                 return (entry.name == pair.first && varied.name == pair.second) ||
-                        (entry.name == pair.second && varied.name == pair.first);
-               });
+      const EntryDeclaration *const entry = find_entry(varied.full_name());
+      if (entry == nullptr || entry->alternative == nullptr)
+        return;
+      const auto is_other = [&](const ScannedEntry &other) {
+        return other.path == varied.path && scan.swept.count(other.full_name()) == 0 &&
+               other.name == entry->alternative->name;
       };
       scan.entries.erase(std::remove_if(scan.entries.begin(), scan.entries.end(), is_other),
                          scan.entries.end());
     }
+
+    /** Whether section Sweep varies an entry of joints by its own name. */
+    bool
+    is_older(const std::string &name)
+    {
+      const std::vector<Text> &older = entries().older;
+      return std::any_of(
+        older.begin(), older.end(), [&](const Text &entry) { return entry.name() == name; });
+    }
+
 
     const ScannedEntry *
     find(const ParameterScan &scan, const SectionPath &path, const std::string &name)
@@ -70,7 +79,7 @@ namespace fuga
     put_stages_in_order(const std::string &sequence, ParameterScan &scan)
     {
       const auto is_stage = [](const SectionPath &path) {
-        return path.size() == 2 && path.front() == stages;
+        return path.size() == 2 && path.front() == stages();
       };
       const std::vector<ScannedSection> earlier = scan.sections;
       std::vector<ScannedSection> sections;
@@ -80,7 +89,7 @@ namespace fuga
       const std::vector<std::string> names = split_pieces(sequence, ',');
       for (const std::string &name : names)
         for (const ScannedSection &section : earlier)
-          if (section.path == SectionPath{stages, name})
+          if (section.path == SectionPath{stages(), name})
             sections.push_back(section);
       scan.sections          = std::move(sections);
       const auto is_left_out = [&](const ScannedEntry &entry) {
@@ -94,26 +103,27 @@ namespace fuga
 
   SweepPlan::SweepPlan(ParameterScan whole) : scan(std::move(whole))
   {
-    const std::vector<ScannedEntry> entries = scan.entries;
+    const std::vector<ScannedEntry> all = scan.entries;
     scan.entries.clear();
     // Entries of Sweep that have no slash are declared like those of other sections.
-    for (const ScannedEntry &entry : entries)
-      if (entry.path != SectionPath{sweep} || entry.name.find('/') == std::string::npos)
+    for (const ScannedEntry &entry : all)
+      if (entry.path != SectionPath{entries().name} || entry.name.find('/') == std::string::npos)
         scan.entries.push_back(entry);
-    const ScannedEntry *const combination = find(scan, {sweep}, "Combination");
-    in_step = combination != nullptr && combination->value == "in step";
-    for (const ScannedEntry &entry : entries)
-      if (entry.path != SectionPath{sweep})
+    const ScannedEntry *const combination =
+      find(scan, {entries().name}, entries().combination.name());
+    in_step = combination != nullptr && value_of_word(entries().combination, combination->value);
+    for (const ScannedEntry &entry : all)
+      if (entry.path != SectionPath{entries().name})
         continue;
       else if (entry.name.find('/') != std::string::npos)
         add_line(entry);
       else if (entry.value.empty())
         continue; // told where declared entries are read
-      else if (older_names.count(entry.name) > 0)
+      else if (is_older(entry.name))
         add_older_line(entry);
-      else if (entry.name == stages)
+      else if (entry.name == entries().stages.name())
         add_sequences(entry, '|');
-      else if (entry.name == sequences)
+      else if (entry.name == entries().load_sequences.name())
         add_sequences(entry, ';');
     check_together();
     for (const SweptLine &line : swept_lines)
@@ -134,9 +144,11 @@ namespace fuga
   void
   SweepPlan::add_older_line(const ScannedEntry &entry)
   {
-    const ScannedEntry *const listed = find(scan, {sweep}, "Joints");
-    const std::string name =
-      fmt::format("Joints/{}/{}", listed == nullptr ? "*" : listed->value, entry.name);
+    const ScannedEntry *const listed = find(scan, {entries().name}, entries().joints.name());
+    const std::string name           = fmt::format("{}/{}/{}",
+                                         entries_of<JointEntries>().name,
+                                         listed == nullptr ? "*" : listed->value,
+                                         entry.name);
     swept_lines.push_back(
       {entry, targets_of(name, entry), split_swept_values(entry, scan), name + " = ..."});
   }
@@ -145,9 +157,9 @@ namespace fuga
   SweepPlan::add_sequences(const ScannedEntry &entry, const char separator)
   {
     SweptLine line{entry, {}, split_pieces(entry.value, separator), ""};
-    if (entry.name == sequences)
-      line.today = fmt::format("{} = {}", stages, fmt::join(line.values, " | "));
-    const std::vector<std::string> known = subsections_of(stages);
+    if (entry.name == entries().load_sequences.name())
+      line.today = fmt::format("{} = {}", entries().stages.name(), fmt::join(line.values, " | "));
+    const std::vector<std::string> known = subsections_of(stages());
     for (const std::string &sequence : line.values)
       {
         const std::vector<std::string> names = split_pieces(sequence, ',');
@@ -176,7 +188,7 @@ namespace fuga
     const std::string &section            = pieces.front();
     const SectionDeclaration *declaration = find_section(section);
     const bool has_names = declaration != nullptr && declaration->has_named_subsections();
-    if (std::find(pieces.begin(), pieces.end(), "") != pieces.end() || section == sweep ||
+    if (std::find(pieces.begin(), pieces.end(), "") != pieces.end() || section == entries().name ||
         pieces.size() > 3 || (pieces.size() == 3 && declaration != nullptr && !has_names))
       entry.fail(
         "no entry has this name. Write 'set SECTION/ENTRY = values' or, where a section has "
@@ -187,11 +199,13 @@ namespace fuga
                              section,
                              section,
                              pieces.back()));
-    if (section == "Output" || section == "Target accuracy")
+    if (section == entries_of<OutputEntries>().name ||
+        section == entries_of<AccuracyEntries>().name)
       entry.fail(
         "the entries of this section cannot be varied: all variants have the same columns, "
         "and none finds its mesh itself.");
-    if (section == "Constants" && find(scan, {section}, pieces.back()) == nullptr)
+    if (section == entries_of<ConstantEntries>().name &&
+        find(scan, {section}, pieces.back()) == nullptr)
       {
         std::vector<std::string> known;
         for (const ScannedEntry &constant : scan.entries)
@@ -233,7 +247,7 @@ namespace fuga
         for (const ScannedEntry &target : line.targets)
           names.push_back(target.full_name());
         if (line.targets.empty())
-          names.push_back(stages);
+          names.push_back(stages());
         for (const std::string &name : names)
           if (const auto [earlier, is_new] = varied.emplace(name, line.line.origin); !is_new)
             line.line.fail(fmt::format(

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/constant_expressions.h>
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/sweep_plan.h>
 
@@ -58,7 +59,7 @@ namespace fuga
     {
       ConstantExpressions constants;
       for (const ScannedEntry &entry : file.entries)
-        if (entry.path == SectionPath{"Constants"})
+        if (entry.path == SectionPath{entries_of<ConstantEntries>().name})
           {
             const ConstantExpressions::Result result = constants.number(entry.value);
             if (const auto value = number(result.text); result.problem.empty() && value)

@@ -8,7 +8,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 
 namespace fuga
 {
@@ -19,21 +18,13 @@ namespace fuga
     shear
   };
 
-  /** "Normal" or "Shear", with which the entries begin. */
-  std::string
-  direction_word(const LayerDirection direction);
+  /** The laws of one direction with their words in parameter files. */
+  std::vector<std::pair<std::string, LayerLaw>>
+  law_words(const LayerDirection direction);
 
   /** The word of a law in parameter files. */
   std::string
   law_word(const LayerLaw law);
-
-  /** The words of all laws of one direction. */
-  std::vector<std::string>
-  law_words(const LayerDirection direction);
-
-  /** Nothing if no law of this direction has the word. */
-  std::optional<LayerLaw>
-  law_of_word(const std::string &word, const LayerDirection direction);
 
   /** Whether a law has a compliance at zero deformation as a parameter. */
   bool
@@ -42,13 +33,6 @@ namespace fuga
   /** Whether this compliance must be above zero. */
   bool
   needs_compliance(const LayerLaw law);
-
-  /**
-   * What the law of a direction still needs: "" or a sentence beginning with the name of the entry
-   * in quotes.
-   */
-  std::string
-  missing_entry(const JointParameters &joint, const LayerDirection direction);
 
   /** The law itself. Nothing may be missing. @throws InputError for an expression. */
   std::unique_ptr<ComplianceLaw>

@@ -4,14 +4,16 @@
 #ifndef fuga_io_parameter_declarations_h
 #define fuga_io_parameter_declarations_h
 
-#include <deal.II/base/patterns.h>
+#include <fuga/io/parameter_patterns.h>
 
-#include <memory>
-#include <string>
-#include <vector>
+#include <deque>
+#include <functional>
+#include <typeindex>
 
 namespace fuga
 {
+  class ParameterSection;
+
   /** Whether an entry has to be there. */
   enum class Presence
   {
@@ -23,6 +25,19 @@ namespace fuga
     defaulted
   };
 
+  /** What has to be done again when an entry changes. */
+  enum class Decides
+  {
+    /** Nothing that a run has computed: a restart may change it. */
+    nothing,
+    /** Everything, from the elimination of the bodies on. */
+    condensation,
+    /** The layers of the joints. */
+    layers,
+    /** The path only, with the strength of the joints. */
+    strength
+  };
+
   /** What is known of one entry before any file is read. */
   struct EntryDeclaration
   {
@@ -30,11 +45,15 @@ namespace fuga
     Presence presence = Presence::defaulted;
     std::string default_value;
     std::shared_ptr<const dealii::Patterns::PatternBase> pattern;
+    TextContent content = TextContent::words;
     std::string documentation;
     /** Values in default_parameter_text(), one per example section; none = a commented line. */
     std::vector<std::string> examples;
     /** `set NAME =` without a value is meaningful. */
     bool accepts_empty = false;
+    Decides decides    = Decides::condensation;
+    /** The entry that says the same in another way: one of the two is given. */
+    const EntryDeclaration *alternative = nullptr;
 
     /** What is allowed, in words. */
     std::string
@@ -44,27 +63,89 @@ namespace fuga
     bool
     is_number() const;
 
-    /** Whether the value is a text with numbers in it: a table, coordinates. */
-    bool
-    holds_numbers() const;
-
     /** The words allowed if the entry is a choice between words, else empty. */
     std::vector<std::string>
     choices() const;
   };
 
-  /** One section of the top level. */
+  /** An entry in the hands of a reader; valid as long as the program runs. */
+  struct AnyEntry
+  {
+    const EntryDeclaration *declaration = nullptr;
+
+    const std::string &
+    name() const
+    {
+      return declaration->name;
+    }
+
+    bool
+    operator==(const AnyEntry &other) const
+    {
+      return declaration == other.declaration;
+    }
+  };
+
+  /** An entry whose value is a Value. */
+  template <typename Value>
+  struct Entry : AnyEntry
+  {
+    /** The words of a choice with what they mean. */
+    Words<Value> words;
+    /** The row of the table, which the constructor of the section goes on filling. */
+    EntryDeclaration *row = nullptr;
+
+    /** This entry and @p other are two ways to say the same. */
+    const Entry &
+    instead_of(const Entry &other) const
+    {
+      row->alternative       = other.row;
+      other.row->alternative = row;
+      return *this;
+    }
+
+    const Entry &
+    deciding(const Decides what) const
+    {
+      row->decides = what;
+      return *this;
+    }
+  };
+
+  using Text    = Entry<std::string>;
+  using Number  = Entry<double>;
+  using Integer = Entry<unsigned int>;
+
+  /**
+   * One section of the top level. Each is a class of its own in parameter_entries.h, whose
+   * constructor declares the entries in the order in which they are documented and echoed. What it
+   * binds to a member of a structure is read into all of its members by ParameterSection::read().
+   */
   struct SectionDeclaration
   {
+    SectionDeclaration(const std::string &name,
+                       const std::string &documentation,
+                       const std::vector<std::string> &example_names = {},
+                       const bool free_entries                       = false);
+    SectionDeclaration(const SectionDeclaration &) = delete;
+
     /** Empty for the entries outside of all sections, which come first. */
-    std::string name;
-    std::string documentation;
-    std::vector<EntryDeclaration> entries;
+    const std::string name;
+    const std::string documentation;
     /** Non-empty: the entries stand in subsections whose names the user chooses; these are the
      * names in default_parameter_text(). */
-    std::vector<std::string> example_names;
+    const std::vector<std::string> example_names;
     /** The names of the entries are chosen by the user (Constants). */
-    bool free_entries = false;
+    const bool free_entries;
+    std::deque<EntryDeclaration> entries;
+
+    /** Puts the value of an entry into a member of a target of this type. */
+    struct Binding
+    {
+      std::type_index target;
+      std::function<void(const ParameterSection &, void *)> read;
+    };
+    std::vector<Binding> bindings;
 
     bool
     has_named_subsections() const
@@ -78,15 +159,127 @@ namespace fuga
 
     std::vector<std::string>
     entry_names() const;
+
+    template <typename Value>
+    Entry<Value>
+    required(const std::string &entry,
+             const Pattern<Value> &pattern,
+             const std::string &text,
+             const std::vector<std::string> &examples)
+    {
+      return add(entry, Presence::required, "", pattern, text, examples);
+    }
+
+    template <typename Value>
+    Entry<Value>
+    optional(const std::string &entry,
+             const Pattern<Value> &pattern,
+             const std::string &text,
+             const std::vector<std::string> &examples = {})
+    {
+      return add(entry, Presence::optional, "", pattern, text, examples);
+    }
+
+    template <typename Value>
+    Entry<Value>
+    defaulted(const std::string &entry,
+              const std::string &value,
+              const Pattern<Value> &pattern,
+              const std::string &text,
+              const std::vector<std::string> &examples = {})
+    {
+      return add(entry, Presence::defaulted, value, pattern, text, examples);
+    }
+
+    template <typename Target, typename Value>
+    Entry<Value>
+    required(const std::string &entry,
+             Value Target::*member,
+             const Pattern<Value> &pattern,
+             const std::string &text,
+             const std::vector<std::string> &examples)
+    {
+      return bound(required(entry, pattern, text, examples), member);
+    }
+
+    /** The member keeps its value where the entry is absent. */
+    template <typename Target, typename Value>
+    Entry<Value>
+    optional(const std::string &entry,
+             Value Target::*member,
+             const Pattern<Value> &pattern,
+             const std::string &text,
+             const std::vector<std::string> &examples = {})
+    {
+      return bound(optional(entry, pattern, text, examples), member);
+    }
+
+    /** The default is that of the member. */
+    template <typename Target, typename Value>
+    Entry<Value>
+    defaulted(const std::string &entry,
+              Value Target::*member,
+              const Pattern<Value> &pattern,
+              const std::string &text,
+              const std::vector<std::string> &examples = {})
+    {
+      return bound(defaulted(entry, pattern.text_of(Target().*member), pattern, text, examples),
+                   member);
+    }
+
+  protected:
+    /** What the entries decide that are declared from here on. */
+    Decides decided = Decides::condensation;
+
+  private:
+    template <typename Value>
+    Entry<Value>
+    add(const std::string &entry,
+        const Presence presence,
+        const std::string &value,
+        const Pattern<Value> &pattern,
+        const std::string &text,
+        const std::vector<std::string> &examples)
+    {
+      EntryDeclaration &declaration = entries.emplace_back();
+      declaration.name              = entry;
+      declaration.presence          = presence;
+      declaration.default_value     = value;
+      declaration.pattern           = pattern.check;
+      declaration.content           = pattern.content;
+      declaration.documentation     = text;
+      declaration.examples          = examples;
+      declaration.accepts_empty     = presence == Presence::defaulted && value.empty();
+      declaration.decides           = decided;
+      return {{&declaration}, pattern.words, &declaration};
+    }
+
+    /** Defined in parameter_values.h. */
+    template <typename Target, typename Value>
+    Entry<Value>
+    bound(const Entry<Value> &entry, Value Target::*member);
   };
 
+  /** The entries of a section. */
+  template <typename Section>
+  const Section &
+  entries_of()
+  {
+    static const Section section;
+    return section;
+  }
+
   /** All sections, in the order in which they are documented and echoed; see parameter_table.cc. */
-  const std::vector<SectionDeclaration> &
+  const std::vector<std::reference_wrapper<const SectionDeclaration>> &
   parameter_declarations();
 
   /** Null if there is no such section. */
   const SectionDeclaration *
   find_section(const std::string &name);
+
+  /** The declaration of "Section/Name/Entry"; null if there is none. */
+  const EntryDeclaration *
+  find_entry(const std::string &full_name);
 } // namespace fuga
 
 #endif

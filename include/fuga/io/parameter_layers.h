@@ -11,7 +11,7 @@ namespace fuga
 {
   /** Fails at @p one if both entries are given. */
   void
-  refuse_both(const ParameterSection &section, const std::string &one, const std::string &other);
+  refuse_both(const ParameterSection &section, const AnyEntry &one, const AnyEntry &other);
 
   /** What reading the layer of a joint depends on besides its own section. */
   struct LayerSurroundings

@@ -15,10 +15,22 @@
 
 namespace fuga
 {
+  /**
+   * The place of @p name among the @p known names of one section of the file. @p what: what they are,
+   * in the singular.
+   * @throws InputError at the @p entry of @p section where the name stands, if there is none.
+   */
+  unsigned int
+  number_of(const std::string &name,
+            const std::vector<std::string> &known,
+            const std::string &what,
+            const ParameterSection &section,
+            const AnyEntry &entry);
+
   /** Fails at the entry if expression_problem() finds one in one of its expressions. */
   void
   check_expression(const ParameterSection &section,
-                   const std::string &entry,
+                   const AnyEntry &entry,
                    const std::string &expression,
                    const ExpressionArguments arguments,
                    const std::map<std::string, double> &constants);
@@ -38,7 +50,7 @@ namespace fuga
   /** A level: a number, an expression of the load time or a table. @throws InputError */
   LevelDefinition
   read_level(const ParameterSection &section,
-             const std::string &entry,
+             const AnyEntry &entry,
              const std::map<std::string, double> &constants);
 
   /** The entries of a load that depends on the depth below a level. @throws InputError */
@@ -49,7 +61,7 @@ namespace fuga
   /** The table 'a: b; a: b' of an entry, with increasing a. @p form: how a point is written, for
    * messages. @throws InputError */
   std::vector<std::array<double, 2>>
-  read_table(const ParameterSection &section, const std::string &entry, const std::string &form);
+  read_table(const ParameterSection &section, const AnyEntry &entry, const std::string &form);
 
   /** The entries of water in joints but for those of its level. @throws InputError */
   Uplift
@@ -77,7 +89,7 @@ namespace fuga
 
   /** Entry Point of a section. @throws InputError */
   PointReference
-  read_point(const ParameterSection &section, const unsigned int dimension);
+  read_point(const ParameterSection &section, const Text &entry, const unsigned int dimension);
 
   /** Section Monitors. @throws InputError */
   std::vector<MonitorDefinition>

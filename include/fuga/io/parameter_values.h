@@ -6,6 +6,7 @@
 
 #include <fuga/base/input_errors.h>
 #include <fuga/io/constant_expressions.h>
+#include <fuga/io/parameter_declarations.h>
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/unit_text.h>
 
@@ -37,33 +38,73 @@ namespace fuga
 
     /** Whether the entry stands in the file or in an override. */
     bool
-    given(const std::string &entry) const;
+    given(const AnyEntry &entry) const;
 
-    /** Value or default. */
+    /** What the entry, or its default, means. */
+    template <typename Value>
+    Value
+    value(const Entry<Value> &entry) const
+    {
+      if constexpr (std::is_same_v<Value, double>)
+        return number(entry);
+      else if constexpr (std::is_same_v<Value, unsigned int>)
+        return integer(entry);
+      else if constexpr (std::is_same_v<Value, std::string>)
+        return text(entry);
+      else
+        return value_of_word(entry, text(entry));
+    }
+
+    /** The value of the entry, or @p otherwise if it is not given. */
+    template <typename Value>
+    Value
+    value_or(const Entry<Value> &entry, const Value &otherwise) const
+    {
+      return given(entry) ? value(entry) : otherwise;
+    }
+
+    /** Reads all entries that the section binds to members of a Target. */
+    template <typename Target>
+    void
+    read(Target &target) const
+    {
+      for (const SectionDeclaration::Binding &binding : declaration().bindings)
+        if (binding.target == typeid(Target))
+          binding.read(*this, &target);
+    }
+
+    /** Calls @p action with all entries that are given, in the order of their declarations. */
+    template <typename Action>
+    void
+    for_given(const Action &action) const
+    {
+      for (const EntryDeclaration &entry : declaration().entries)
+        if (given(AnyEntry{&entry}))
+          action(AnyEntry{&entry});
+    }
+
+    /** Value or default, as it is written. */
     std::string
-    text(const std::string &entry) const;
-
-    double
-    number(const std::string &entry) const;
-
-    unsigned int
-    integer(const std::string &entry) const;
+    text(const AnyEntry &entry) const;
 
     /** The pieces between commas. @throws InputError for empty or repeated ones. */
     std::vector<std::string>
-    list(const std::string &entry) const;
+    list(const AnyEntry &entry) const;
 
     /** The values that the variants of a sweep give the entry; none if it is not varied. */
     std::vector<std::string>
-    swept(const std::string &entry) const;
+    swept(const AnyEntry &entry) const;
 
     /** Where the entry is set, else where the section is opened, else the file. */
     std::string
-    origin(const std::string &entry = "") const;
+    origin(const AnyEntry &entry) const;
+
+    std::string
+    origin() const;
 
     /** Throws the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
     [[noreturn]] void
-    fail(const std::string &entry, const std::string &problem_and_remedy) const;
+    fail(const AnyEntry &entry, const std::string &problem_and_remedy) const;
 
     /** The same for the section as a whole. */
     [[noreturn]] void
@@ -72,9 +113,44 @@ namespace fuga
   private:
     friend class ParameterValues;
 
+    double
+    number(const AnyEntry &entry) const;
+
+    unsigned int
+    integer(const AnyEntry &entry) const;
+
+    std::string
+    full_name(const AnyEntry &entry) const;
+
+    const SectionDeclaration &
+    declaration() const;
+
     const ParameterValues *values;
     SectionPath path;
   };
+
+  /** What a word of a choice means. */
+  template <typename Value>
+  Value
+  value_of_word(const Entry<Value> &entry, const std::string &word)
+  {
+    for (const auto &[known, value] : entry.words)
+      if (known == word)
+        return value;
+    return entry.words.front().second; // of an optional entry that is absent
+  }
+
+  template <typename Target, typename Value>
+  Entry<Value>
+  SectionDeclaration::bound(const Entry<Value> &entry, Value Target::*member)
+  {
+    bindings.push_back(
+      {typeid(Target), [entry, member](const ParameterSection &section, void *target) {
+         if (entry.declaration->presence != Presence::optional || section.given(entry))
+           static_cast<Target *>(target)->*member = section.value(entry);
+       }});
+    return entry;
+  }
 
   /**
    * The values of a scanned file within what is declared. The constructor refuses unknown,
@@ -101,18 +177,34 @@ namespace fuga
     is_broken(const ParameterSection &section) const;
 
     /** Whether a section, or a subsection of it, is broken. */
+    template <typename Section>
     bool
-    is_broken(const std::string &name) const;
+    is_broken() const
+    {
+      return is_broken(entries_of<Section>().name);
+    }
 
+    template <typename Section>
     ParameterSection
-    section(const std::string &name) const;
+    section() const
+    {
+      return section(entries_of<Section>().name);
+    }
 
     /** The named subsections of a section, in the order of the file. */
+    template <typename Section>
     std::vector<ParameterSection>
-    subsections(const std::string &name) const;
+    subsections() const
+    {
+      return subsections(entries_of<Section>().name);
+    }
 
+    template <typename Section>
     std::vector<std::string>
-    subsection_names(const std::string &name) const;
+    subsection_names() const
+    {
+      return subsection_names(entries_of<Section>().name);
+    }
 
     /** The numbers of section Constants. */
     std::map<std::string, double>
@@ -137,6 +229,18 @@ namespace fuga
 
   private:
     friend class ParameterSection;
+
+    bool
+    is_broken(const std::string &name) const;
+
+    ParameterSection
+    section(const std::string &name) const;
+
+    std::vector<ParameterSection>
+    subsections(const std::string &name) const;
+
+    std::vector<std::string>
+    subsection_names(const std::string &name) const;
 
     void
     attempt(const SectionPath &path, const std::function<void()> &action) const;

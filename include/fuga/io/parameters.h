@@ -203,9 +203,9 @@ namespace fuga
     std::vector<unsigned int> components;
     /** Expression of the place: the pressure counts where it is not 0; empty: everywhere. */
     std::string where;
-    double relative_error   = 0.;
-    double max_unknowns     = 0.;
-    unsigned int max_rounds = 0;
+    double relative_error   = 0.01;
+    double max_unknowns     = 1e6;
+    unsigned int max_rounds = 20;
     /** file:line of the quantity, for messages. */
     std::string origin;
   };
