@@ -137,6 +137,29 @@ namespace fuga
     return value == 0. ? 0. : value / scale;
   }
 
+  TangentVector
+  shear_part(const ContactElement &element, const Vector &of_bars)
+  {
+    return element.has_tangential_bar() ? tangential(element, of_bars) : TangentVector{{0., 0.}};
+  }
+
+  TangentVector
+  direction(const TangentVector &v)
+  {
+    const double size = length(v);
+    return {{share(v[0], size), share(v[1], size)}};
+  }
+
+  double
+  Judge::largest_of_elements(const Vector &of_bars) const
+  {
+    double result = 0.;
+    for (const ContactElement &element : elements)
+      result = std::max(
+        {result, std::abs(of_bars[element.normal_bar]), length(shear_part(element, of_bars))});
+    return result;
+  }
+
   Vector
   Judge::jumps(const Vector &dislocations, const Vector &forces) const
   {
@@ -237,9 +260,7 @@ namespace fuga
     double worst         = 0.;
     for (std::size_t i = 0; i < applied.size(); ++i)
       {
-        double arm = 0.;
-        for (std::size_t k = 0; k < G.n_rows(); ++k)
-          arm = std::max(arm, std::abs(G(k, i)));
+        const double arm = largest_of_elements(Vector(G.column(i), G.column(i) + G.n_rows()));
         worst = std::max(worst, share(std::abs(carried[i] - applied[i]), arm * largest_force));
       }
     return worst;
@@ -254,8 +275,9 @@ namespace fuga
     Vector f           = loads(state.t);
     add_water(state, f);
     const Vector Sx = resistance(x);
-    largest_force   = std::max({largest_force, max_abs(f), max_abs(state.forces), max_abs(Sx)});
-    largest_jump    = std::max(largest_jump, max_abs(delta));
+    largest_force =
+      std::max({largest_force, max_abs(f), largest_of_elements(state.forces), max_abs(Sx)});
+    largest_jump = std::max(largest_jump, largest_of_elements(delta));
 
     Certificate result;
     const Vector p = system.jump_operator().empty()

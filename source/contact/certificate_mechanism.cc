@@ -38,12 +38,6 @@ namespace fuga
       constexpr double rounding = 1e-14, always_enough = 1e-9;
       return proof.drive > std::clamp(proof.error(), rounding, always_enough);
     }
-
-    double
-    shear_jump_of(const ContactElement &element, const Vector &jumps)
-    {
-      return element.has_tangential_bar() ? length(tangential(element, jumps)) : 0.;
-    }
   } // namespace
 
   double
@@ -74,19 +68,19 @@ namespace fuga
     const bool at_tension = left.tension > no_force && N >= left.tension - no_force;
     if (at_apex || at_tension)
       return {Kind::parting, 0., {}, left.friction, at_tension || left.cohesion > no_force};
-    const double T = std::abs(shear_force(k, state));
+    const TangentVector force = shear_part(element, state.forces);
+    const double T            = length(force);
     if (!element.has_tangential_bar() || T < left.friction * -N + left.cohesion - no_force)
       return {Kind::none, 0., {}, 0., true};
     if (T <= no_force)
       return {Kind::sliding, left.dilatancy, {}, left.friction, false};
-    const TangentVector force = tangential(element, state.forces);
-    return {Kind::sliding, left.dilatancy, {{force[0] / T, force[1] / T}}, left.friction, false};
+    return {Kind::sliding, left.dilatancy, direction(force), left.friction, false};
   }
 
   double
   Judge::inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const
   {
-    const double normal = w[elements[k].normal_bar], shear = shear_jump_of(elements[k], w);
+    const double normal = w[elements[k].normal_bar], shear = length(shear_part(elements[k], w));
     switch (freedom.kind)
       {
         case Freedom::Kind::open:
@@ -150,6 +144,15 @@ namespace fuga
     return result;
   }
 
+  TangentVector
+  Judge::lost_shear(const std::size_t k, const JointState &state) const
+  {
+    const TangentVector lost = shear_part(elements[k], state.unreleased);
+    if (state.states[k] == ContactState::open)
+      return lost;
+    return sum({{0., 0.}}, length(lost), direction(shear_part(elements[k], state.forces)));
+  }
+
   // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not
   // change, but by a strength reduction and what a broken bond lets go.
   double
@@ -168,10 +171,10 @@ namespace fuga
       {
         const ContactElement &element = elements[k];
         const double falls = element.friction.reduced ? -history.strength_share_rate(state.t) : 0.;
-        add(falls * std::abs(shear_force(k, state)) * shear_jump_of(element, motion));
-        element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &) {
-          add(std::abs(state.unreleased[bar] * motion[bar]));
-        });
+        const TangentVector slide = shear_part(element, motion);
+        add(falls * length(shear_part(element, state.forces)) * length(slide));
+        add(std::abs(state.unreleased[element.normal_bar] * motion[element.normal_bar]));
+        add(std::abs(dot(lost_shear(k, state), slide)));
       }
     return share(growth, size);
   }

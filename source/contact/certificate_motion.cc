@@ -179,16 +179,12 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
-        element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &) {
-          released[bar] += state.unreleased[bar];
-        });
-        if (!element.has_tangential_bar() || !element.friction.reduced)
-          continue;
-        const double falls = -history.strength_share_rate(state.t);
-        released[element.tangential_bar] += falls * state.forces[element.tangential_bar];
-        if (element.has_second_tangential_bar())
-          released[element.second_tangential_bar] +=
-            falls * state.forces[element.second_tangential_bar];
+        released[element.normal_bar] += state.unreleased[element.normal_bar];
+        const TangentVector lost  = lost_shear(k, state);
+        const TangentVector force = shear_part(element, state.forces);
+        const double falls = element.friction.reduced ? -history.strength_share_rate(state.t) : 0.;
+        for (std::size_t i = 1; i < element.n_bars(); ++i)
+          released[element.bar(i)] += lost[i - 1] + falls * force[i - 1];
       }
     const Vector by_release = multiply_transposed(motions, released);
     for (std::size_t i = 0; i < result.size(); ++i)

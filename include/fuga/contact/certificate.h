@@ -20,6 +20,14 @@ namespace fuga
   double
   share(const double value, const double scale);
 
+  /** The part of a bar vector in the tangent plane of an element, zero without tangential bars. */
+  TangentVector
+  shear_part(const ContactElement &element, const Vector &of_bars);
+
+  /** The unit vector along @p v; zero if v is. */
+  TangentVector
+  direction(const TangentVector &v);
+
   /**
    * How far a state is from satisfying each condition of the contact problem. Every entry is
    * relative: to the largest force, jump or energy of the scene so far.
@@ -273,18 +281,40 @@ namespace fuga
     /** The same on the jumps @p motion, beside the sum of its terms. */
     double
     drive(const JointState &state, const Vector &motion) const;
+    /** Shear that a broken bond has lost and still carries: of lips that slide, along the force. */
+    TangentVector
+    lost_shear(const std::size_t k, const JointState &state) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
+    /** A stuck element must not slip. */
     void
-    check_slip_in_plane(const std::size_t k,
-                        const PathPoint &from,
-                        const PathPoint &to,
-                        const double length);
-    /** T; with two tangential bars |T|. 0 without any. */
+    check_rest(const std::size_t k, const JointState &from, const JointState &to);
+    /** Work of shear force and rise [MNm] between two points of the path. */
     double
-    shear_force(const std::size_t k, const JointState &state) const;
+    work_of_slip(const std::size_t k,
+                 const PathPoint &from,
+                 const PathPoint &to,
+                 const double length);
+    /** The same of the normal force of open lips, which a broken bond still carries. */
+    double
+    work_of_unloading(const std::size_t k,
+                      const PathPoint &from,
+                      const PathPoint &to,
+                      const double length) const;
+    /** Rate of slip of an element that slips or is open. */
+    TangentVector
+    slip_rate(const std::size_t k, const PathPoint &point) const;
+    /** The part of a force, or of a rate of slip, in the direction in which a slipping element is
+     * said to slip: with one tangential bar the state tells it, with two it is that of the vector
+     * itself. */
+    double
+    along_slip(const std::size_t k, const JointState &state, const TangentVector &v) const;
+    /** @p way: how far the lips slid. */
     void
-    check_rise(const std::size_t k, const JointState &from, const JointState &to);
+    check_rise(const std::size_t k, const JointState &from, const JointState &to, const double way);
+    /** The largest normal or tangential part of an element. */
+    double
+    largest_of_elements(const Vector &of_bars) const;
     void
     check_reduction(const JointState &state, Certificate &result) const;
     void
@@ -293,7 +323,8 @@ namespace fuga
     /** Elastic jumps of an element's layer [m], or their rates. */
     struct Layer
     {
-      double normal = 0., shear = 0.;
+      double normal       = 0.;
+      TangentVector shear = {{0., 0.}};
     };
 
     Layer
