@@ -95,20 +95,6 @@ namespace fuga
   }
 
 
-  template <int dim>
-  void
-  HangingNodes<dim>::follow_masters(Vector &displacements) const
-  {
-    for (const auto &[node, masters] : all_masters)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          displacements[node * dim + c] = 0.;
-          for (const auto &[master, weight] : masters)
-            displacements[node * dim + c] += weight * displacements[master * dim + c];
-        }
-  }
-
-
   template class HangingNodes<2>;
   template class HangingNodes<3>;
 } // namespace fuga

@@ -3,7 +3,7 @@
 
 #include <fuga/bodies/interface_coordinates.h>
 
-#include <map>
+#include <algorithm>
 
 namespace fuga
 {
@@ -12,73 +12,50 @@ namespace fuga
                                                   const ContactBars<dim> &bars,
                                                   const std::vector<bool> &fixed,
                                                   const Vector &stiffness)
-    : rows(discretization.n_dofs(), InterfaceRows<dim>::unset)
-    , hanging(discretization.hanging_nodes())
+    : n_dofs(discretization.n_dofs())
   {
-    for (const auto &entry : hanging.masters())
-      for (unsigned int c = 0; c < dim; ++c)
-        rows[entry.first * dim + c] = -1; // until add_hanging_nodes()
-    for (std::size_t dof = 0; dof < rows.size(); ++dof)
-      if (fixed[dof])
-        rows[dof] = -1;
-    const InterfaceRows<dim> at_joints(bars, fixed, stiffness, rows);
-    interface_count = at_joints.n_interface();
-    hangs_on        = at_joints.hangs_on();
-    number(at_joints);
-    add_hanging_nodes(fixed);
+    const InterfaceRows<dim> at_joints(bars, fixed, stiffness, constraints);
+    hang_nodes(discretization.hanging_nodes(), fixed);
+    constraints.close();
+    number(fixed, at_joints.has_bar());
     B = at_joints.jump_operator();
   }
 
 
+  // A held node that hangs takes only what supports prescribe for its masters.
   template <int dim>
   void
-  InterfaceCoordinates<dim>::number(const InterfaceRows<dim> &at_joints)
+  InterfaceCoordinates<dim>::hang_nodes(const HangingNodes<dim> &hanging,
+                                        const std::vector<bool> &fixed)
   {
-    unsigned int count = 0;
-    for (int &row : rows)
-      if (row == InterfaceRows<dim>::unset)
-        row = static_cast<int>(count++);
-    const unsigned int first_slide = count, first_interface = count + at_joints.n_slides();
-    n_coordinates = first_interface + interface_count;
-
-    special.resize(at_joints.special().size());
-    for (std::size_t i = 0; i < special.size(); ++i)
-      for (const auto &term : at_joints.special()[i])
+    for (const auto &[node, masters] : hanging.masters())
+      for (unsigned int c = 0; c < dim; ++c)
         {
-          unsigned int coordinate = static_cast<unsigned int>(term.index);
-          if (term.kind == InterfaceRows<dim>::Kind::interface)
-            coordinate += first_interface;
-          else if (term.kind == InterfaceRows<dim>::Kind::slide)
-            coordinate += first_slide;
-          else
-            coordinate = plain_coordinate(term.index);
-          special[i].push_back({coordinate, term.factor});
+          constraints.add_line(node * dim + c);
+          for (const auto &[master, weight] : masters)
+            if (!fixed[node * dim + c] || fixed[master * dim + c])
+              constraints.add_entry(node * dim + c, master * dim + c, weight);
         }
   }
 
 
+  // Degrees of freedom, slides, interface coordinates.
   template <int dim>
   void
-  InterfaceCoordinates<dim>::add_hanging_nodes(const std::vector<bool> &fixed)
+  InterfaceCoordinates<dim>::number(const std::vector<bool> &fixed,
+                                    const std::vector<bool> &has_bar)
   {
-    std::vector<Term> of_master;
-    for (const auto &[node, masters] : hanging.masters())
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          if (fixed[node * dim + c])
-            continue;
-          std::map<unsigned int, double> sum;
-          for (const auto &[master, weight] : masters)
-            {
-              terms_of(master * dim + c, of_master);
-              for (const Term &term : of_master)
-                sum[term.coordinate] += weight * term.factor;
-            }
-          rows[node * dim + c] = -1 - static_cast<int>(special.size());
-          special.emplace_back();
-          for (const auto &[coordinate, factor] : sum)
-            special.back().push_back({coordinate, factor});
-        }
+    numbers.assign(n_dofs + has_bar.size(), -1);
+    int count = 0;
+    for (unsigned int dof = 0; dof < n_dofs; ++dof)
+      if (!fixed[dof] && !constraints.is_constrained(dof))
+        numbers[dof] = count++;
+    for (const bool is_interface : {false, true})
+      for (std::size_t jump = 0; jump < has_bar.size(); ++jump)
+        if (has_bar[jump] == is_interface)
+          numbers[n_dofs + jump] = count++;
+    n_coordinates   = static_cast<unsigned int>(count);
+    interface_count = static_cast<unsigned int>(std::count(has_bar.begin(), has_bar.end(), true));
   }
 
 
@@ -87,25 +64,30 @@ namespace fuga
   InterfaceCoordinates<dim>::terms_of(const std::size_t dof, std::vector<Term> &terms) const
   {
     terms.clear();
-    if (rows[dof] >= 0)
+    if (numbers[dof] >= 0)
       terms.push_back({plain_coordinate(dof), 1.});
-    else
-      terms = special[static_cast<std::size_t>(-1 - rows[dof])];
+    else if (const auto *entries =
+               constraints.get_constraint_entries(static_cast<unsigned int>(dof)))
+      for (const auto &[unknown, factor] : *entries)
+        if (numbers[unknown] >= 0)
+          terms.push_back({plain_coordinate(unknown), factor});
   }
 
 
   template <int dim>
   Vector
-  InterfaceCoordinates<dim>::distribute(const double *y, const Vector &prescribed) const
+  InterfaceCoordinates<dim>::distribute(const double *y, const Vector &u) const
   {
-    Vector u = prescribed.empty() ? Vector(rows.size(), 0.) : prescribed;
-    for (std::size_t dof = 0; dof < rows.size(); ++dof)
-      if (rows[dof] >= 0)
-        u[dof] += y[rows[dof]];
-      else
-        for (const Term &term : special[static_cast<std::size_t>(-1 - rows[dof])])
-          u[dof] += term.factor * y[term.coordinate];
-    return u;
+    const auto value = [&](const std::size_t unknown) {
+      return numbers[unknown] < 0 ? 0. : y[numbers[unknown]];
+    };
+    Vector sum = u.empty() ? Vector(n_dofs, 0.) : u;
+    for (std::size_t dof = 0; dof < n_dofs; ++dof)
+      sum[dof] += value(dof);
+    for (const auto &line : constraints.get_lines())
+      for (const auto &[unknown, factor] : line.entries)
+        sum[line.index] += factor * value(unknown);
+    return sum;
   }
 
 
@@ -114,12 +96,13 @@ namespace fuga
   InterfaceCoordinates<dim>::gather(const Vector &forces) const
   {
     Vector result(n_coordinates, 0.);
-    for (std::size_t dof = 0; dof < rows.size(); ++dof)
-      if (rows[dof] >= 0)
+    for (std::size_t dof = 0; dof < n_dofs; ++dof)
+      if (numbers[dof] >= 0)
         result[plain_coordinate(dof)] += forces[dof];
-      else
-        for (const Term &term : special[static_cast<std::size_t>(-1 - rows[dof])])
-          result[term.coordinate] += term.factor * forces[dof];
+    for (const auto &line : constraints.get_lines())
+      for (const auto &[unknown, factor] : line.entries)
+        if (numbers[unknown] >= 0)
+          result[plain_coordinate(unknown)] += factor * forces[line.index];
     return result;
   }
 
@@ -128,9 +111,14 @@ namespace fuga
   void
   InterfaceCoordinates<dim>::extend_prescribed(Vector &prescribed) const
   {
-    for (const auto &[dof, support] : hangs_on)
-      prescribed[dof] = prescribed[support];
-    hanging.follow_masters(prescribed);
+    for (const auto &line : constraints.get_lines())
+      {
+        double sum = 0.;
+        for (const auto &[unknown, factor] : line.entries)
+          if (unknown < n_dofs && numbers[unknown] < 0)
+            sum += factor * prescribed[unknown];
+        prescribed[line.index] = sum;
+      }
   }
 
 

@@ -49,8 +49,8 @@ namespace fuga
   InterfaceRows<dim>::InterfaceRows(const ContactBars<dim> &contact_bars,
                                     const std::vector<bool> &fixed_dofs,
                                     const Vector &node_stiffness,
-                                    std::vector<int> &dof_rows)
-    : bars(contact_bars), fixed(fixed_dofs), stiffness(node_stiffness), rows(dof_rows)
+                                    dealii::AffineConstraints<double> &its_constraints)
+    : bars(contact_bars), fixed(fixed_dofs), stiffness(node_stiffness), constraints(its_constraints)
   {
     for (const auto &cluster : find_clusters(bars))
       if (is_pair(cluster))
@@ -74,15 +74,6 @@ namespace fuga
 
 
   template <int dim>
-  void
-  InterfaceRows<dim>::set_row(const std::size_t dof, std::vector<Term> terms)
-  {
-    rows[dof] = -1 - static_cast<int>(special_rows.size());
-    special_rows.push_back(std::move(terms));
-  }
-
-
-  template <int dim>
   bool
   InterfaceRows<dim>::is_pair(const Cluster &cluster) const
   {
@@ -99,11 +90,11 @@ namespace fuga
   void
   InterfaceRows<dim>::add_pair(const Cluster &cluster)
   {
-    std::vector<Term> jump[dim];
-    for (const auto &[direction, term] : frame_of_jumps(cluster))
+    Terms jump[dim];
+    for (const LocalDirection &local : frame_of_jumps(cluster))
       for (unsigned int c = 0; c < dim; ++c)
-        if (std::abs(direction[c]) > 1e-15)
-          jump[c].push_back({term.kind, term.index, direction[c]});
+        if (std::abs(local.direction[c]) > 1e-15)
+          jump[c].emplace_back(local.unknown, local.direction[c]);
 
     const auto &pair      = bars.pair_of_element(cluster.front());
     const bool obstacle   = pair.minus_node == Discretization<dim>::no_node;
@@ -131,36 +122,44 @@ namespace fuga
     for (const unsigned int e : cluster)
       for (const unsigned int bar : bars_of(e))
         {
-          if (add_direction(
-                bars.bars()[bar].direction, {Kind::interface, interface_count, 1.}, frame))
-            ++interface_count;
-          for (const auto &[direction, term] : frame)
-            if (const double factor = without_rounding(direction * bars.bars()[bar].direction);
+          add_direction(bars.bars()[bar].direction, true, frame);
+          for (const LocalDirection &local : frame)
+            if (const double factor =
+                  without_rounding(local.direction * bars.bars()[bar].direction);
                 factor != 0.)
-              jumps.push_back({bar, static_cast<unsigned int>(term.index), factor});
+              jumps.push_back({bar, local.coordinate, factor});
         }
     for (const unsigned int e : cluster)
       for (unsigned int k = 0; k < bars.n_free_tangents(e); ++k)
-        if (add_direction(bars.tangents_of_element(e)[k], {Kind::slide, slide_count, 1.}, frame))
-          ++slide_count;
+        add_direction(bars.tangents_of_element(e)[k], false, frame);
     has_junction |= cluster.size() > 1;
     return frame;
   }
 
 
   template <int dim>
-  bool
+  void
   InterfaceRows<dim>::add_direction(dealii::Tensor<1, dim> direction,
-                                    const Term &term,
+                                    const bool by_bar,
                                     std::vector<LocalDirection> &frame)
   {
     for (const LocalDirection &local : frame)
       direction -= without_rounding(direction * local.direction) * local.direction;
     const double size = without_rounding(direction.norm());
     if (size < smallest_rest)
-      return false;
-    frame.push_back({direction / size, term});
-    return true;
+      return;
+    const unsigned int coordinate = interface_count;
+    frame.push_back({direction / size, new_jump(by_bar), coordinate});
+  }
+
+
+  template <int dim>
+  dealii::types::global_dof_index
+  InterfaceRows<dim>::new_jump(const bool by_bar)
+  {
+    jump_has_bar.push_back(by_bar);
+    interface_count += by_bar ? 1 : 0;
+    return static_cast<dealii::types::global_dof_index>(fixed.size() + jump_has_bar.size() - 1);
   }
 
 
@@ -177,21 +176,26 @@ namespace fuga
   }
 
 
-  // u of one degree of freedom = u of another one + sign * terms.
+  template <int dim>
+  void
+  InterfaceRows<dim>::set_row(const std::size_t dof, const Terms &terms)
+  {
+    constraints.add_line(static_cast<unsigned int>(dof));
+    constraints.add_entries(static_cast<unsigned int>(dof), terms);
+  }
+
+
   template <int dim>
   void
   InterfaceRows<dim>::attach(const std::size_t dof,
                              const std::size_t base,
-                             std::vector<Term> terms,
+                             Terms terms,
                              const double sign)
   {
     for (auto &term : terms)
-      term.factor *= sign;
-    if (fixed[base])
-      supports.emplace_back(dof, base);
-    else
-      terms.push_back({Kind::dof, base, 1.});
-    set_row(dof, std::move(terms));
+      term.second *= sign;
+    terms.emplace_back(static_cast<dealii::types::global_dof_index>(base), 1.);
+    set_row(dof, terms);
   }
 
 
@@ -227,8 +231,8 @@ namespace fuga
             const std::size_t dof = node * dim + c;
             if (fixed[dof] || (dof == base && !obstacle))
               continue;
-            offset[dof]                  = interface_count;
-            const std::vector<Term> term = {{Kind::interface, interface_count++, 1.}};
+            offset[dof]      = interface_count;
+            const Terms term = {{new_jump(true), 1.}};
             if (obstacle)
               set_row(dof, term);
             else

@@ -55,10 +55,6 @@ namespace fuga
     void
     move_to_masters(Vector &forces) const;
 
-    /** Gives hanging nodes the displacements that go with those of their masters. */
-    void
-    follow_masters(Vector &displacements) const;
-
   private:
     std::map<unsigned int, Masters> all_masters;
   };

@@ -23,6 +23,10 @@ namespace fuga
    * interface coordinates are offsets from one of the nodes in global directions; there, and where
    * several elements tie the same nodes (the corner of a joint), the jump operator is not the
    * identity. Hanging nodes have the coordinates of their masters.
+   *
+   * deal.II's AffineConstraints hold all of this: its unknowns are the degrees of freedom, and
+   * behind them the jumps. Those without constraint are coordinates, but for the supports, which
+   * have values.
    */
   template <int dim>
   class InterfaceCoordinates
@@ -63,7 +67,7 @@ namespace fuga
     is_plain(const std::size_t node) const
     {
       for (unsigned int c = 0; c < dim; ++c)
-        if (rows[node * dim + c] < 0)
+        if (numbers[node * dim + c] < 0)
           return false;
       return true;
     }
@@ -72,14 +76,14 @@ namespace fuga
     unsigned int
     plain_coordinate(const std::size_t dof) const
     {
-      return static_cast<unsigned int>(rows[dof]);
+      return static_cast<unsigned int>(numbers[dof]);
     }
 
     /** The coordinate that a degree of freedom is, if it is one. */
     std::optional<unsigned int>
     coordinate_of(const std::size_t dof) const
     {
-      if (rows[dof] < 0)
+      if (numbers[dof] < 0)
         return {};
       return plain_coordinate(dof);
     }
@@ -88,9 +92,9 @@ namespace fuga
     void
     terms_of(const std::size_t dof, std::vector<Term> &terms) const;
 
-    /** u = C y + prescribed part (which may be empty). */
+    /** C y + u (which may be empty). */
     Vector
-    distribute(const double *y, const Vector &prescribed) const;
+    distribute(const double *y, const Vector &u) const;
 
     /** Cᵀ f. */
     Vector
@@ -109,19 +113,17 @@ namespace fuga
 
   private:
     void
-    number(const InterfaceRows<dim> &at_joints);
+    hang_nodes(const HangingNodes<dim> &hanging, const std::vector<bool> &fixed);
 
-    /** The rows of hanging nodes, from those of their masters. */
     void
-    add_hanging_nodes(const std::vector<bool> &fixed);
+    number(const std::vector<bool> &fixed, const std::vector<bool> &has_bar);
 
+    dealii::AffineConstraints<double> constraints;
+    /** By unknown its coordinate; -1 for what is constrained or held. */
+    std::vector<int> numbers;
+    std::size_t n_dofs           = 0;
     unsigned int n_coordinates   = 0;
     unsigned int interface_count = 0;
-    /** A coordinate, or -1 - number of a special row; special row 0 has no terms. */
-    std::vector<int> rows;
-    std::vector<std::vector<Term>> special;
-    std::vector<std::pair<std::size_t, std::size_t>> hangs_on;
-    const HangingNodes<dim> &hanging;
     DenseMatrix B;
   };
 } // namespace fuga

@@ -4,9 +4,10 @@
 #ifndef fuga_bodies_interface_rows_h
 #define fuga_bodies_interface_rows_h
 
+#include <deal.II/lac/affine_constraints.h>
+
 #include <fuga/bodies/contact_bars.h>
 
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -14,8 +15,8 @@
 namespace fuga
 {
   /**
-   * Which of the degrees of freedom at the joints are sums of coordinates, before the coordinates
-   * have their final numbers (InterfaceCoordinates), and the jumps of all bars by the interface
+   * The constraints at the joints: which degrees of freedom (node * dim + component) are sums of
+   * others and of jumps, which are numbered behind them; and the jumps of all bars by the interface
    * coordinates.
    *
    * Elements that tie the same two nodes (one, or at a corner one for every straight part) have the
@@ -26,57 +27,19 @@ namespace fuga
   class InterfaceRows
   {
   public:
-    /** What a term refers to. */
-    enum class Kind
-    {
-      interface,
-      /** A jump without bar. */
-      slide,
-      /** A degree of freedom, node * dim + component. */
-      dof
-    };
-
-    struct Term
-    {
-      Kind kind;
-      std::size_t index;
-      double factor;
-    };
-
-    /** Mark of a degree of freedom that is a coordinate itself. */
-    static constexpr int unset = std::numeric_limits<int>::max();
-
-    /** @p rows: unset, or -1 for what is held or hangs; gets -1 - number of its special row for
-     * every degree of freedom that moves with another one. */
+    /** Adds to @p constraints, which the caller closes. */
     InterfaceRows(const ContactBars<dim> &bars,
                   const std::vector<bool> &fixed,
                   const Vector &stiffness,
-                  std::vector<int> &rows);
+                  dealii::AffineConstraints<double> &constraints);
 
-    unsigned int
-    n_interface() const
+    /** By jump, whether a bar resists it, which makes it an interface coordinate. Others are
+     * slides.
+     */
+    const std::vector<bool> &
+    has_bar() const
     {
-      return interface_count;
-    }
-
-    unsigned int
-    n_slides() const
-    {
-      return slide_count;
-    }
-
-    /** Special row 0 has no terms. */
-    const std::vector<std::vector<Term>> &
-    special() const
-    {
-      return special_rows;
-    }
-
-    /** Pairs of a degree of freedom and the support it hangs on. */
-    const std::vector<std::pair<std::size_t, std::size_t>> &
-    hangs_on() const
-    {
-      return supports;
+      return jump_has_bar;
     }
 
     /** Jumps of the bars from the interface coordinates; empty if it is the identity. */
@@ -90,11 +53,17 @@ namespace fuga
       double factor;
     };
 
-    /** A direction of the jump of two nodes, and the coordinate that is the jump along it. */
+    using Terms = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+    /** A direction of the jump of two nodes, and the number of the unknown that is the jump along
+     * it.
+     */
     struct LocalDirection
     {
       dealii::Tensor<1, dim> direction;
-      Term term;
+      dealii::types::global_dof_index unknown;
+      /** If a bar resists it. */
+      unsigned int coordinate;
     };
 
     using Cluster = std::vector<unsigned int>;
@@ -107,11 +76,14 @@ namespace fuga
     /** An orthonormal frame of all jumps that the supports allow. */
     std::vector<LocalDirection>
     frame_of_jumps(const Cluster &cluster);
-    /** Adds to the frame what @p direction has besides it; false if that is nothing. */
-    static bool
+    /** Adds to the frame what @p direction has besides it, if that is anything. */
+    void
     add_direction(dealii::Tensor<1, dim> direction,
-                  const Term &term,
+                  const bool by_bar,
                   std::vector<LocalDirection> &frame);
+    /** Returns its number among the unknowns. */
+    dealii::types::global_dof_index
+    new_jump(const bool by_bar);
 
     void
     add_junction(const Cluster &cluster);
@@ -119,12 +91,11 @@ namespace fuga
     add_jumps(const unsigned int number, const std::map<std::size_t, unsigned int> &offset);
 
     void
-    set_row(const std::size_t dof, std::vector<Term> terms);
+    set_row(const std::size_t dof, const Terms &terms);
+
+    /** u of a degree of freedom = u of another one + sign * terms. */
     void
-    attach(const std::size_t dof,
-           const std::size_t base,
-           std::vector<Term> terms,
-           const double sign);
+    attach(const std::size_t dof, const std::size_t base, Terms terms, const double sign);
 
     std::vector<unsigned int>
     bars_of(const unsigned int e) const;
@@ -132,10 +103,9 @@ namespace fuga
     const ContactBars<dim> &bars;
     const std::vector<bool> &fixed;
     const Vector &stiffness;
-    std::vector<int> &rows;
-    unsigned int interface_count = 0, slide_count = 0;
-    std::vector<std::vector<Term>> special_rows = {{}};
-    std::vector<std::pair<std::size_t, std::size_t>> supports;
+    dealii::AffineConstraints<double> &constraints;
+    std::vector<bool> jump_has_bar;
+    unsigned int interface_count = 0;
     std::vector<JumpEntry> jumps;
     bool has_junction = false;
   };
