@@ -4,7 +4,6 @@
 #include <fuga/base/input_errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/process_info.h>
-#include <fuga/contact/path_choice.h>
 #include <fuga/io/mechanism_text.h>
 #include <fuga/io/stiffness_need.h>
 #include <fuga/joint_model.h>
@@ -208,52 +207,31 @@ namespace fuga
   void
   Model<dim>::check_joints(const std::vector<JointParameters> &joints) const
   {
-    check_cones(joints);
+    check_cones();
     check_initial_gaps<dim>(bodies.elements(), joints, parameters.model.constants);
   }
 
   // What a path on cones does not know, before anything is computed.
   template <int dim>
   void
-  Model<dim>::check_cones(const std::vector<JointParameters> &joints) const
+  Model<dim>::check_cones() const
   {
-    if (!have_cones(bodies.elements()))
+    if (!have_two_tangents(bodies.elements()))
       return;
-    if (first_stages_of_phases(parameters.model).size() > 1)
+    std::string what;
+    if (parameters.solver.beyond_limit)
+      what = "the path beyond the limit load is";
+    else if (!parameters.solver.follow_events &&
+             parameters.model.body_solver != BodySolver::matrix_free)
+      what = "one step per stage without events, but for Solver/Bodies = iterative matrix-free, is";
+    else if (parameters.solver.non_unique != NonUniqueChoice::stop)
+      what = "the choice between several continuations is";
+    if (!what.empty())
       throw InputError(fmt::format(
-        "{}: construction in stages and grouting are not available with friction in space in this "
-        "version. Build all bodies at the start.",
-        parameters.parameter_file));
-    const auto is_simple = [](const LayerLaw law) {
-      return law == LayerLaw::rigid || law == LayerLaw::linear;
-    };
-    for (const JointParameters &joint : joints)
-      {
-        std::string what;
-        if (!joint.friction.is_plain())
-          what = "cohesion, tensile strength, residual friction and dilatancy are";
-        else if (!is_simple(joint.normal_law) || !is_simple(joint.shear_law) ||
-                 joint.shear_growth.kind != ShearGrowth::Kind::none)
-          what = "layers other than rigid and linear ones are";
-        else if (joint.friction.reduced)
-          what = "the reduction of strength is";
-        else if (parameters.solver.beyond_limit)
-          what = "the path beyond the limit load is";
-        else if (!parameters.solver.follow_events &&
-                 parameters.model.body_solver != BodySolver::matrix_free)
-          what =
-            "one step per stage without events, but for Solver/Bodies = iterative matrix-free, is";
-        else if (parameters.solver.non_unique != NonUniqueChoice::stop)
-          what = "the choice between several continuations is";
-        if (!what.empty())
-          throw InputError(fmt::format(
-            "{}: joint '{}': in space, where friction acts along two directions, {} not available "
-            "in "
-            "this version. Take it out, or hold one of the directions by supports in all joints.",
-            joint.origin,
-            joint.definition.name,
-            what));
-      }
+        "{}: in space, where friction acts along two directions, {} not available in this version. "
+        "Take it out, or hold one of the directions by supports in all joints.",
+        parameters.parameter_file,
+        what));
   }
 
   template <int dim>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/contact/path_choice.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/safety_search.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ namespace fuga
         options.beyond_limit = false;
 
         const LoadHistory history = history_of(s);
-        const auto way            = make_contact_path(joint.elements, layered, history, options);
+        const auto way            = std::make_unique<EventPath>(joint.elements, layered, history, options);
         const PathResult reached  = way->resume(start, levels, observer);
         if (!reached.tried.empty())
           throw NumericalFailure(fmt::format(

@@ -5,6 +5,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/contact/limit_proof.h>
 #include <fuga/contact/matrix_free_path.h>
 #include <fuga/io/summary.h>
@@ -53,7 +54,7 @@ namespace fuga
   Simulation<dim>::make_path() const
   {
     if (model.bodies.has_stiffness())
-      return make_contact_path(joint.elements, layered, loading, model.path_options());
+      return std::make_unique<EventPath>(joint.elements, layered, loading, model.path_options());
     return std::make_unique<MatrixFreePath>(
       joint.elements, layered, model.bodies, model.bodies, loading);
   }

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/conditioning.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/simulation.h>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ namespace fuga
       {
         found = conditioning(
           [&](const LoadHistory &loads) {
-            return make_contact_path(joint.elements, layered, loads, options);
+            return std::make_unique<EventPath>(joint.elements, layered, loads, options);
           },
           layered,
           loading,

@@ -3,8 +3,8 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/contact/limit_proof.h>
-#include <fuga/contact/path_choice.h>
 #include <fuga/safety_search.h>
 #include <fuga/sweep.h>
 #include <fuga/table_range.h>
@@ -99,7 +99,7 @@ namespace fuga
     const LoadHistory loading  = history.until(model->loads.end_of_loading);
     Judge judge(model->bodies, joint.elements, history, model->loads.end_of_loading);
     VariantObserver observer(judge, joint.elements, search.is_wanted());
-    const auto path = make_contact_path(joint.elements, system, loading, model->path_options());
+    const auto path = std::make_unique<EventPath>(joint.elements, system, loading, model->path_options());
 
     SweepRow row;
     row.settings = variant.settings;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/contact/path_choice.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/trial_run.h>
 
 #include <deal.II/lac/vector.h>
@@ -21,7 +21,7 @@ namespace fuga
     const LoadHistory loading = model.loads.history.until(model.loads.end_of_loading);
     PathOptions options       = model.path_options();
     options.beyond_limit      = false;
-    make_contact_path(joint.elements, layered, loading, options)->run(model.loads.levels, *this);
+    std::make_unique<EventPath>(joint.elements, layered, loading, options)->run(model.loads.levels, *this);
     n_reached = all_levels.size();
     if (!last_state.states.empty() && (all_levels.empty() || all_levels.back().t < last_state.t))
       add_level(last_state);

@@ -127,7 +127,7 @@ namespace fuga
     std::vector<ElementFrame>
     find_frames() const;
     void
-    check_cones(const std::vector<JointParameters> &joints) const;
+    check_cones() const;
     void
     check_body_solver() const;
     std::vector<bool>

@@ -4,7 +4,6 @@
 #ifndef fuga_simulation_h
 #define fuga_simulation_h
 
-#include <fuga/contact/path_choice.h>
 #include <fuga/io/accuracy_report.h>
 #include <fuga/io/checkpoint.h>
 #include <fuga/io/summary.h>

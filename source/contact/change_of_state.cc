@@ -10,10 +10,19 @@ namespace fuga
 {
   namespace
   {
+    void
+    set_unreleased_shear(const ContactElement &element, const TangentVector &T, JointState &state)
+    {
+      state.unreleased[element.tangential_bar] = T[0];
+      if (element.has_second_tangential_bar())
+        state.unreleased[element.second_tangential_bar] = T[1];
+    }
+
     /** What is lost is given up at this load, quasi-statically. */
     void
     weaken_by_slip(const ContactElement &element,
                    const std::size_t k,
+                   const TangentVector &direction,
                    const double no_force,
                    JointState &state)
     {
@@ -37,7 +46,7 @@ namespace fuga
           strength.cohesion = strength.tension = 0.;
         }
       if (lost > 0.)
-        state.unreleased[element.tangential_bar] = slip_sign(state.states[k]) * lost;
+        set_unreleased_shear(element, {{lost * direction[0], lost * direction[1]}}, state);
     }
   } // namespace
 
@@ -45,6 +54,7 @@ namespace fuga
   change_state(const ContactElement &element,
                const std::size_t k,
                const ContactState to,
+               const TangentVector &direction,
                const double no_force,
                JointState &state)
   {
@@ -52,10 +62,14 @@ namespace fuga
     // would leave forces that do not belong to them where the bodies are stiff.
     const bool was_slipping = is_slipping(state.states[k]);
     state.states[k]         = to;
+    // The force that is still to be released has turned with the slip.
+    if (to == ContactState::open && was_slipping && element.has_second_tangential_bar() &&
+        length(tangential(element, state.unreleased)) > 0.)
+      set_unreleased_shear(element, tangential(element, state.forces), state);
     if (to == ContactState::open)
       break_bond(element, k, no_force, state);
     else if (!was_slipping && is_slipping(to))
-      weaken_by_slip(element, k, no_force, state);
+      weaken_by_slip(element, k, direction, no_force, state);
   }
 
   // Without a bond nothing but rounding is left at N = 0.
@@ -74,9 +88,9 @@ namespace fuga
             state.states[k]                      = ContactState::open;
             state.unreleased[element.normal_bar] = N;
           }
-        if (element.has_tangential_bar() &&
-            std::abs(state.forces[element.tangential_bar]) > no_force)
-          state.unreleased[element.tangential_bar] = state.forces[element.tangential_bar];
+        if (element.has_tangential_bar())
+          if (const TangentVector T = tangential(element, state.forces); length(T) > no_force)
+            set_unreleased_shear(element, T, state);
       }
     strength.cohesion = strength.tension = 0.;
     strength.friction                    = strength.share * residual_friction(element.friction);

@@ -14,10 +14,10 @@ namespace fuga
   // is a mechanism if the load drives it, nothing resists and no closed element would penetrate or
   // slip against its force; anything else only shows that no solution was found.
   void
-  ConeRateProblem::find_mechanism(const ReleasedSystem &released,
-                                  const Vector &reactions,
-                                  ConeContinuation &result)
+  ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
+    Drive at_rest;
+    at_rest.reactions.assign(system.n_bars(), 0.);
     for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
       {
         if (motion.empty() || result.has_mechanism)
@@ -25,7 +25,7 @@ namespace fuga
         if (dot(r, motion) < 0.)
           for (double &rate : motion)
             rate = -rate;
-        result.mechanism = full_rates(released, Vector(reactions.size(), 0.), motion);
+        result.mechanism = full_rates(background, at_rest, motion);
         result.has_mechanism =
           is_admissible(motion) && is_driven(motion) && is_free_motion(result.mechanism, system);
       }
@@ -41,13 +41,15 @@ namespace fuga
     for (const Candidate &candidate : candidates)
       {
         const std::size_t n = candidate.row;
-        const double normal = std::sqrt(diagonal[n]) * motion[n];
-        if (candidate.at_apex ? normal < -none : std::abs(normal) > none)
+        const double slip =
+          candidate.n_tangents == 0 ? 0. : length(tangential_rows(candidate, motion));
+        const double normal = std::sqrt(diagonal[n]) * (motion[n] - candidate.rise * slip);
+        if (candidate.at_apex || candidate.grazing ? normal < -none : std::abs(normal) > none)
           return false;
         if (candidate.at_apex || candidate.n_tangents == 0)
           continue;
-        const TangentVector slip = tangential_rows(candidate, motion);
-        if (std::sqrt(shear_stiffness(candidate)) * dot(slip, candidate.direction) < -none)
+        const double forward = dot(tangential_rows(candidate, motion), candidate.direction);
+        if (std::sqrt(shear_stiffness(candidate)) * forward < -none)
           return false;
       }
     return true;

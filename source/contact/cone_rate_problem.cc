@@ -24,10 +24,18 @@ namespace fuga
   ConeContinuation
   ConeRateProblem::solve(const JointState &state,
                          const std::vector<BoundaryElement> &set,
-                         const ReleasedSystem &released,
-                         const Vector &reactions,
+                         WorkingScheme &background,
+                         const Drive &drive,
                          const std::vector<std::size_t> &resticking)
   {
+    ConeContinuation result;
+    const std::optional<JointRates> stuck = background.rates(drive);
+    if (!stuck)
+      {
+        result.has_mechanism = true;
+        result.mechanism     = background.mechanism();
+        return result;
+      }
     candidates.clear();
     bars.clear();
     free_motion.clear();
@@ -39,14 +47,18 @@ namespace fuga
         candidate.element    = member.element;
         candidate.row        = bars.size();
         candidate.at_apex    = member.shear != ShearPosition::at_strength;
-        candidate.n_tangents = has_friction(element) ? element.n_bars() - 1 : 0;
+        candidate.grazing    = member.grazing;
+        candidate.n_tangents = member.shear == ShearPosition::inside ? 0 : element.n_bars() - 1;
         candidate.resting =
           std::find(resticking.begin(), resticking.end(), member.element) != resticking.end();
         candidate.state = candidate.resting ? ContactState::stick : state.states[member.element];
+        candidate.tension_rate = tensile_strength_rate(element, drive);
         bars.push_back(element.normal_bar);
         if (candidate.n_tangents > 0)
           {
-            candidate.friction = element.friction.coefficient;
+            candidate.friction      = state.strengths[member.element].friction;
+            candidate.rise          = state.strengths[member.element].dilatancy;
+            candidate.strength_rate = shear_strength_rate(element, drive);
             bars.push_back(element.tangential_bar);
             if (candidate.n_tangents == 2)
               bars.push_back(element.second_tangential_bar);
@@ -56,15 +68,19 @@ namespace fuga
           }
         candidates.push_back(candidate);
       }
-    W = released.stiffness(bars);
-    r = released.reactions(reactions, bars);
+    std::optional<DenseMatrix> stiffness = background.stiffness_against(bars);
+    if (!stiffness)
+      return result;
+    W = std::move(*stiffness);
+    r.clear();
+    for (const std::size_t bar : bars)
+      r.push_back(stuck->forces[bar]);
     v.assign(bars.size(), 0.);
     q = r;
     diagonal.clear();
     for (const std::size_t bar : bars)
       diagonal.push_back(system.stiffness()(bar, bar));
 
-    ConeContinuation result;
     const std::vector<Candidate> at_first = candidates;
     Outcome outcome                       = iterate(n_iterations, result);
     if (outcome != Outcome::solved)
@@ -87,12 +103,12 @@ namespace fuga
       }
     if (outcome != Outcome::solved)
       {
-        find_mechanism(released, reactions, result);
+        find_mechanism(background, result);
         return result;
       }
     slip_where_neutral();
     result.exists = true;
-    result.rates  = full_rates(released, reactions, v);
+    result.rates  = full_rates(background, drive, v);
     for (const Candidate &candidate : candidates)
       {
         // Along a single bar slip has a sign, as in the plane.
@@ -105,23 +121,15 @@ namespace fuga
   }
 
   JointRates
-  ConeRateProblem::full_rates(const ReleasedSystem &released,
-                              const Vector &reactions,
+  ConeRateProblem::full_rates(WorkingScheme &background,
+                              const Drive &drive,
                               const Vector &reduced) const
   {
-    JointRates rates;
-    rates.dislocations.assign(system.n_bars(), 0.);
+    Vector imposed(system.n_bars(), 0.);
     for (std::size_t i = 0; i < bars.size(); ++i)
-      rates.dislocations[bars[i]] = reduced[i];
-    released.complete(reactions, rates.dislocations);
-    rates.forces = reactions;
-    for (std::size_t j = 0; j < rates.dislocations.size(); ++j)
-      if (rates.dislocations[j] != 0.)
-        blas::axpy(rates.forces.size(),
-                   -rates.dislocations[j],
-                   system.stiffness().column(j),
-                   rates.forces.data());
-    return rates;
+      imposed[bars[i]] = reduced[i];
+    const std::optional<JointRates> rates = background.rates(drive, imposed);
+    return rates ? *rates : JointRates();
   }
 
   ConeRateProblem::Outcome
@@ -181,11 +189,12 @@ namespace fuga
     const double no_force    = noise(n);
     const double no_velocity = no_force / diagonal[n];
     Demand demand{candidate.state, candidate.direction, candidate.slip, candidate.strength, 0.};
-    if (candidate.at_apex)
+    if (candidate.at_apex || candidate.grazing)
       {
-        if (!open && q[n] > no_force)
+        const double tension = q[n] - candidate.tension_rate;
+        if (!open && tension > no_force)
           {
-            demand.violation = q[n];
+            demand.violation = tension;
             demand.state     = ContactState::open;
             return demand;
           }
@@ -214,7 +223,8 @@ namespace fuga
       }
     if (!candidate.at_apex)
       {
-        demand.violation = std::max(0., dot(candidate.direction, q_t) + f * q[n]);
+        demand.violation =
+          std::max(0., dot(candidate.direction, q_t) + f * q[n] - candidate.strength_rate);
         return change_to(demand.violation > no_shear ? ContactState::slip_forward
                                                      : ContactState::stick);
       }
@@ -297,7 +307,8 @@ namespace fuga
         const double f          = candidate.friction;
         const TangentVector q_t = tangential_rows(candidate, q);
         const double no_shear   = shear_noise(candidate);
-        const double reserve    = -dot(candidate.direction, q_t) - f * q[n];
+        const double reserve =
+          candidate.strength_rate - dot(candidate.direction, q_t) - f * q[n];
         const double turning    = dot(normal_to(candidate.direction), q_t);
         if (reserve <= no_shear && std::abs(turning) > std::sqrt(no_shear * length(q_t)))
           {

@@ -21,6 +21,7 @@ namespace fuga
       std::array<double, 3> column;
       std::array<double, 3> functional;
       double own;
+      double right_hand_side = 0.;
     };
   } // namespace
 
@@ -87,7 +88,8 @@ namespace fuga
             {
               std::array<double, 3> unit = {{0., 0., 0.}};
               unit[i]                    = 1. / std::sqrt(diagonal[row + i]);
-              unknowns.push_back({c, row, unit, unit, 0.});
+              unknowns.push_back(
+                {c, row, unit, unit, 0., i == 0 ? unit[0] * candidate.tension_rate : 0.});
             }
         else if (is_slipping(candidate.state))
           {
@@ -95,9 +97,10 @@ namespace fuga
             const double scale     = 1. / std::sqrt(stiffness);
             unknowns.push_back({c,
                                 row,
-                                {{0., scale * e[0], scale * e[1]}},
+                                {{scale * candidate.rise, scale * e[0], scale * e[1]}},
                                 {{scale * f, scale * e[0], scale * e[1]}},
-                                0.});
+                                0.,
+                                candidate.at_apex ? 0. : scale * candidate.strength_rate});
             if (!candidate.at_apex || candidate.n_tangents < 2)
               continue;
             const double slip  = std::max(candidate.slip, 0.);
@@ -132,6 +135,7 @@ namespace fuga
         M(j, j) += unknowns[j].own;
         for (std::size_t a = 0; a < n_rows(unknowns[j]); ++a)
           x[j] += unknowns[j].functional[a] * r[unknowns[j].row + a];
+        x[j] -= unknowns[j].right_hand_side;
       }
     const auto take = [&](const Vector &solution, Vector &rates) {
       rates.assign(bars.size(), 0.);

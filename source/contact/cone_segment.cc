@@ -20,7 +20,7 @@ namespace fuga
     {
       std::vector<SlippingElement> result;
       for (std::size_t k = 0; k < elements.size(); ++k)
-        if (is_slipping(state.states[k]) && has_friction(elements[k]))
+        if (is_slipping(state.states[k]) && carries_shear(elements[k], state.strengths[k]))
           result.push_back({k, elements[k].friction.coefficient});
       return result;
     }
@@ -81,7 +81,7 @@ namespace fuga
         first.slip_rates.push_back(
           dot(directions[slip.element], tangential(element, start.rates.dislocations)));
       }
-    first.reserves = context.boundary.reserves(start.state, start.rates);
+    first.reserves = context.boundary.reserves(start.state, start.rates, course.drive);
     curve.push_back(std::move(first));
 
     const Vector jumps      = context.system.jumps(start.state.dislocations, start.state.forces);
@@ -172,6 +172,15 @@ namespace fuga
     return result;
   }
 
+  // What closed layers still deform is no part of the mechanism.
+  JointRates
+  ConeSegment::motion_at_limit()
+  {
+    JointRates motion = curve.back().point.rates;
+    motion.forces.assign(context.system.n_bars(), 0.);
+    return motion;
+  }
+
   std::vector<std::size_t>
   ConeSegment::resticking() const
   {
@@ -229,7 +238,8 @@ namespace fuga
     context.released.complete(course.drive.reactions, rates.dislocations);
     rates.forces = course.drive.reactions;
     context.system.subtract_response(rates.dislocations, rates.forces);
-    station.reserves = context.boundary.reserves(station.point.state, station.point.rates);
+    station.reserves =
+      context.boundary.reserves(station.point.state, station.point.rates, course.drive);
     return true;
   }
 } // namespace fuga

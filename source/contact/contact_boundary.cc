@@ -22,6 +22,22 @@ namespace fuga
     /** Shares of d and D p that count for a nonlinear bar, whose jump d + D p may be much smaller
      * than either: their rounding errors, not the size of the jump. */
     constexpr double value_rounding = 1e-2, rate_rounding = 1e-3;
+    /** In space no force tolerance is below this share of the largest: a few times the rounding of
+     * the largest forces. */
+    constexpr double smallest_share = 1e-3;
+
+    /** The smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c > 0. */
+    double
+    descending_root(const double a, const double b, const double c)
+    {
+      const double discriminant = b * b - a * c;
+      if (discriminant < 0.)
+        return no_boundary;
+      const double s = std::sqrt(discriminant);
+      if (b < 0.)
+        return c / (s - b);
+      return a < 0. ? (b + s) / -a : no_boundary;
+    }
   } // namespace
 
   double
@@ -37,6 +53,7 @@ namespace fuga
                                    const LayeredSystem &layered_system)
     : elements(contact_elements)
     , system(layered_system)
+    , has_cones(have_two_tangents(contact_elements))
     , force_tolerances(layered_system.n_bars(), 0.)
   {
   }
@@ -75,6 +92,11 @@ namespace fuga
         force_tolerances[i] =
           std::max(value_rounding * force_tolerances[i],
                    std::min(force_tolerances[i], zero_gap / system.compliance(i)));
+    if (!has_cones)
+      return;
+    const double smallest = smallest_share * max_abs(force_tolerances);
+    for (double &tolerance : force_tolerances)
+      tolerance = std::max(tolerance, smallest);
   }
 
   std::vector<BoundaryElement>
@@ -99,23 +121,96 @@ namespace fuga
     return result;
   }
 
+  double
+  ContactBoundary::strength_tolerance(const std::size_t k, const Strength &strength) const
+  {
+    const ContactElement &element = elements[k];
+    const double shear            = force_tolerances[element.tangential_bar];
+    return (element.has_second_tangential_bar() ?
+              std::max(shear, force_tolerances[element.second_tangential_bar]) :
+              shear) +
+           strength.friction * force_tolerances[element.normal_bar];
+  }
+
   void
   ContactBoundary::place_shear(const JointState &state, BoundaryElement &candidate) const
   {
     const std::size_t k           = candidate.element;
     const ContactElement &element = elements[k];
-    const double T                = state.forces[element.tangential_bar];
+    const bool is_cone            = element.has_second_tangential_bar();
+    const TangentVector T         = tangential(element, state.forces);
+    const double size             = length(T);
     const double strength         = shear_strength(element, state, k);
-    const double tolerance        = force_tolerances[element.tangential_bar] +
-                             state.strengths[k].friction * force_tolerances[element.normal_bar];
-    const bool slipping = is_slipping(state.states[k]);
+    const double tolerance        = strength_tolerance(k, state.strengths[k]);
+    const bool slipping           = is_slipping(state.states[k]);
+    if (is_cone && strength <= tolerance && !state.strengths[k].resists_shear())
+      return;
     if (strength <= tolerance)
-      candidate.shear = ShearPosition::at_apex;
-    else if (slipping || std::abs(T) >= strength - tolerance)
+      {
+        candidate.shear = ShearPosition::at_apex;
+        candidate.grazing |= is_cone && !state.strengths[k].has_bond();
+      }
+    else if (slipping || size >= strength - tolerance)
       {
         candidate.shear = ShearPosition::at_strength;
-        candidate.sign  = slipping ? slip_sign(state.states[k]) : std::copysign(1., T);
+        candidate.sign  = is_cone ? 1. : slipping ? slip_sign(state.states[k]) : std::copysign(1., T[0]);
+        if (is_cone && size > 0.)
+          candidate.direction = {{T[0] / size, T[1] / size}};
       }
+  }
+
+  Reserve
+  ContactBoundary::shear_reserve(const std::size_t k,
+                                 const JointState &state,
+                                 const JointRates &rates,
+                                 const Drive &drive) const
+  {
+    const ContactElement &element = elements[k];
+    const TangentVector T         = tangential(element, state.forces);
+    const TangentVector T_rate    = tangential(element, rates.forces);
+    const double size             = length(T);
+    const double growth           = size > 0. ? dot(T, T_rate) / size : length(T_rate);
+    return {shear_strength(element, state, k) - size,
+            -state.strengths[k].friction * rates.forces[element.normal_bar] +
+              shear_strength_rate(element, drive) - growth,
+            strength_tolerance(k, state.strengths[k])};
+  }
+
+  double
+  ContactBoundary::distance_from_cone(const std::size_t k,
+                                      const JointState &state,
+                                      const JointRates &rates,
+                                      const Drive &drive,
+                                      const RateNoise &noise) const
+  {
+    const ContactElement &element = elements[k];
+    const double f                = state.strengths[k].friction;
+    const double strength         = shear_strength(element, state, k);
+    const double strength_rate =
+      -f * rates.forces[element.normal_bar] + shear_strength_rate(element, drive);
+    const TangentVector T      = tangential(element, state.forces);
+    const TangentVector T_rate = tangential(element, rates.forces);
+    double tolerance           = strength_tolerance(k, state.strengths[k]);
+    if (element.has_second_tangential_bar())
+      {
+        const double size = strength + length(T);
+        const double a    = strength_rate * strength_rate - dot(T_rate, T_rate);
+        const double b    = strength * strength_rate - dot(T, T_rate);
+        if (strength - length(T) > tolerance)
+          return descending_root(a, b, (strength - length(T)) * size);
+        // On the cone. The rate problem has seen to it that the element does not leave it at once.
+        return a < 0. && size > tolerance && b > 0. ? -2. * b / a : no_boundary;
+      }
+    tolerance += rate_tolerance * std::abs(rates.forces[element.normal_bar]);
+    double nearest = no_boundary;
+    for (const double sign : {1., -1.})
+      nearest = std::min(nearest,
+                         used_up_after({strength - sign * T[0],
+                                        strength_rate - sign * T_rate[0],
+                                        tolerance},
+                                       noise.force(element.tangential_bar) +
+                                         f * noise.force(element.normal_bar)));
+    return nearest;
   }
 
   double
@@ -126,8 +221,7 @@ namespace fuga
                                const RateNoise &noise) const
   {
     const ContactElement &element = elements[k];
-    const std::size_t n = element.normal_bar, t = element.tangential_bar;
-    const double force_rate_noise = rate_tolerance * std::abs(rates.forces[n]);
+    const std::size_t n           = element.normal_bar;
     if (state.states[k] == ContactState::open)
       return used_up_after(
         {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap},
@@ -145,20 +239,8 @@ namespace fuga
                        -strength_left.dilatancy * length(slip_rate(element, state, k, rates)),
                        zero_gap},
                       strength_left.dilatancy * noise.jump()));
-    if (state.states[k] == ContactState::stick && element.has_tangential_bar())
-      for (const double sign : {1., -1.})
-        {
-          const double f         = strength_left.friction;
-          const double strength  = shear_strength(element, state, k);
-          const double tolerance = force_tolerances[t] + f * force_tolerances[n] + force_rate_noise;
-          nearest =
-            std::min(nearest,
-                     used_up_after({strength - sign * state.forces[t],
-                                    -f * rates.forces[n] + shear_strength_rate(element, drive) -
-                                      sign * rates.forces[t],
-                                    tolerance},
-                                   noise.force(t) + f * noise.force(n)));
-        }
+    if (state.states[k] == ContactState::stick && carries_shear(element, strength_left))
+      nearest = std::min(nearest, distance_from_cone(k, state, rates, drive, noise));
     return nearest;
   }
 
@@ -172,6 +254,32 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       nearest = std::min(nearest, distance_of(k, state, rates, drive, noise));
     return nearest;
+  }
+
+  std::vector<Reserve>
+  ContactBoundary::reserves(const JointState &state,
+                            const JointRates &rates,
+                            const Drive &drive) const
+  {
+    std::vector<Reserve> result;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        const std::size_t n           = element.normal_bar;
+        if (state.states[k] == ContactState::open)
+          {
+            result.push_back({lip_opening(element, state, k),
+                              lip_opening_rate(element, state, rates),
+                              zero_gap});
+            continue;
+          }
+        result.push_back({tensile_strength(element, state, k) - state.forces[n],
+                          tensile_strength_rate(element, drive) - rates.forces[n],
+                          force_tolerances[n]});
+        if (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k]))
+          result.push_back(shear_reserve(k, state, rates, drive));
+      }
+    return result;
   }
 
   ContactBoundary::RateNoise::RateNoise(const LayeredSystem &layered_system,

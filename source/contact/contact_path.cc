@@ -51,7 +51,7 @@ namespace fuga
   {
     PathCut start;
     start.state  = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
-    start.scheme = scheme_memory();
+    remember_schemes(start);
     return resume(start, levels, observer);
   }
 
@@ -62,7 +62,7 @@ namespace fuga
   {
     const work::Scope phase(work::Phase::path);
     cut = from;
-    restore_scheme(cut.scheme);
+    restore_schemes(cut);
     next_level      = cut.next_level;
     resticking      = cut.resticking;
     iteration_count = cut.iterations;
@@ -75,7 +75,7 @@ namespace fuga
   ContactPath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
   {
     PathCut start    = end;
-    start.scheme     = scheme_memory();
+    remember_schemes(start);
     start.resticking = {};
     start.n_reports  = 0;
     return resume(start, levels, observer);
@@ -92,7 +92,7 @@ namespace fuga
     cut.state      = state;
     cut.result     = result;
     cut.iterations = iteration_count;
-    cut.scheme     = scheme_memory();
+    remember_schemes(cut);
     cut.next_level = next_level;
     cut.resticking = resticking;
   }
@@ -197,6 +197,7 @@ namespace fuga
   ContactEvent
   ContactPath::change_element(const std::size_t k,
                               const ContactState to,
+                              const TangentVector &direction,
                               const double no_force,
                               JointState &state) const
   {
@@ -204,7 +205,7 @@ namespace fuga
     event.t       = state.t;
     event.element = k;
     event.from    = state.states[k];
-    change_state(elements[k], k, to, no_force, state);
+    change_state(elements[k], k, to, direction, no_force, state);
     event.to = state.states[k];
     return event;
   }

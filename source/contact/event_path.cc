@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/curved_segment.h>
+#include <fuga/base/errors.h>
+#include <fuga/contact/cone_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
 #include <fuga/contact/layer_response.h>
@@ -9,16 +11,67 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** Those of open elements, and the tangential ones of elements that carry no shear. */
+    std::vector<std::size_t>
+    bars_without_force(const std::vector<ContactElement> &elements, const JointState &state)
+    {
+      std::vector<std::size_t> bars;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        {
+          const bool open = state.states[k] == ContactState::open;
+          for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
+            if (open || (i > 0 && !carries_shear(elements[k], state.strengths[k])))
+              bars.push_back(elements[k].bar(i));
+        }
+      return bars;
+    }
+  } // namespace
+
   EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
                        const LayeredSystem &layered_system,
                        const LoadHistory &load_history,
                        const PathOptions &path_options)
     : ContactPath(contact_elements, layered_system, load_history)
     , options(path_options)
+    , has_cones(have_two_tangents(elements))
     , boundary(elements, system)
     , scheme(elements, system)
+    , released(system)
     , rate_problem(elements, system, scheme)
   {
+    if (has_cones && options.beyond_limit)
+      throw InputError(
+        "A path beyond the limit load is not available for friction with two directions of slip.");
+  }
+
+  SchemeWork
+  EventPath::work() const
+  {
+    SchemeWork work = scheme.work();
+    if (has_cones)
+      {
+        work.n_factorisations += rate_problem.background().work().n_factorisations;
+        work.n_updates += rate_problem.background().work().n_updates;
+      }
+    return work;
+  }
+
+  void
+  EventPath::remember_schemes(PathCut &of_cut) const
+  {
+    of_cut.scheme = scheme.memory();
+    if (has_cones)
+      of_cut.background = rate_problem.background().memory();
+  }
+
+  void
+  EventPath::restore_schemes(const PathCut &from)
+  {
+    scheme.restore(from.scheme);
+    if (has_cones)
+      rate_problem.background().restore(from.background);
   }
 
   PathResult
@@ -65,9 +118,15 @@ namespace fuga
         const double length = find_end(*segment, course, levels, observer);
         state               = report_piecewise(*segment, course, levels, next_level, observer);
         note_step(*segment, course, length, state, result);
+        if (segment->ends_at_turning_point())
+          {
+            result.verdict = Verdict::no_continuation;
+            find_critical_elements(state, result);
+            return result;
+          }
         if (segment->ends_at_limit())
           {
-            take_limit(state, segment->at(length).rates, result);
+            take_limit(state, segment->motion_at_limit(), result);
             return result;
           }
       }
@@ -85,7 +144,7 @@ namespace fuga
                             PathObserver &observer,
                             PathResult &result)
   {
-    if (options.follow == PathOptions::Follow::events || scheme.is_nonlinear() ||
+    if (options.follow == PathOptions::Follow::events || has_cones || scheme.is_nonlinear() ||
         system.water_in_joints() != nullptr || state.is_unsettled() ||
         history.strength_share_rate(state.t) != 0.)
       return false;
@@ -113,8 +172,46 @@ namespace fuga
   EventPath::make_segment(const Course &course, const PathPoint &start)
   {
     const PathContext context{elements, system, boundary, scheme};
+    if (turns(start))
+      {
+        require_linear_turn(course, start.state);
+        released.release(bars_without_force(elements, start.state));
+        std::vector<TangentVector> directions;
+        for (std::size_t k = 0; k < elements.size(); ++k)
+          directions.push_back(scheme.slip_direction_of(k));
+        return std::make_unique<ConeSegment>(ConeContext{elements, system, boundary, released},
+                                             course,
+                                             start,
+                                             directions,
+                                             iteration_count);
+      }
     if (scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state))
       return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
     return std::make_unique<StraightSegment>(context, course, start);
+  }
+
+  void
+  EventPath::require_linear_turn(const Course &course, const JointState &state) const
+  {
+    bool plain = !scheme.is_nonlinear() && !state.is_unsettled() && course.share_rate == 0.;
+    for (const Strength &strength : state.strengths)
+      plain = plain && !strength.has_bond() && strength.dilatancy == 0.;
+    if (!plain)
+      throw NumericalFailure("Directions of slip turn: not available with these laws.");
+  }
+
+  // The force of an element that slips moves across its slip.
+  bool
+  EventPath::turns(const PathPoint &start) const
+  {
+    constexpr double no_turn = 1e-11; // of the largest force rate
+    const double size        = max_abs(start.rates.forces);
+    for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
+      if (is_slipping(start.state.states[k]) && elements[k].has_second_tangential_bar() &&
+          carries_shear(elements[k], start.state.strengths[k]))
+        if (const TangentVector across = normal_to(scheme.slip_direction_of(k));
+            std::abs(dot(across, tangential(elements[k], start.rates.forces))) > no_turn * size)
+          return true;
+    return false;
   }
 } // namespace fuga

@@ -3,6 +3,8 @@
 
 #include <fuga/contact/event_path.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -89,6 +91,14 @@ namespace fuga
     CriticalFriction &critical = result.critical;
     critical                   = {};
     critical.t                 = state.t;
+    if (has_cones)
+      {
+        result.t = state.t;
+        for (std::size_t k = 0; k < elements.size(); ++k)
+          if (is_slipping(state.states[k]) && carries_shear(elements[k], state.strengths[k]))
+            critical.elements.push_back(k);
+        return;
+      }
     critical.elements          = rate_problem.critical_elements(set);
     critical.all_counted       = RateProblem::can_be_enumerated(set);
     const bool none_alone      = critical.elements.empty();
@@ -118,6 +128,13 @@ namespace fuga
     if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
       {
         find_critical_elements(state, result);
+        if (has_cones)
+          result.tried = fmt::format(
+            "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
+            "conditions, also from a softer layer, from associated friction and with sweeps from "
+            "element to element",
+            continuation.n_schemes,
+            boundary.elements_on_boundary(state).size());
         return;
       }
     take_limit(state, continuation.mechanism, result);
@@ -132,7 +149,11 @@ namespace fuga
           state_in_mechanism(candidate, elements[k], state, result.mechanism_jumps);
         if (to != state.states[k])
           events.push_back(
-            change_element(k, to, boundary.force_tolerance(elements[k].normal_bar), state));
+            change_element(k,
+                           to,
+                           slip_direction(elements[k], to, candidate.direction),
+                           boundary.force_tolerance(elements[k].normal_bar),
+                           state));
       }
     report(events, state, observer, result);
   }

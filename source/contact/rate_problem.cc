@@ -26,7 +26,12 @@ namespace fuga
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
                            const LayeredSystem &layered_system,
                            WorkingScheme &working_scheme)
-    : elements(contact_elements), system(layered_system), scheme(working_scheme)
+    : elements(contact_elements)
+    , system(layered_system)
+    , scheme(working_scheme)
+    , off_boundary(contact_elements, layered_system)
+    , has_cones(have_two_tangents(contact_elements))
+    , cones(contact_elements, layered_system)
   {
   }
 
@@ -48,8 +53,11 @@ namespace fuga
   Continuation
   RateProblem::solve(const JointState &state,
                      const std::vector<BoundaryElement> &set,
-                     const Drive &drive)
+                     const Drive &drive,
+                     const std::vector<std::size_t> &resticking)
   {
+    if (has_cones)
+      return solve_cones(state, set, drive, resticking);
     Continuation result;
     if (switch_states(state, set, drive, Stride::all_at_once, result))
       return result;
@@ -85,6 +93,50 @@ namespace fuga
         take(set, found.front());
         result.exists = true;
         result.rates  = found.front().rates;
+      }
+    return result;
+  }
+
+  Continuation
+  RateProblem::solve_cones(const JointState &state,
+                           const std::vector<BoundaryElement> &set,
+                           const Drive &drive,
+                           const std::vector<std::size_t> &resticking)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        off_boundary.set_strength(k, state.strengths[k]);
+        off_boundary.set_state(k, state.states[k]);
+      }
+    for (const BoundaryElement &candidate : set)
+      off_boundary.set_state(candidate.element, ContactState::stick);
+    off_boundary.linearise(state);
+    const ConeContinuation found = cones.solve(state, set, off_boundary, drive, resticking);
+    Continuation result;
+    result.exists        = found.exists;
+    result.rates         = found.rates;
+    result.n_schemes     = found.n_schemes;
+    result.has_mechanism = found.has_mechanism;
+    result.mechanism     = found.mechanism;
+    if (!found.exists)
+      return result;
+    for (std::size_t i = 0; i < set.size(); ++i)
+      {
+        const ContactElement &element = elements[set[i].element];
+        off_boundary.set_state(set[i].element,
+                               found.states[i] == ContactState::open ? ContactState::open
+                                                                     : ContactState::stick);
+        scheme.set_state(set[i].element, found.states[i], found.directions[i]);
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (found.rates.dislocations[element.bar(a)] != 0.)
+            scheme.note_active(element.bar(a));
+      }
+    // What opens may leave bodies without support.
+    if (!off_boundary.rates(drive))
+      {
+        result.exists        = false;
+        result.has_mechanism = true;
+        result.mechanism     = off_boundary.mechanism();
       }
     return result;
   }
@@ -260,6 +312,8 @@ namespace fuga
   bool
   RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
   {
+    if (has_cones)
+      return false; // nothing is known of others there
     std::vector<WorkingScheme::SlipDirection> slips;
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength)

@@ -123,6 +123,16 @@ namespace fuga
     return x;
   }
 
+  DenseMatrix
+  UpdatedInverse::solve(const DenseMatrix &B) const
+  {
+    DenseMatrix X(n, B.n_columns());
+    if (n > 0 && B.n_columns() > 0)
+      blas::gemm(
+        'N', n, B.n_columns(), n, values.data(), stride, B.data(), n, X.data(), n);
+    return X;
+  }
+
   Vector
   UpdatedInverse::solve_transposed(const Vector &b) const
   {

@@ -222,6 +222,33 @@ namespace fuga
     return solve(rhs, drive.reactions);
   }
 
+  // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
+  std::optional<JointRates>
+  WorkingScheme::rates(const Drive &drive, const Vector &imposed)
+  {
+    if (!bring_up_to_date())
+      return {};
+    const DenseMatrix &W = system.stiffness();
+    Vector rhs(rows.size(), 0.), offset = drive.reactions;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const ContactElement &element = elements[rows[i].element];
+        rhs[i] = row_drive(rows[i], element, states[rows[i].element], drive);
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (position[element.bar(a)] != no_row)
+            rhs[i] -= rows[i].stiffness[a] * imposed[element.bar(a)];
+      }
+    for (std::size_t bar = 0; bar < imposed.size(); ++bar)
+      if (position[bar] == no_row && imposed[bar] != 0.)
+        blas::axpy(offset.size(), -imposed[bar], W.column(bar), offset.data());
+    std::optional<JointRates> result = solve(rhs, offset);
+    if (result)
+      for (std::size_t bar = 0; bar < imposed.size(); ++bar)
+        if (position[bar] == no_row)
+          result->dislocations[bar] += imposed[bar];
+    return result;
+  }
+
   std::optional<JointRates>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
@@ -247,25 +274,11 @@ namespace fuga
   std::optional<JointRates>
   WorkingScheme::response(const std::size_t bar)
   {
-    if (!bring_up_to_date())
-      return {};
-    // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
-    Vector rhs(rows.size(), 0.), offset(system.n_bars(), 0.);
-    if (position[bar] != no_row)
-      {
-        const std::size_t k = element_of_bar[bar];
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          for (std::size_t a = 0; a < elements[k].n_bars() && rows[i].element == k; ++a)
-            if (elements[k].bar(a) == bar)
-              rhs[i] = -rows[i].stiffness[a];
-        return solve(rhs, offset);
-      }
-    for (std::size_t i = 0; i < offset.size(); ++i)
-      offset[i] = -system.stiffness()(i, bar);
-    std::optional<JointRates> result = solve(rhs, offset);
-    if (result)
-      result->dislocations[bar] = 1.;
-    return result;
+    Vector imposed(system.n_bars(), 0.);
+    imposed[bar] = 1.;
+    Drive at_rest;
+    at_rest.reactions.assign(system.n_bars(), 0.);
+    return rates(at_rest, imposed);
   }
 
   Vector

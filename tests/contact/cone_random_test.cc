@@ -250,7 +250,7 @@ namespace fuga::tests
     class Cuts : public PathObserver
     {
     public:
-      const ConePath *path = nullptr;
+      const EventPath *path = nullptr;
       std::vector<PathCut> cuts;
       JointState last;
       std::size_t n_reports = 0;
@@ -309,14 +309,14 @@ namespace fuga::tests
         const LoadHistory history        = roundabout();
         const std::vector<double> levels = {0.5, 1.5, 2., 3.3};
         const LayeredSystem layered(system, joint.elements);
-        ConePath path(joint.elements, layered, history, PathOptions());
+        EventPath path(joint.elements, layered, history, PathOptions());
         Cuts unbroken;
         unbroken.path           = &path;
         const PathResult result = path.run(levels, unbroken);
         ASSERT_EQ(result.verdict, Verdict::done);
         for (std::size_t i = 0; i < unbroken.cuts.size(); i += 53)
           {
-            ConePath rest(joint.elements, layered, history, PathOptions());
+            EventPath rest(joint.elements, layered, history, PathOptions());
             Cuts second;
             second.path                  = &rest;
             const PathResult rest_result = rest.resume(unbroken.cuts[i], levels, second);

@@ -6,7 +6,7 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/contact/cone_path.h>
+#include <fuga/contact/event_path.h>
 
 #include <gtest/gtest.h>
 #include <random>
@@ -48,7 +48,7 @@ namespace fuga::tests
     }
   };
 
-  using ConeRun = PathRun<ConePath>;
+  using ConeRun = PathRun<EventPath>;
 
   /** The same elements at the same loads, but for rounding. */
   void

@@ -247,10 +247,6 @@ TEST(SpatialScenes, WhatDoesNotWorkSaysSo)
   for (const auto &[overrides, message] :
        {std::pair(Overrides{"Dimension=2"}, "'y, z'"),
         {{"Mesh/Thickness=2"}, "nothing across it"},
-        {{"Joints/joint/Friction coefficient=0.5",
-          "Joints/joint/Shear law=rigid",
-          "Safety/Strength reduction=yes"},
-         "the reduction of strength is not available"},
         {{"Loads/top/Value=0; 1"}, "2 expression(s) separated by ';' instead of 3"},
         {{"Boundaries/lower_3/Fixed=free",
           "Boundaries/upper_1/Fixed=free",

@@ -8,7 +8,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/certificate.h>
-#include <fuga/contact/path_choice.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/io/summary.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ namespace fuga::stress
         , layered(model.bodies, joint.elements)
         , sample(1)
         , result(
-            make_contact_path(joint.elements, layered, model.loads.history, model.path_options())
+            std::make_unique<EventPath>(joint.elements, layered, model.loads.history, model.path_options())
               ->run(model.loads.levels, sample))
       {
       }

@@ -7,6 +7,7 @@
 #include "stress/confirm_in_space.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/contact/event_path.h>
 #include <fuga/contact/limit_proof.h>
 #include <fuga/io/summary.h>
 #include <fuga/io/threads.h>
@@ -169,7 +170,7 @@ namespace fuga::stress
         model.bodies, model.parameters.joints, model.parameters.model.constants);
       const LayeredSystem layered(model.bodies, joint.elements);
       const auto path =
-        make_contact_path(joint.elements, layered, model.loads.history, model.path_options());
+        std::make_unique<EventPath>(joint.elements, layered, model.loads.history, model.path_options());
       JudgedSample sample(Judge(model.bodies, joint.elements, model.loads.history));
       std::optional<PathResult> end;
       try

@@ -13,12 +13,14 @@ namespace fuga
    * What happens to an element besides its state when the state changes at a load: lips that meet
    * have gap 0, a bond is lost for good where the lips part, friction and a brittle bond are lost
    * at the first slip. Forces that were carried by what is lost become `unreleased`.
-   * @p no_force: force of the normal bar that counts as zero [MN].
+   * @p direction: that of slip, see slip_direction(). @p no_force: force of the normal bar that
+   * counts as zero [MN].
    */
   void
   change_state(const ContactElement &element,
                const std::size_t k,
                const ContactState to,
+               const TangentVector &direction,
                const double no_force,
                JointState &state);
 

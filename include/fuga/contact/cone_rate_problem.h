@@ -4,9 +4,9 @@
 #ifndef fuga_contact_cone_rate_problem_h
 #define fuga_contact_cone_rate_problem_h
 
-#include <fuga/contact/cone_boundary.h>
+#include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/cone_program.h>
-#include <fuga/contact/released_system.h>
+#include <fuga/contact/working_scheme.h>
 
 #include <optional>
 
@@ -31,9 +31,12 @@ namespace fuga
    * The rate problem for elements with circular friction cones (doc/theory.md, section 17). With v
    * the rates of dislocation and q = r - W v those of the bar forces:
    *
-   *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ -(e·q_t + f q_n) ≥ 0,   v_n = 0
+   *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ ρ̇ - (e·q_t + f q_n) ≥ 0,   v_n = γ tan ψ
    *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
    *                                 v_t = 0, or on it and v_t ∥ q_t
+   *
+   * with ρ̇ the rate of the strength at the present pressure. All other elements keep their rows in
+   * the working scheme.
    *
    * A semismooth Newton method on the states and slip directions. If it goes round in circles it
    * starts again from the solution for a softer layer, from solutions for associated friction, and
@@ -46,14 +49,14 @@ namespace fuga
     ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
     /**
-     * @p released: the firmly open bars; @p reactions: rates Ṙ of the forces without dislocations; @p resticking: elements whose
-     * slip has just come to rest.
+     * In @p background the elements of @p set are stuck, all others have their states. @p
+     * resticking: elements whose slip has just come to rest.
      */
     ConeContinuation
     solve(const JointState &state,
           const std::vector<BoundaryElement> &set,
-          const ReleasedSystem &released,
-          const Vector &reactions,
+          WorkingScheme &background,
+          const Drive &drive,
           const std::vector<std::size_t> &resticking);
 
   private:
@@ -64,7 +67,14 @@ namespace fuga
       /** First of its rows in the reduced system: n, then t1, t2 if it has friction. */
       std::size_t row = 0;
       double friction = 0.;
-      bool at_apex    = false;
+      /** tan ψ */
+      double rise = 0.;
+      /** Rates of the strength at the present pressure, and of the tensile strength. */
+      double strength_rate = 0., tension_rate = 0.;
+      /** On the boundary of no strength: every direction of slip is free, or there is none. */
+      bool at_apex = false;
+      /** It may open. */
+      bool grazing    = false;
       /** Tangential rows: none without friction, one where only one bar is free. */
       std::size_t n_tangents  = 0;
       bool resting            = false;
@@ -115,9 +125,7 @@ namespace fuga
                       const Vector &rates,
                       Candidate &candidate);
     void
-    find_mechanism(const ReleasedSystem &released,
-                   const Vector &reactions,
-                   ConeContinuation &result);
+    find_mechanism(WorkingScheme &background, ConeContinuation &result);
     bool
     is_admissible(const Vector &motion) const;
     bool
@@ -167,9 +175,7 @@ namespace fuga
     double
     shear_noise(const Candidate &candidate) const;
     JointRates
-    full_rates(const ReleasedSystem &released,
-               const Vector &reactions,
-               const Vector &reduced) const;
+    full_rates(WorkingScheme &background, const Drive &drive, const Vector &reduced) const;
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;

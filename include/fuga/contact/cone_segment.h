@@ -4,7 +4,6 @@
 #ifndef fuga_contact_cone_segment_h
 #define fuga_contact_cone_segment_h
 
-#include <fuga/contact/cone_boundary.h>
 #include <fuga/contact/cone_stage.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/path_segment.h>
@@ -19,7 +18,7 @@ namespace fuga
   {
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
-    const ConeBoundary &boundary;
+    const ContactBoundary &boundary;
     const ReleasedSystem &released;
   };
 
@@ -56,13 +55,13 @@ namespace fuga
       return at_limit;
     }
 
-    /** Whether the load has a maximum at the end of the curve, which turns back there: as long as
-     * the load grows, the slips would have to jump. */
     bool
-    ends_at_turning_point() const
+    ends_at_turning_point() const override
     {
       return at_turning_point;
     }
+    JointRates
+    motion_at_limit() override;
     std::vector<std::size_t>
     resticking() const override;
 

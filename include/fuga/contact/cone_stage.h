@@ -5,7 +5,7 @@
 #define fuga_contact_cone_stage_h
 
 #include <fuga/base/accurate.h>
-#include <fuga/contact/cone_boundary.h>
+#include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/released_system.h>
 

@@ -16,7 +16,8 @@ namespace fuga
     inside,
     /** |T| at a strength above zero. */
     at_strength,
-    /** T = 0 and no strength (N = 0, no cohesion): the apex of Coulomb's cone. */
+    /** T = 0 and no strength (N = 0, no cohesion): the apex of Coulomb's cone. With two tangential
+       bars and no strength whatever the pressure the shear is none, and `inside`. */
     at_apex
   };
 
@@ -27,8 +28,10 @@ namespace fuga
     /** N = 0 and gap = 0: the element may open, or stay closed. */
     bool grazing        = false;
     ShearPosition shear = ShearPosition::inside;
-    /** Sign of T if at_strength. */
+    /** Sign of T if at_strength; of no meaning with two tangential bars. */
     double sign = 0.;
+    /** With two tangential bars, that of T if at_strength. */
+    TangentVector direction = {{1., 0.}};
   };
 
   /** Something that must stay positive, and its rate along the path. */
@@ -51,8 +54,9 @@ namespace fuga
 
   /**
    * Answers where a state stands with respect to the boundaries of Coulomb's contact conditions:
-   * which elements are on one, and how far along given rates the next one is reached. Tolerances
-   * are relative to the rounding errors of the forces and jumps concerned.
+   * which elements are on one, and how far along given rates the next one is reached. With two
+   * tangential bars the cone is circular. Tolerances are relative to the rounding errors of the
+   * forces and jumps concerned.
    */
   class ContactBoundary
   {
@@ -68,11 +72,19 @@ namespace fuga
     elements_on_boundary(const JointState &state) const;
 
     /**
-     * Length τ along the straight line state + τ rates after which the first boundary is reached;
-     * infinity if none is.
+     * Length τ along the straight line state + τ rates after which the first boundary is reached,
+     * for a stuck element with two tangential bars the smallest root of |T + τ Ṫ|² = (r + τ ṙ)², r
+     * its strength; infinity if none is.
      */
     double
     distance(const JointState &state, const JointRates &rates, const Drive &drive) const;
+
+    /**
+     * The reserves of all elements at a point: gap of open elements, tension and strength left of
+     * closed ones; always in the same order for the same states.
+     */
+    std::vector<Reserve>
+    reserves(const JointState &state, const JointRates &rates, const Drive &drive) const;
 
     /** Force below which a bar counts as unloaded [MN]. */
     double
@@ -86,6 +98,10 @@ namespace fuga
     {
       return force_tolerances;
     }
+
+    /** Force below which the shear strength of an element, or its distance from it, is zero [MN]. */
+    double
+    strength_tolerance(const std::size_t element, const Strength &strength) const;
 
     /** Gap that counts as closed [m]. */
     double
@@ -122,6 +138,17 @@ namespace fuga
   private:
     void
     place_shear(const JointState &state, BoundaryElement &candidate) const;
+    Reserve
+    shear_reserve(const std::size_t k,
+                  const JointState &state,
+                  const JointRates &rates,
+                  const Drive &drive) const;
+    double
+    distance_from_cone(const std::size_t k,
+                       const JointState &state,
+                       const JointRates &rates,
+                       const Drive &drive,
+                       const RateNoise &noise) const;
     double
     distance_of(const std::size_t k,
                 const JointState &state,
@@ -131,6 +158,7 @@ namespace fuga
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
+    const bool has_cones;
     Vector force_tolerances;
     double zero_gap = 0.;
   };

@@ -8,7 +8,9 @@
 #include <fuga/laws/friction_law.h>
 #include <fuga/laws/shear_coupling.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace fuga
 {
@@ -83,6 +85,25 @@ namespace fuga
         action(second_tangential_bar, *shear_law);
     }
   };
+  /** Whether any element has two tangential bars: friction with a circular cone. */
+  inline bool
+  have_two_tangents(const std::vector<ContactElement> &elements)
+  {
+    return std::any_of(elements.begin(), elements.end(), [](const ContactElement &element) {
+      return element.has_second_tangential_bar();
+    });
+  }
+
+  /**
+   * Whether the shear of an element can be anything but zero with what is left of its strength. It
+   * is asked with two tangential bars only: along one, an element without strength slips.
+   */
+  inline bool
+  carries_shear(const ContactElement &element, const Strength &strength)
+  {
+    return element.has_tangential_bar() &&
+           (!element.has_second_tangential_bar() || strength.resists_shear());
+  }
 } // namespace fuga
 
 #endif

@@ -12,9 +12,8 @@
 namespace fuga
 {
   /**
-   * The step-by-step analysis of the contact along a load history, from event to event: what the
-   * paths have in common but the decisions. EventPath for friction along one tangent, ConePath for
-   * circular cones in three dimensions.
+   * The step-by-step analysis of the contact along a load history, from event to event: what
+   * EventPath, which knows S as a matrix, and MatrixFreePath have in common.
    */
   class ContactPath
   {
@@ -60,7 +59,7 @@ namespace fuga
     }
 
     /** Work on the matrices of the working schemes so far. */
-    virtual const SchemeWork &
+    virtual SchemeWork
     work() const = 0;
 
   protected:
@@ -77,15 +76,14 @@ namespace fuga
     virtual PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) = 0;
 
-    /** What the working scheme has to remember in a cut. */
-    virtual SchemeMemory
-    scheme_memory() const
+    /** What the working schemes have to remember in a cut. */
+    virtual void
+    remember_schemes(PathCut & /*of_cut*/) const
     {
-      return {};
     }
 
     virtual void
-    restore_scheme(const SchemeMemory & /*memory*/)
+    restore_schemes(const PathCut & /*from*/)
     {
     }
 
@@ -129,6 +127,7 @@ namespace fuga
     ContactEvent
     change_element(const std::size_t k,
                    const ContactState to,
+                   const TangentVector &direction,
                    const double no_force,
                    JointState &state) const;
 

@@ -6,6 +6,7 @@
 
 #include <fuga/contact/contact_path.h>
 #include <fuga/contact/rate_problem.h>
+#include <fuga/contact/released_system.h>
 
 #include <memory>
 
@@ -13,35 +14,29 @@ namespace fuga
 {
   /**
    * The paper's step-by-step analysis: find the load of the next event on the contact, advance to
-   * it exactly, change the working scheme, go on. Knows bars, laws and loads, and no mesh.
+   * it exactly, change the working scheme, go on. Knows bars, laws and loads, and no mesh. Elements
+   * have one tangential bar, in the plane, or two, with Coulomb's circular cone (doc/theory.md,
+   * section 17), or none.
    */
   class EventPath : public ContactPath
   {
   public:
+    /** @throws InputError if an option is not available with two tangential bars. */
     EventPath(const std::vector<ContactElement> &elements,
               const LayeredSystem &system,
               const LoadHistory &history,
               const PathOptions &options);
 
-    const SchemeWork &
-    work() const override
-    {
-      return scheme.work();
-    }
+    SchemeWork
+    work() const override;
 
   private:
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
-    SchemeMemory
-    scheme_memory() const override
-    {
-      return scheme.memory();
-    }
     void
-    restore_scheme(const SchemeMemory &memory) override
-    {
-      scheme.restore(memory);
-    }
+    remember_schemes(PathCut &of_cut) const override;
+    void
+    restore_schemes(const PathCut &from) override;
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,
@@ -80,6 +75,10 @@ namespace fuga
                 const double first_t,
                 const double last_t,
                 const double left);
+    bool
+    turns(const PathPoint &start) const;
+    void
+    require_linear_turn(const Course &course, const JointState &state) const;
     void
     find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>
@@ -91,8 +90,10 @@ namespace fuga
                      PathResult &result);
 
     const PathOptions options;
+    const bool has_cones;
     ContactBoundary boundary;
     WorkingScheme scheme;
+    ReleasedSystem released;
     RateProblem rate_problem;
   };
 } // namespace fuga

@@ -33,7 +33,7 @@ namespace fuga
                    const TangentSolver &solver,
                    const LoadHistory &history);
 
-    const SchemeWork &
+    SchemeWork
     work() const override
     {
       return scheme_work;

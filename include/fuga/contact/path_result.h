@@ -157,6 +157,8 @@ namespace fuga
     PathResult result;
     IterationCount iterations;
     SchemeMemory scheme;
+    /** Of the elements off their boundaries, where some have two tangential bars. */
+    SchemeMemory background;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
@@ -168,11 +170,12 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[state, result, iterations, scheme, next_level, resticking, n_reports] = cut;
+    auto &[state, result, iterations, scheme, background, next_level, resticking, n_reports] = cut;
     visit("state", state);
     visit("result", result);
     visit("iterations", iterations);
     visit("scheme", scheme);
+    visit("background", background);
     visit("next_level", next_level);
     visit("resticking", resticking);
     visit("n_reports", n_reports);

@@ -75,6 +75,21 @@ namespace fuga
       return false;
     }
 
+    /** The motion without resistance there. */
+    virtual JointRates
+    motion_at_limit()
+    {
+      return at(stations().back()).rates;
+    }
+
+    /** Whether the load has a maximum at the end of a curve, which turns back there: as long as
+     * the load grows, the slips would have to jump. */
+    virtual bool
+    ends_at_turning_point() const
+    {
+      return false;
+    }
+
     /** Slipping elements whose slip comes to rest at the end; the rates alone cannot tell (they
      * vanish). */
     virtual std::vector<std::size_t>

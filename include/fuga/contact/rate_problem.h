@@ -4,6 +4,7 @@
 #ifndef fuga_contact_rate_problem_h
 #define fuga_contact_rate_problem_h
 
+#include <fuga/contact/cone_rate_problem.h>
 #include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/working_scheme.h>
 
@@ -81,7 +82,8 @@ namespace fuga
    *     at the strength, σ = sign T:   0 ≤ σ ṡ  ⟂  (f|N|)˙ - σ Ṫ ≥ 0,
    *     N = 0 and gap = 0:             0 ≤ ġ   ⟂  -Ṅ ≥ 0,  with the same in both directions
    *
-   * (doc/theory.md, section 4). All other elements keep their state.
+   * (doc/theory.md, section 4). All other elements keep their state. Where elements have two
+   * tangential bars, ConeRateProblem decides.
    */
   class RateProblem
   {
@@ -90,9 +92,28 @@ namespace fuga
                 const LayeredSystem &system,
                 WorkingScheme &scheme);
 
-    /** Finds a continuation from @p state under @p drive; the states of the scheme are the first guess. */
+    /** With two tangential bars: the scheme in which all elements of the boundary set are stuck. */
+    WorkingScheme &
+    background()
+    {
+      return off_boundary;
+    }
+
+    const WorkingScheme &
+    background() const
+    {
+      return off_boundary;
+    }
+
+    /**
+     * Finds a continuation from @p state under @p drive; the states of the scheme are the first
+     * guess. @p resticking: elements whose slip has just come to rest.
+     */
     Continuation
-    solve(const JointState &state, const std::vector<BoundaryElement> &set, const Drive &drive);
+    solve(const JointState &state,
+          const std::vector<BoundaryElement> &set,
+          const Drive &drive,
+          const std::vector<std::size_t> &resticking = {});
 
     /**
      * Elements of @p set that give reason to look for further continuations: the determinant of the
@@ -166,6 +187,12 @@ namespace fuga
                const Drive &drive,
                const JointRates &rates) const;
 
+    Continuation
+    solve_cones(const JointState &state,
+                const std::vector<BoundaryElement> &set,
+                const Drive &drive,
+                const std::vector<std::size_t> &resticking);
+
     ContactState
     state_on_closing(const JointState &state,
                      const BoundaryElement &candidate,
@@ -231,6 +258,9 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     WorkingScheme &scheme;
+    WorkingScheme off_boundary;
+    const bool has_cones;
+    ConeRateProblem cones;
   };
 
   /** The states an element on a boundary can take. */

@@ -77,6 +77,10 @@ namespace fuga
     Vector
     solve(const Vector &b) const;
 
+    /** The same for all columns of B. */
+    DenseMatrix
+    solve(const DenseMatrix &B) const;
+
     /** x = M⁻ᵀ b. */
     Vector
     solve_transposed(const Vector &b) const;

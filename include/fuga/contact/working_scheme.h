@@ -153,6 +153,25 @@ namespace fuga
     std::optional<JointRates>
     rates(const Drive &drive);
 
+    /** The rates under @p drive and imposed (additional) rates of dislocation of all bars. */
+    std::optional<JointRates>
+    rates(const Drive &drive, const Vector &imposed);
+
+    /**
+     * The stiffness of the scheme against dislocations imposed in some bars: entry (i, j) is what
+     * bar i loses of its force per unit of bar j [MN/m]. Empty if the scheme is a mechanism.
+     */
+    std::optional<DenseMatrix>
+    stiffness_against(const std::vector<std::size_t> &bars);
+
+    /** Counts a bar as active that is so beside the scheme. */
+    void
+    note_active(const std::size_t bar)
+    {
+      its_work.n_bars_ever_active += ever_active[bar] ? 0 : 1;
+      ever_active[bar] = true;
+    }
+
     /** The rates that a unit rate of imposed (additional) dislocation in one bar causes. */
     std::optional<JointRates>
     response(const std::size_t bar);
@@ -270,6 +289,9 @@ namespace fuga
     rebuild();
     void
     note_position(const std::size_t row);
+    /** What an imposed unit dislocation in a bar does to the equation of a row, as an unknown would. */
+    double
+    imposed_entry(const SchemeRow &row, const std::size_t bar) const;
     std::optional<JointRates>
     solve(const Vector &rhs, Vector force_offset);
     template <typename Number>
