@@ -102,7 +102,7 @@ namespace fuga
   Judge::judge_mechanism(const JointState &state, const Vector &motion) const
   {
     MechanismCertificate result;
-    const double largest = max_abs(motion);
+    const double largest = largest_of_elements(motion);
     if (largest == 0.)
       return result;
     const Vector x       = coordinates(motion);

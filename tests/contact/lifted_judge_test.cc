@@ -185,12 +185,12 @@ namespace
     std::mt19937 random{1};
   };
 
-  class LiftedJudge : public testing::TestWithParam<SceneCase>
+  class LiftedScenes : public testing::TestWithParam<SceneCase>
   {
   };
 } // namespace
 
-TEST_P(LiftedJudge, SaysInSpaceWhatItSaysInThePlane)
+TEST_P(LiftedScenes, SaysInSpaceWhatItSaysInThePlane)
 {
   std::size_t n_events = 0;
   for (const unsigned int seed : {1, 2, 3})
@@ -210,4 +210,65 @@ TEST_P(LiftedJudge, SaysInSpaceWhatItSaysInThePlane)
   EXPECT_GT(n_events, 10u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, LiftedJudge, testing::ValuesIn(scene_cases()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Laws, LiftedScenes, testing::ValuesIn(scene_cases()), name_of_case);
+
+// A block that is pushed off, or loses its strength, under loads that stay: what the judge says of
+// its motion and of wrong ones, and the motion that it finds itself.
+TEST(LiftedJudge, JudgesMechanismsAsInThePlane)
+{
+  for (const bool reduction : {false, true})
+    for (const double cohesion : {0., 0.05})
+      {
+        FrictionLaw law;
+        law.coefficient = 0.3;
+        law.cohesion    = cohesion;
+        law.reduced     = reduction;
+        const ToyJoint joint =
+          rigid_block_joint(4, 1., make_linear_law(1.), make_linear_law(1.), law);
+        const ToySystem block = rigid_block(4, 1.);
+        const double push     = reduction ? 0.2 : 1.;
+        const LoadHistory history(
+          {0., 1., 2., 3.},
+          {{0., 0., 0.}, {0., -1., -0.05}, {push, -1., -0.05}, {push, -1., -0.05}},
+          {1., 1., 1., reduction ? 0.1 : 1.});
+        const LayeredSystem layered(block, joint.elements);
+        Record record(block, joint.elements, history);
+        EventPath path(joint.elements, layered, history, {});
+        const PathResult result = path.run({}, record);
+        ASSERT_EQ(result.verdict, Verdict::limit_load);
+        const LiftedProblem lifted(block, joint.elements);
+        Judge space(lifted.system, lifted.elements, history);
+        const JointState state = record.last, state_in_space = LiftedProblem::lift(state);
+        space.judge(state_in_space);
+
+        for (int wrong = 0; wrong < 4; ++wrong)
+          {
+            // Backwards; rising or turning besides.
+            Vector motion = result.mechanism_jumps;
+            for (std::size_t bar = 0; bar < motion.size(); ++bar)
+              motion[bar] += wrong == 0   ? 0.
+                             : wrong == 1 ? -2. * motion[bar]
+                                          : 0.1 * block.B(bar, wrong - 1);
+            const MechanismCertificate a = record.judge.judge_mechanism(state, motion),
+                                       b = space.judge_mechanism(state_in_space,
+                                                                 LiftedProblem::lift(motion));
+            EXPECT_EQ(a.proves(), wrong == 0);
+            expect_same(b.inadmissible, a.inadmissible, "inadmissible");
+            expect_same(b.balance, a.balance, "balance");
+            expect_same(b.drive, a.drive, "drive");
+          }
+        for (const Judge::Motions motions :
+             {Judge::Motions::possible, Judge::Motions::resisted_by_none})
+          {
+            const std::optional<Vector> a = record.judge.driven_motion(state, motions),
+                                        b = space.driven_motion(state_in_space, motions);
+            ASSERT_TRUE(a && b);
+            const Vector expected = LiftedProblem::lift(*a);
+            double largest        = 0.;
+            for (const double jump : expected)
+              largest = std::max(largest, std::abs(jump));
+            for (std::size_t bar = 0; bar < expected.size(); ++bar)
+              EXPECT_NEAR((*b)[bar], expected[bar] / largest, 1e-9);
+          }
+      }
+}
