@@ -1,238 +1,253 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-
-#include <deal.II/lac/vector.h>
-
-#include <fmt/format.h>
-#include <fuga/base/errors.h>
-#include <fuga/bodies/boundary_conditions.h>
 #include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/contact_bars.h>
 #include <fuga/bodies/elastic_bodies.h>
-#include <fuga/bodies/iterative_solver.h>
-#include <fuga/bodies/joint_corners.h>
+#include <fuga/bodies/imposed_gap.h>
 #include <fuga/bodies/joint_water_model.h>
-#include <fuga/bodies/processes.h>
 #include <fuga/bodies/rigid_pieces.h>
+#include <fuga/bodies/uplift_assembly.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fuga
 {
+  double
+  LinearResponse::value(const Vector &x, const Vector &a) const
+  {
+    return dot(coordinates, x) + dot(patterns, a);
+  }
+
+
   template <int dim>
   CondensedSystem<dim>::CondensedSystem(const JointedMesh &jointed,
                                         const ModelDefinition &model_definition,
                                         const std::vector<bool> &frictionless,
                                         const Condensation condensation,
                                         const unsigned int stage)
-    : mesh(jointed), model(model_definition)
+    : BodyModel<dim>(jointed, model_definition, frictionless, stage), condensed(*this)
   {
-    check_names(mesh, model);
-    space = std::make_unique<Discretization<dim>>(mesh, model, stage);
-    check_outer_faces(*space);
-    timer.finish("mesh and degrees of freedom");
-    find_coordinates(frictionless);
-    timer.finish("joints and supports");
-    list_joint_faces();
     if (condensation == Condensation::at_once)
-      condense();
+      condensed.factorise();
   }
 
-  template <int dim>
-  void
-  CondensedSystem<dim>::condense()
-  {
-    const Vector lips = factorise();
-    find_rigid_motions();
-    if (!matrix_free_solver)
-      remove_rounding(lips);
-    timer.finish("rigid motions");
-  }
 
   template <int dim>
   CondensedSystem<dim>::~CondensedSystem() = default;
 
-  template <int dim>
-  void
-  CondensedSystem<dim>::find_coordinates(const std::vector<bool> &frictionless)
-  {
-    fixed    = find_fixed_dofs(*space, mesh, model);
-    pieces   = std::make_unique<RigidPieces<dim>>(*space, mesh, fixed);
-    geometry = std::make_unique<JointGeometry<dim>>(*space, mesh);
-    bars     = std::make_unique<ContactBars<dim>>(*geometry, mesh, fixed, frictionless);
-    if (std::find(frictionless.begin(), frictionless.end(), true) != frictionless.end() &&
-        !pieces->are_held_by(*bars))
-      {
-        lines.push_back("the normal bars alone do not hold the structure: frictionless joints keep "
-                        "their tangential bars");
-        bars = std::make_unique<ContactBars<dim>>(
-          *geometry, mesh, fixed, std::vector<bool>(mesh.joints.size(), false));
-      }
-    pieces->require_held_by(*bars);
-    if (space->is_axisymmetric())
-      lines.push_back("axisymmetric: areas and forces of the full circle; the axis is held in x");
-    for (const auto &more : {corner_report(geometry->pairs(), mesh), bars->report()})
-      lines.insert(lines.end(), more.begin(), more.end());
-    bodies = std::make_unique<ElasticBodies<dim>>(*space, mesh, model);
-    coordinates =
-      std::make_unique<InterfaceCoordinates<dim>>(*space, *bars, fixed, bodies->node_moduli());
-  }
 
   template <int dim>
-  Vector
-  CondensedSystem<dim>::factorise()
+  unsigned int
+  CondensedSystem<dim>::n_coordinates() const
   {
-    SymmetricTriplets matrix = bodies->assemble(*coordinates);
-    report_sizes(matrix);
-    timer.finish("assembly");
-    const Vector lips = lip_stiffness(matrix);
-    choose_solver(matrix);
-    if (matrix_free_solver)
-      matrix_free_solver->prepare(matrix, coordinates->n_interface());
-    else
-      S = solver->eliminate(matrix, coordinates->n_interface());
-    timer.finish("factorisation");
-    return lips;
+    return this->interface_coordinates().n_interface();
   }
 
-  template <int dim>
-  void
-  CondensedSystem<dim>::report_sizes(const SymmetricTriplets &matrix)
-  {
-    lines.push_back(fmt::format("{} unknowns, {} of them interface coordinates; {} matrix entries",
-                                coordinates->size(),
-                                coordinates->n_interface(),
-                                fmt::join(processes::from_all(matrix.values.size()), " + ")));
-    if (processes::number() > 1)
-      lines.push_back(fmt::format(
-        "{} processes: {} cells, divided by {}",
-        processes::number(),
-        fmt::join(processes::from_all(space->n_own_cells()), " + "),
-        space->is_divided_by_p4est() ? "p4est" : "METIS; every process keeps the whole mesh"));
-  }
-
-  // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
-  template <int dim>
-  Vector
-  CondensedSystem<dim>::lip_stiffness(const SymmetricTriplets &matrix) const
-  {
-    const unsigned int first = coordinates->first_interface_coordinate();
-    Vector result(coordinates->n_interface(), 0.);
-    for (std::size_t k = 0; k < matrix.values.size(); ++k)
-      if (matrix.rows[k] == matrix.columns[k] && matrix.rows[k] > static_cast<int>(first))
-        result[static_cast<std::size_t>(matrix.rows[k] - 1) - first] += matrix.values[k];
-    processes::sum(result);
-    return result;
-  }
-
-  // A jump that the bodies follow without deformation meets no resistance; what elimination leaves
-  // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
-  template <int dim>
-  void
-  CondensedSystem<dim>::remove_rounding(const Vector &lips)
-  {
-    const double rounding = 64. * std::numeric_limits<double>::epsilon();
-    for (std::size_t i = 0; i < lips.size(); ++i)
-      if (std::abs(S(i, i)) <= rounding * lips[i])
-        for (std::size_t j = 0; j < lips.size(); ++j)
-          S(i, j) = S(j, i) = 0.;
-  }
-
-  template <int dim>
-  void
-  CondensedSystem<dim>::find_rigid_motions()
-  {
-    motions = DenseMatrix(bars->bars().size(), pieces->n_free_motions());
-    for (std::size_t k = 0; k < motions.n_columns(); ++k)
-      {
-        const Vector jump = bars->jumps(pieces->free_motion(k));
-        std::copy(jump.begin(), jump.end(), motions.column(k));
-      }
-    motion_coordinates = motions;
-    if (const DenseMatrix &B = jump_operator(); !B.empty() && motions.n_columns() > 0)
-      {
-        // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
-        DenseMatrix gram   = multiply_transposed(B, B);
-        motion_coordinates = multiply_transposed(B, motions);
-        if (!solve_positive_definite(gram, motion_coordinates))
-          throw NumericalFailure(
-            "The jumps of the joints do not determine the motion of the bodies.");
-      }
-    projection = std::make_unique<RigidProjection>(motion_coordinates);
-    if (!matrix_free_solver)
-      projection->project_stiffness(S);
-  }
-
-  template <int dim>
-  void
-  CondensedSystem<dim>::list_joint_faces()
-  {
-    for (const auto &face : geometry->faces())
-      {
-        JointFace result;
-        result.joint     = face.joint;
-        result.area      = face.area;
-        result.cell      = face.boundary.cell;
-        result.number    = face.boundary.number;
-        result.backwards = face.backwards;
-        for (const unsigned int pair : face.pairs)
-          {
-            result.shares.push_back(bars->shares_of_pair(pair));
-            result.positions.emplace_back();
-            for (unsigned int c = 0; c < dim; ++c)
-              result.positions.back()[c] = geometry->pairs()[pair].position[c];
-          }
-        faces.push_back(std::move(result));
-      }
-  }
 
   template <int dim>
   const DenseMatrix &
   CondensedSystem<dim>::jump_operator() const
   {
-    return coordinates->jump_operator();
+    return this->interface_coordinates().jump_operator();
   }
 
-  template <int dim>
-  const std::vector<ContactElement> &
-  CondensedSystem<dim>::elements() const
-  {
-    return bars->elements();
-  }
 
   template <int dim>
-  std::array<double, 3>
-  CondensedSystem<dim>::normal(const std::size_t element) const
+  const WaterInJoints *
+  CondensedSystem<dim>::water_in_joints() const
   {
-    std::array<double, 3> result{};
-    for (unsigned int c = 0; c < dim; ++c)
-      result[c] = bars->pair_of_element(element).normal[c];
-    return result;
+    return water.get();
   }
 
+
   template <int dim>
-  std::array<std::array<double, 3>, 2>
-  CondensedSystem<dim>::tangents(const std::size_t element) const
+  void
+  CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
   {
-    std::array<std::array<double, 3>, 2> result{};
-    for (unsigned int k = 0; k + 1 < dim; ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[k][c] = bars->tangents_of_element(element)[k][c];
-    return result;
+    this->check_load_patterns(new_patterns);
+    this->phases().restart();
+    if (!condensed.is_factorised())
+      condensed.factorise();
+    patterns = std::move(new_patterns);
+    for (LoadPattern &pattern : patterns)
+      if (!pattern.prescribed.empty())
+        this->interface_coordinates().extend_prescribed(pattern.prescribed);
+    motion_loads = DenseMatrix(this->rigid_pieces().n_free_motions(), patterns.size());
+    for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)
+      {
+        const Vector motion = this->rigid_pieces().free_motion(k);
+        for (std::size_t j = 0; j < patterns.size(); ++j)
+          motion_loads(k, j) = dot(motion, patterns[j].forces);
+      }
+    F               = condensed.condense(patterns, motion_loads);
+    water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
+    water.reset();
+    if (JointWaterModel<dim>::is_needed(patterns))
+      water = std::make_unique<JointWaterModel<dim>>(this->uplift_assemblies(),
+                                                     patterns,
+                                                     this->definition(),
+                                                     this->discretization(),
+                                                     this->contact_bars());
+    E = imposed_jumps_of(patterns, this->contact_bars().bars().size());
+    this->phases().finish("condensation of loads");
   }
+
+
+  template <int dim>
+  void
+  CondensedSystem<dim>::set_carried_load(const std::size_t number, const Vector &jumps)
+  {
+    carried.assign(F.column(number), F.column(number) + F.n_rows());
+    if (E.empty())
+      E = DenseMatrix(this->contact_bars().bars().size(), patterns.size());
+    std::copy(jumps.begin(), jumps.end(), E.column(number));
+  }
+
+
+  template <int dim>
+  double
+  CondensedSystem<dim>::stress_free_value(const Vector &force, const unsigned int stage) const
+  {
+    for (const StressFreeShape &shape : shapes)
+      if (shape.stage == stage)
+        {
+          dealii::Vector<double> u(this->discretization().n_dofs_of_all_bodies());
+          for (std::size_t i = 0; i < shape.dofs.size(); ++i)
+            u[static_cast<unsigned int>(shape.dofs[i])] = shape.displacements[i];
+          return dot(force, this->discretization().by_nodes(u));
+        }
+    return 0.;
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::combination(const Vector &a, const Vector LoadPattern::*part) const
+  {
+    Vector sum;
+    for (std::size_t j = 0; j < patterns.size(); ++j)
+      if (const Vector &column = patterns[j].*part; a[j] != 0. && !column.empty())
+        {
+          sum.resize(column.size(), 0.);
+          for (std::size_t i = 0; i < column.size(); ++i)
+            sum[i] += a[j] * column[i];
+        }
+    return sum;
+  }
+
 
   template <int dim>
   dealii::Vector<double>
-  CondensedSystem<dim>::by_degrees_of_freedom(const Vector &u) const
+  CondensedSystem<dim>::recover(const Vector &a, const Vector &x) const
   {
-    dealii::Vector<double> result(space->n_dofs_of_all_bodies());
-    for (std::size_t node = 0; node < space->n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[space->dof(node, c)] = u[node * dim + c];
+    this->phases().restart();
+    const Vector prescribed = combination(a, &LoadPattern::prescribed);
+    Vector loads            = combination(a, &LoadPattern::forces);
+    loads.resize(this->discretization().n_dofs(), 0.);
+    Vector y(this->interface_coordinates().size(), 0.);
+    std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
+    Vector u = this->interface_coordinates().distribute(y.data(), prescribed);
+    condensed.add_bonded_response(loads, u);
+    ++n_recovered_fields;
+    this->phases().finish("recovery of displacements");
+    return this->by_degrees_of_freedom(u);
+  }
+
+
+  template <int dim>
+  dealii::Vector<double>
+  CondensedSystem<dim>::bonded_field(const Vector &forces, const Vector &x) const
+  {
+    Vector y(this->interface_coordinates().size(), 0.), loads = forces;
+    std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
+    loads.resize(this->discretization().n_dofs(), 0.);
+    Vector u = this->interface_coordinates().distribute(y.data(), {});
+    condensed.add_bonded_response(loads, u);
+    return this->by_degrees_of_freedom(u);
+  }
+
+
+  // With w the bonded response to the force q and g the prescribed displacements of a pattern,
+  // Maxwell's theorem gives q·u = w·P + (q - K w)·g of the bonded structure; what the interface
+  // coordinates add is the work of the condensed force on them.
+  template <int dim>
+  LinearResponse
+  CondensedSystem<dim>::response(const Vector &force) const
+  {
+    this->phases().restart();
+    Vector w(this->discretization().n_dofs(), 0.);
+    condensed.add_bonded_response(force, w);
+    const Vector Kw = this->elastic_bodies().forces(w);
+
+    LinearResponse result;
+    for (const LoadPattern &pattern : patterns)
+      {
+        result.patterns.push_back(dot(w, pattern.forces));
+        if (pattern.prescribed.empty())
+          continue;
+        const Vector g = this->interface_coordinates().distribute(
+          Vector(this->interface_coordinates().size(), 0.).data(), pattern.prescribed);
+        result.patterns.back() += dot(force, g) - dot(Kw, g);
+      }
+    if (this->interface_coordinates().n_interface() > 0)
+      {
+        const Vector residual = this->out_of_balance(force, w);
+        DenseMatrix column(residual.size(), 1), work(this->rigid_pieces().n_free_motions(), 1);
+        std::copy(residual.begin(), residual.end(), column.data());
+        for (std::size_t k = 0; k < work.n_rows(); ++k)
+          work(k, 0) = dot(this->rigid_pieces().free_motion(k), force);
+        const DenseMatrix forces = condensed.condense(column, work);
+        result.coordinates.assign(forces.data(), forces.data() + forces.n_rows());
+      }
+    this->phases().finish("monitors");
     return result;
   }
+
+
+  template <int dim>
+  typename CondensedSystem<dim>::RigidPart
+  CondensedSystem<dim>::rigid_part(const Vector &x) const
+  {
+    RigidPart result;
+    result.remainder = x;
+    if (rigid_coordinates().empty())
+      return result;
+    const Vector amounts = condensed.motion_of(x);
+    Vector u(this->discretization().n_dofs(), 0.);
+    for (std::size_t k = 0; k < amounts.size(); ++k)
+      {
+        const Vector motion = this->rigid_pieces().free_motion(k);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          u[i] += amounts[k] * motion[i];
+        for (std::size_t i = 0; i < x.size(); ++i)
+          result.remainder[i] -= amounts[k] * rigid_coordinates()(i, k);
+      }
+    result.motion = this->by_degrees_of_freedom(u);
+    return result;
+  }
+
+
+  template <int dim>
+  EquilibriumError
+  CondensedSystem<dim>::equilibrium_error(const dealii::Vector<double> &u,
+                                          const Vector &p,
+                                          const Vector &a,
+                                          const dealii::Vector<double> &motion) const
+  {
+    return this->equilibrium_error_under(combination(a, &LoadPattern::forces), u, p, motion);
+  }
+
+
+  template <int dim>
+  BodiesWork
+  CondensedSystem<dim>::work() const
+  {
+    BodiesWork work         = condensed.work();
+    work.n_recovered_fields = n_recovered_fields;
+    return work;
+  }
+
 
   template class CondensedSystem<2>;
   template class CondensedSystem<3>;

@@ -10,7 +10,6 @@
 #include <fuga/bodies/processes.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace fuga
 {
@@ -22,19 +21,6 @@ namespace fuga
       unsigned int dof, master;
       double weight;
     };
-
-    bool
-    operator<(const Term &a, const Term &b)
-    {
-      return std::tie(a.dof, a.master) < std::tie(b.dof, b.master);
-    }
-
-    bool
-    are_the_same(const Term &a, const Term &b)
-    {
-      return a.dof == b.dof && a.master == b.master;
-    }
-
 
     /** In the first direction. A process knows what hangs on its cells and their neighbours;
      * whether the masters hang themselves is known when all are together. */
@@ -53,10 +39,7 @@ namespace fuga
         if (node_of_dof[line.index] < n_nodes)
           for (const auto &[master, weight] : line.entries)
             terms.push_back({line.index, master, weight});
-      terms = processes::gather(std::move(terms));
-      std::sort(terms.begin(), terms.end());
-      terms.erase(std::unique(terms.begin(), terms.end(), are_the_same), terms.end());
-      return terms;
+      return processes::gather(std::move(terms));
     }
   } // namespace
 
@@ -66,7 +49,7 @@ namespace fuga
                                   const std::vector<unsigned int> &node_of_dof,
                                   const unsigned int n_nodes)
   {
-    dealii::AffineConstraints<double> constraints;
+    dealii::AffineConstraints<double> constraints; // which take what several processes know once
     for (const Term &term : terms_of_all_processes(dofs, node_of_dof, n_nodes))
       {
         constraints.add_line(term.dof);
