@@ -159,21 +159,31 @@ namespace fuga
       }
   }
 
-  Reserve
-  ContactBoundary::shear_reserve(const std::size_t k,
-                                 const JointState &state,
-                                 const JointRates &rates,
-                                 const Drive &drive) const
+  // Along one tangent both directions, as |T| has a kink.
+  void
+  ContactBoundary::append_shear_reserves(const std::size_t k,
+                                         const JointState &state,
+                                         const JointRates &rates,
+                                         const Drive &drive,
+                                         std::vector<Reserve> &reserves) const
   {
     const ContactElement &element = elements[k];
     const TangentVector T         = tangential(element, state.forces);
     const TangentVector T_rate    = tangential(element, rates.forces);
     const double size             = length(T);
-    const double growth           = size > 0. ? dot(T, T_rate) / size : length(T_rate);
-    return {shear_strength(element, state, k) - size,
-            -state.strengths[k].friction * rates.forces[element.normal_bar] +
-              shear_strength_rate(element, drive) - growth,
-            strength_tolerance(k, state.strengths[k])};
+    const double strength         = shear_strength(element, state, k);
+    const double strength_rate =
+      -state.strengths[k].friction * rates.forces[element.normal_bar] +
+      shear_strength_rate(element, drive);
+    const double tolerance = strength_tolerance(k, state.strengths[k]);
+    if (element.has_second_tangential_bar())
+      {
+        const double growth = size > 0. ? dot(T, T_rate) / size : length(T_rate);
+        reserves.push_back({strength - size, strength_rate - growth, tolerance});
+      }
+    else
+      for (const double sign : {1., -1.})
+        reserves.push_back({strength - sign * T[0], strength_rate - sign * T_rate[0], tolerance});
   }
 
   double
@@ -276,8 +286,15 @@ namespace fuga
         result.push_back({tensile_strength(element, state, k) - state.forces[n],
                           tensile_strength_rate(element, drive) - rates.forces[n],
                           force_tolerances[n]});
-        if (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k]))
-          result.push_back(shear_reserve(k, state, rates, drive));
+        const Strength &strength = state.strengths[k];
+        if (!carries_shear(element, strength))
+          continue;
+        if (state.states[k] == ContactState::stick)
+          append_shear_reserves(k, state, rates, drive, result);
+        else if (strength.dilatancy > 0.)
+          result.push_back({element.friction.dilation_limit - state.dilations[k],
+                            -strength.dilatancy * length(slip_rate(element, state, k, rates)),
+                            zero_gap});
       }
     return result;
   }

@@ -5,6 +5,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/layer_work.h>
 #include <fuga/contact/strength_reduction.h>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ namespace fuga
     , course(path_course)
     , options(path_options)
     , count(iteration_count)
+    , equilibrium(context, course, options, count)
     , taus{0.}
     , points{start}
     , functions{event_functions(0., start)}
@@ -200,57 +202,21 @@ namespace fuga
       factors[i] += tau * course.factor_rates[i];
     ContactBoundary here(context.elements, context.system);
     here.set_scales(state, factors, 1.);
-    const auto no_force = [&](const std::size_t bar) {
-      return std::max(context.boundary.force_tolerance(bar), here.force_tolerance(bar));
-    };
-    const double no_gap          = std::max(context.boundary.gap_tolerance(), here.gap_tolerance());
-    const Vector &dp             = point.rates.forces;
-    const Vector &dd             = point.rates.dislocations;
-    const Drive drive            = drive_at(context.elements, course, state);
-    const double slip_rate_noise = slip_rate_tolerance * max_abs(context.system.jumps(dd, dp));
+    const Drive drive = drive_at(context.elements, course, state);
+    const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
+    const std::vector<Reserve> at_start = context.boundary.reserves(state, point.rates, drive);
+    for (std::size_t i = 0; i < reserves.size(); ++i)
+      result.push_back({reserves[i].value,
+                        reserves[i].rate,
+                        std::max(reserves[i].tolerance, at_start[i].tolerance),
+                        true,
+                        0});
+    const double slip_rate_noise =
+      slip_rate_tolerance *
+      max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));
     for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        const std::size_t n = element.normal_bar, t = element.tangential_bar;
-        const double n_noise = no_force(n);
-        if (state.states[k] == ContactState::open)
-          {
-            result.push_back({lip_opening(element, state, k),
-                              lip_opening_rate(element, state, point.rates),
-                              no_gap,
-                              true,
-                              k});
-            continue;
-          }
-        const Strength &strength = state.strengths[k];
-        result.push_back({tensile_strength(element, state, k) - state.forces[n],
-                          tensile_strength_rate(element, drive) - dp[n],
-                          n_noise,
-                          true,
-                          k});
-        if (!element.has_tangential_bar())
-          continue;
-        const double f = strength.friction;
-        if (state.states[k] == ContactState::stick)
-          for (const double sign : {1., -1.})
-            result.push_back({shear_strength(element, state, k) - sign * state.forces[t],
-                              -f * dp[n] + shear_strength_rate(element, drive) - sign * dp[t],
-                              no_force(t) + f * n_noise,
-                              true,
-                              k});
-        else
-          {
-            const double speed =
-              dot(context.scheme.slip_direction_of(k), slip_rate(element, state, k, point.rates));
-            result.push_back({speed, 0., slip_rate_noise, false, k});
-            if (strength.dilatancy > 0.)
-              result.push_back({element.friction.dilation_limit - state.dilations[k],
-                                -strength.dilatancy * speed,
-                                no_gap,
-                                true,
-                                k});
-          }
-      }
+      if (is_slipping(state.states[k]) && carries_shear(context.elements[k], state.strengths[k]))
+        result.push_back({slip_speed(context, point, k), 0., slip_rate_noise, false, k});
     return result;
   }
 

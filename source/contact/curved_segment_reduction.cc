@@ -4,6 +4,7 @@
 #include <fuga/base/cubic.h>
 #include <fuga/contact/curved_segment.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/layer_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,15 @@ namespace fuga
   CurvedSegment::is_behind_pole() const
   {
     return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
+  }
+
+  // At most 1 for a step that is short enough.
+  double
+  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  {
+    const double rest   = course.length - (taus.back() + length);
+    const double defect = energy_defect(context, from, to, length, rest, count);
+    return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
   }
 
   // The cubics between two points satisfy p = R a - W d, as both ends do, so that in the middle

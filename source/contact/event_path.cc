@@ -3,32 +3,14 @@
 
 #include <fuga/contact/curved_segment.h>
 #include <fuga/base/errors.h>
-#include <fuga/contact/cone_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/strength_reduction.h>
+#include <fuga/contact/turning_segment.h>
 
 namespace fuga
 {
-  namespace
-  {
-    /** Those of open elements, and the tangential ones of elements that carry no shear. */
-    std::vector<std::size_t>
-    bars_without_force(const std::vector<ContactElement> &elements, const JointState &state)
-    {
-      std::vector<std::size_t> bars;
-      for (std::size_t k = 0; k < elements.size(); ++k)
-        {
-          const bool open = state.states[k] == ContactState::open;
-          for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
-            if (open || (i > 0 && !carries_shear(elements[k], state.strengths[k])))
-              bars.push_back(elements[k].bar(i));
-        }
-      return bars;
-    }
-  } // namespace
-
   EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
                        const LayeredSystem &layered_system,
                        const LoadHistory &load_history,
@@ -38,7 +20,6 @@ namespace fuga
     , has_cones(have_two_tangents(elements))
     , boundary(elements, system)
     , scheme(elements, system)
-    , released(system)
     , rate_problem(elements, system, scheme)
   {
     if (has_cones && options.beyond_limit)
@@ -172,45 +153,36 @@ namespace fuga
   EventPath::make_segment(const Course &course, const PathPoint &start)
   {
     const PathContext context{elements, system, boundary, scheme};
-    if (turns(start))
+    const bool is_curved =
+      scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state);
+    if (turns(start, is_curved))
       {
-        require_linear_turn(course, start.state);
-        released.release(bars_without_force(elements, start.state));
         std::vector<TangentVector> directions;
         for (std::size_t k = 0; k < elements.size(); ++k)
           directions.push_back(scheme.slip_direction_of(k));
-        return std::make_unique<ConeSegment>(ConeContext{elements, system, boundary, released},
-                                             course,
-                                             start,
-                                             directions,
-                                             iteration_count);
+        return std::make_unique<TurningSegment>(
+          PathContext{elements, system, boundary, rate_problem.background()},
+          course,
+          start,
+          directions,
+          iteration_count);
       }
-    if (scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state))
+    if (is_curved)
       return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
     return std::make_unique<StraightSegment>(context, course, start);
   }
 
-  void
-  EventPath::require_linear_turn(const Course &course, const JointState &state) const
-  {
-    bool plain = !scheme.is_nonlinear() && !state.is_unsettled() && course.share_rate == 0.;
-    for (const Strength &strength : state.strengths)
-      plain = plain && !strength.has_bond() && strength.dilatancy == 0.;
-    if (!plain)
-      throw NumericalFailure("Directions of slip turn: not available with these laws.");
-  }
-
-  // The force of an element that slips moves across its slip.
+  // The force of an element that slips moves across its slip, now or, along a curve, perhaps later.
   bool
-  EventPath::turns(const PathPoint &start) const
+  EventPath::turns(const PathPoint &start, const bool is_curved) const
   {
     constexpr double no_turn = 1e-11; // of the largest force rate
     const double size        = max_abs(start.rates.forces);
     for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
-      if (is_slipping(start.state.states[k]) && elements[k].has_second_tangential_bar() &&
-          carries_shear(elements[k], start.state.strengths[k]))
+      if (may_turn(elements[k], start.state, k))
         if (const TangentVector across = normal_to(scheme.slip_direction_of(k));
-            std::abs(dot(across, tangential(elements[k], start.rates.forces))) > no_turn * size)
+            is_curved || std::abs(dot(across, tangential(elements[k], start.rates.forces))) >
+                           no_turn * size)
           return true;
     return false;
   }

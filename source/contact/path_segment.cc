@@ -61,7 +61,8 @@ namespace fuga
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
-        if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
+        if (!element.has_tangential_bar() ||
+            (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k])))
           continue;
         TangentVector slip = tangential(element, state.dislocations);
         if (has_nonlinear_shear(element)) // which deforms less, or more, than D says

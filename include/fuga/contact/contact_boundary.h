@@ -81,7 +81,8 @@ namespace fuga
 
     /**
      * The reserves of all elements at a point: gap of open elements, tension and strength left of
-     * closed ones; always in the same order for the same states.
+     * closed ones, the rise that is left to those that slide; always in the same order for the same
+     * states.
      */
     std::vector<Reserve>
     reserves(const JointState &state, const JointRates &rates, const Drive &drive) const;
@@ -138,11 +139,12 @@ namespace fuga
   private:
     void
     place_shear(const JointState &state, BoundaryElement &candidate) const;
-    Reserve
-    shear_reserve(const std::size_t k,
-                  const JointState &state,
-                  const JointRates &rates,
-                  const Drive &drive) const;
+    void
+    append_shear_reserves(const std::size_t k,
+                          const JointState &state,
+                          const JointRates &rates,
+                          const Drive &drive,
+                          std::vector<Reserve> &reserves) const;
     double
     distance_from_cone(const std::size_t k,
                        const JointState &state,

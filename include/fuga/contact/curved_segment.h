@@ -4,77 +4,12 @@
 #ifndef fuga_contact_curved_segment_h
 #define fuga_contact_curved_segment_h
 
-#include <fuga/contact/path_segment.h>
+#include <fuga/contact/scheme_equilibrium.h>
 
 namespace fuga
 {
   /** A slip rate below this share of the largest jump rate is zero. */
   constexpr double slip_rate_tolerance = 1e-10;
-
-  /** How nonlinear layers are iterated. */
-  struct PathOptions
-  {
-    enum class Iteration
-    {
-      /** Newton with the tangent stiffness of the layer. */
-      newton,
-      /** The paper's iteration (3), (7), (8) with a constant matrix; diverges where the layer
-         hardens too much. */
-      constant_stiffness
-    };
-
-    enum class Follow
-    {
-      /** From event to event. */
-      events,
-      /** From corner to corner of the loads by implicit steps where that is possible. */
-      stage_ends
-    };
-
-    /** What happens where the joints can go on in several ways. */
-    enum class NonUnique
-    {
-      /** The path ends with Verdict::non_unique_continuation. */
-      stop,
-      /** The first continuation found is followed. */
-      first,
-      /** The one that dissipates most. */
-      largest_dissipation
-    };
-
-    Follow follow        = Follow::events;
-    NonUnique non_unique = NonUnique::stop;
-    /** Goes on beyond a limit load, the load falling or constant. */
-    bool beyond_limit = false;
-    /** How far the largest jump grows there [m]; 0: ten times the largest jump at the limit. */
-    double beyond_jump  = 0.;
-    Iteration iteration = Iteration::newton;
-    /** Difference of two successive iterations that ends the iteration, relative to the largest
-     * jump. */
-    double tolerance            = 1e-13;
-    unsigned int max_iterations = 200;
-  };
-
-  /** Work done for nonlinear layers. */
-  struct IterationCount
-  {
-    std::size_t n_solutions  = 0;
-    std::size_t n_iterations = 0;
-    std::size_t max_in_one   = 0;
-    /** Largest energy the nonlinear layers stored: the scale of what a step may lose of it. */
-    double largest_energy = 0.;
-  };
-
-  template <typename Count, typename Visitor, only_for<Count, IterationCount> = 0>
-  void
-  for_each_field(Count &count, Visitor &&visit)
-  {
-    auto &[n_solutions, n_iterations, max_in_one, largest_energy] = count;
-    visit("n_solutions", n_solutions);
-    visit("n_iterations", n_iterations);
-    visit("max_in_one", max_in_one);
-    visit("largest_energy", largest_energy);
-  }
 
   /**
    * The path of a working scheme with nonlinear layers, or of one whose friction is being reduced:
@@ -118,17 +53,6 @@ namespace fuga
       std::size_t element = 0;
     };
 
-    /** A deformation of the layer and its rate. */
-    struct LayerMotion
-    {
-      double value = 0.;
-      double rate  = 0.;
-    };
-
-    LayerMotion
-    closing(const std::size_t k, const PathPoint &point) const;
-    LayerMotion
-    shearing(const std::size_t k, const std::size_t a, const PathPoint &point) const;
     std::vector<EventFunction>
     event_functions(const double tau, const PathPoint &point) const;
     double
@@ -137,12 +61,6 @@ namespace fuga
     locate_end(std::size_t a, std::size_t b);
     std::optional<PathPoint>
     solve(const double tau, const Vector &predicted_dislocations);
-    bool
-    iterate(const double tau, JointState &state);
-    double
-    closure_safeguard(const JointState &state, const JointRates &change) const;
-    bool
-    passes_closure_limit(const JointState &state) const;
     [[noreturn]] void
     give_up() const;
     Vector
@@ -158,8 +76,6 @@ namespace fuga
     step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     double
     reduction_defect(const PathPoint &from, const PathPoint &to, const double length) const;
-    double
-    energy_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     std::size_t
     insert(const double tau, PathPoint &&point);
     double
@@ -173,6 +89,7 @@ namespace fuga
     const Course course;
     const PathOptions options;
     IterationCount &count;
+    SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
     std::vector<std::vector<EventFunction>> functions;

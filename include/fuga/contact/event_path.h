@@ -6,7 +6,6 @@
 
 #include <fuga/contact/contact_path.h>
 #include <fuga/contact/rate_problem.h>
-#include <fuga/contact/released_system.h>
 
 #include <memory>
 
@@ -76,9 +75,7 @@ namespace fuga
                 const double last_t,
                 const double left);
     bool
-    turns(const PathPoint &start) const;
-    void
-    require_linear_turn(const Course &course, const JointState &state) const;
+    turns(const PathPoint &start, const bool is_curved) const;
     void
     find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>
@@ -93,7 +90,6 @@ namespace fuga
     const bool has_cones;
     ContactBoundary boundary;
     WorkingScheme scheme;
-    ReleasedSystem released;
     RateProblem rate_problem;
   };
 } // namespace fuga

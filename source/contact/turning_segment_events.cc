@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/cubic.h>
-#include <fuga/contact/cone_segment.h>
+#include <fuga/contact/turning_segment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace fuga
   // The share of the way from a to b at which the first reserve is used up, by cubics and, for
   // rates of slip, by secants; above one if none is.
   double
-  ConeSegment::first_event(const Station &a, const Station &b) const
+  TurningSegment::first_event(const Station &a, const Station &b) const
   {
     constexpr double none = 2.;
     const double length   = b.tau - a.tau;
@@ -45,7 +45,7 @@ namespace fuga
   }
 
   bool
-  ConeSegment::is_passed(const Station &station) const
+  TurningSegment::is_passed(const Station &station) const
   {
     for (const Reserve &reserve : station.reserves)
       if (reserve.value < -reserve.tolerance)
@@ -57,7 +57,7 @@ namespace fuga
   }
 
   bool
-  ConeSegment::is_reached(const Station &station) const
+  TurningSegment::is_reached(const Station &station) const
   {
     for (const Reserve &reserve : station.reserves)
       if (reserve.value <= reserve.tolerance && reserve.rate < 0.)
@@ -70,8 +70,8 @@ namespace fuga
   }
 
   // Steps from the same point, shorter and longer, until one ends at the event.
-  std::optional<ConeSegment::Station>
-  ConeSegment::locate(const Station &from, const Station &passed)
+  std::optional<TurningSegment::Station>
+  TurningSegment::locate(const Station &from, const Station &passed)
   {
     constexpr int max_steps = 60;
     Station low = from, high = passed;
@@ -118,7 +118,7 @@ namespace fuga
       if (low.slip_rates[i] <= std::max(rate_tolerance(low), 0.) ||
           (high.slip_rates[i] < 0. && high.tau - low.tau <= 4. * resolution))
         if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
-          lost_slip.push_back(slipping[i].element);
+          lost_slip.push_back(slipping[i]);
     return low;
   }
 } // namespace fuga

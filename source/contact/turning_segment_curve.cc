@@ -3,8 +3,11 @@
 
 #include <fuga/base/cubic.h>
 #include <fuga/base/errors.h>
-#include <fuga/contact/cone_segment.h>
+#include <fuga/contact/turning_segment.h>
 #include <fuga/contact/implicit_runge_kutta.h>
+#include <fuga/contact/layer_response.h>
+#include <fuga/contact/layer_work.h>
+#include <fuga/contact/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,23 +58,30 @@ namespace fuga
   } // namespace
 
   double
-  ConeSegment::rate_tolerance(const Station &station) const
+  TurningSegment::rate_tolerance(const Station &station) const
   {
     return no_slip_rate * max_abs(station.point.rates.dislocations);
   }
 
+  double
+  TurningSegment::driving_force() const
+  {
+    const Drive drive = drive_at(context.elements, course, start.state);
+    return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
+  }
+
   // One step of the Runge-Kutta pair. The error is relative to the tolerance.
   bool
-  ConeSegment::step(const Station &from, const double length, Station &to, double &error)
+  TurningSegment::step(const Station &from, const double length, Station &to, double &error)
   {
     namespace rk        = runge_kutta;
-    const std::size_t n = slipping.size();
+    const std::size_t n = turning.size();
     std::array<Vector, rk::n_stages> rates;
     rates[0].resize(2 * n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t a = 0; a < 2; ++a)
         rates[0][2 * i + a] = from.slip_rates[i] * from.stage.directions[i][a];
-    const auto power = [&](const ConeStage &stage, const Vector &slip_rates) {
+    const auto power = [&](const TurningStage &stage, const Vector &slip_rates) {
       double sum = 0.;
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t a = 0; a < 2; ++a)
@@ -79,31 +89,47 @@ namespace fuga
       return sum;
     };
 
+    Vector rise;
+    for (const std::size_t k : turning)
+      rise.push_back(start.state.strengths[k].dilatancy);
+
+    JointState &state = to.point.state;
+    state             = from.point.state;
     to.stage    = from.stage;
     double work = length * rk::weights.back()[0] * power(from.stage, rates[0]);
-    Vector xi   = from.slip_rates;
+    Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
     // Of the stages so far: rates of slip along the directions, and these.
-    std::vector<Vector> stage_rates                          = {from.slip_rates};
+    std::vector<Vector> stage_rates                          = {xi};
     std::vector<std::vector<TangentVector>> stage_directions = {from.stage.directions};
     for (std::size_t k = 1; k < rk::n_stages; ++k)
       {
-        Accurate base = from.stage.slips;
+        TurningStage base = from.stage;
         for (std::size_t j = 0; j < k; ++j)
-          for (std::size_t i = 0; i < 2 * n; ++i)
-            base[i] += static_cast<long double>(length * rk::weights[k][j]) * rates[j][i];
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              const double weight = length * rk::weights[k][j];
+              for (std::size_t a = 0; a < 2; ++a)
+                base.slips[2 * i + a] += static_cast<long double>(weight) * rates[j][2 * i + a];
+              base.dilations[i] += weight * rise[i] * stage_rates[j][i];
+            }
         predict(k, stage_rates, stage_directions, xi, to.stage.directions);
         for (double &value : xi)
           value *= length * rk::diagonal;
         // Stages on the cones by their rates alone, so that the method keeps its order (as one for
         // a differential-algebraic system it would lose it); the last one, the result, exactly.
         const auto demand =
-          k + 1 < rk::n_stages ? ConeStageSolver::Demand::rates : ConeStageSolver::Demand::cone;
-        if (!solver.solve(demand,
-                          from.tau + rk::abscissae[k] * length,
-                          length * rk::diagonal,
-                          base,
-                          xi,
-                          to.stage))
+          k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates : TurningStageSolver::Demand::cone;
+        state.dislocations = from.point.state.dislocations;
+        for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
+          state.dislocations[bar] +=
+            rk::abscissae[k] * length * from.point.rates.dislocations[bar];
+        if (!solve_stage(demand,
+                         from.tau + rk::abscissae[k] * length,
+                         length * rk::diagonal,
+                         base,
+                         xi,
+                         to.stage,
+                         state))
           return false;
         stage_rates.push_back(xi);
         for (double &value : stage_rates.back())
@@ -121,10 +147,15 @@ namespace fuga
     if (!complete(to))
       return false;
 
-    Vector difference(2 * n, 0.);
+    Vector difference(2 * n, 0.), of_rises(n, 0.);
     for (std::size_t k = 0; k < rk::n_stages; ++k)
-      for (std::size_t i = 0; i < 2 * n; ++i)
-        difference[i] += length * (rk::weights.back()[k] - rk::embedded[k]) * rates[k][i];
+      {
+        const double weight = length * (rk::weights.back()[k] - rk::embedded[k]);
+        for (std::size_t i = 0; i < 2 * n; ++i)
+          difference[i] += weight * rates[k][i];
+        for (std::size_t i = 0; i < n; ++i)
+          of_rises[i] += weight * rise[i] * stage_rates[k][i];
+      }
     // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
     // Close to a mechanism their rounding moves the slips.
     constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
@@ -132,18 +163,21 @@ namespace fuga
                                         stage_rounding * context.system.largest_stiffness() *
                                           max_abs(to.point.state.dislocations));
     const double jump_noise =
-      force_noise * max_abs(from.point.rates.dislocations) / max_abs(course.drive.reactions);
-    error = std::max(max_abs(difference) / (cone_step_tolerance * jump_scale + jump_noise),
-                     max_abs(solver.resistance(difference)) /
-                       (cone_step_tolerance * force_scale + force_noise));
+      force_noise * max_abs(from.point.rates.dislocations) / driving_force();
+    error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + jump_noise),
+                     max_abs(solver.resistance(difference, of_rises)) /
+                       (turning_step_tolerance * force_scale + force_noise));
     error = std::max(error, work_defect(from, to, length, work));
+    if (context.scheme.is_nonlinear())
+      error = std::max(
+        error, energy_defect(context, from.point, to.point, length, course.length - to.tau, count));
     return std::isfinite(error);
   }
 
   // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
   // in the work of friction, relative to the share that is allowed.
   double
-  ConeSegment::work_defect(const Station &from,
+  TurningSegment::work_defect(const Station &from,
                            const Station &to,
                            const double length,
                            const double work) const
@@ -154,24 +188,26 @@ namespace fuga
     const double abscissae[]       = {0.5 - r, 0.5, 0.5 + r};
     const double weights[]         = {5. / 18., 8. / 18., 5. / 18.};
     double of_cubics               = 0.;
-    const auto add                 = [&](const std::size_t bar) {
-      const PathPoint &a = from.point, &b = to.point;
-      const CubicOnUnitInterval force(a.state.forces[bar],
-                                      a.rates.forces[bar] * length,
-                                      b.state.forces[bar],
-                                      b.rates.forces[bar] * length);
-      const CubicOnUnitInterval slip(a.state.dislocations[bar],
-                                     a.rates.dislocations[bar] * length,
-                                     b.state.dislocations[bar],
-                                     b.rates.dislocations[bar] * length);
-      for (int i = 0; i < 3; ++i)
-        of_cubics += weights[i] * force.value(abscissae[i]) * slip.slope(abscissae[i]);
-    };
-    for (const SlippingElement &slip : slipping)
+    for (const std::size_t k : turning)
       {
-        add(context.elements[slip.element].tangential_bar);
-        if (context.elements[slip.element].has_second_tangential_bar())
-          add(context.elements[slip.element].second_tangential_bar);
+        const ContactElement &element = context.elements[k];
+        const PathPoint &a = from.point, &b = to.point;
+        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
+                            b_rate = slip_rate(element, b.state, k, b.rates);
+        for (std::size_t i = 0; i < 2; ++i)
+          {
+            const std::size_t bar = element.bar(1 + i);
+            const CubicOnUnitInterval force(a.state.forces[bar],
+                                            a.rates.forces[bar] * length,
+                                            b.state.forces[bar],
+                                            b.rates.forces[bar] * length);
+            const CubicOnUnitInterval slip(a.state.slips[k][i],
+                                           a_rate[i] * length,
+                                           b.state.slips[k][i],
+                                           b_rate[i] * length);
+            for (int g = 0; g < 3; ++g)
+              of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
+          }
       }
     return std::abs(of_cubics - work) /
            (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
@@ -182,7 +218,7 @@ namespace fuga
   // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
   // something soft moves far, and stands.
   bool
-  ConeSegment::grows_beyond_bounds() const
+  TurningSegment::grows_beyond_bounds() const
   {
     constexpr double negligible_load = 1e-6, weak_answer = 1e-3;
     const JointRates &rates = curve.back().point.rates;
@@ -198,7 +234,7 @@ namespace fuga
 
   // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
   bool
-  ConeSegment::turns_back() const
+  TurningSegment::turns_back() const
   {
     constexpr double negligible_load = 1e-9;
     return rates_diverge(2, negligible_load * std::max(1., course.t_end));
@@ -207,7 +243,7 @@ namespace fuga
   // Two slopes of 1/g^n are compared, between the last point and those at which g was a half and a
   // quarter.
   bool
-  ConeSegment::rates_diverge(const int exponent, const double within) const
+  TurningSegment::rates_diverge(const int exponent, const double within) const
   {
     constexpr double bend = 0.1;
     std::array<double, 3> tau, value;
@@ -232,7 +268,7 @@ namespace fuga
   // them back, whatever its length: the error of the shortest one is rounding and no reason to
   // shorten another.
   double
-  ConeSegment::error_of_rounding(const double shortest)
+  TurningSegment::error_of_rounding(const double shortest)
   {
     constexpr double largest = 10., margin = 2.;
     Station to;
@@ -242,8 +278,8 @@ namespace fuga
     return std::max(1., margin * error);
   }
 
-  void
-  ConeSegment::find_end_of_curve()
+  double
+  TurningSegment::find_end()
   {
     end                   = 0.; // as far as the curve is known, if a step fails
     const double shortest = 1e-13 * std::max(1., course.t_end);
@@ -294,6 +330,6 @@ namespace fuga
         is_known = true;
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
-    end = curve.back().tau;
+    return end = curve.back().tau;
   }
 } // namespace fuga

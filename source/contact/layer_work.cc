@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/cubic.h>
-#include <fuga/contact/curved_segment.h>
 #include <fuga/contact/layer_response.h>
+#include <fuga/contact/layer_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,14 +26,53 @@ namespace fuga
              8. / 18. * force.value(0.5) * deformation.slope(0.5) +
              5. / 18. * force.value(0.5 + r) * deformation.slope(0.5 + r);
     }
+
+    /** A deformation of the layer and its rate. */
+    struct LayerMotion
+    {
+      double value = 0.;
+      double rate  = 0.;
+    };
+
+    LayerMotion
+    closing(const PathContext &context, const std::size_t k, const PathPoint &point)
+    {
+      const ContactElement &element = context.elements[k];
+      const std::size_t n           = element.normal_bar;
+      const double rise             = point.state.strengths[k].dilatancy;
+      double rate =
+        point.rates.dislocations[n] + context.system.compliance(n) * point.rates.forces[n];
+      if (rise > 0. && is_slipping(point.state.states[k]))
+        rate -= rise * slip_speed(context, point, k);
+      return {gap(element, point.state, k), rate};
+    }
+
+    // Along the tangent of bar number @p a.
+    LayerMotion
+    shearing(const PathContext &context,
+             const std::size_t k,
+             const std::size_t a,
+             const PathPoint &point)
+    {
+      const ContactElement &element = context.elements[k];
+      const std::size_t bar         = element.bar(a);
+      double rate =
+        point.rates.dislocations[bar] + context.system.compliance(bar) * point.rates.forces[bar];
+      if (is_slipping(point.state.states[k]))
+        rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
+      return {elastic_shear(element, point.state, k)[a - 1], rate};
+    }
   } // namespace
 
-  // At most 1 for a step that is short enough.
   double
-  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  slip_speed(const PathContext &context, const PathPoint &point, const std::size_t k)
   {
-    const double defect = energy_defect(from, to, length) / largest_defect;
-    return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
+    const ContactElement &element = context.elements[k];
+    const TangentVector rate      = slip_rate(element, point.state, k, point.rates);
+    if (!element.has_second_tangential_bar())
+      return slip_sign(point.state.states[k]) * rate[0];
+    const TangentVector T = tangential(element, point.state.forces);
+    return length(T) > 0. ? dot(T, rate) / length(T) : length(rate);
   }
 
   // What the judge will find missing in the balance of energy after this step: the work of the
@@ -44,11 +83,13 @@ namespace fuga
   // too much of it, and what its law stores under the force at the end bounds it. Jumps are known
   // but for rounding errors of the largest one; what these make no shorter step could mend.
   double
-  CurvedSegment::energy_defect(const PathPoint &from,
-                               const PathPoint &to,
-                               const double length) const
+  energy_defect(const PathContext &context,
+                const PathPoint &from,
+                const PathPoint &to,
+                const double length,
+                const double rest,
+                IterationCount &count)
   {
-    const double rest = course.length - (taus.back() + length);
     const double jump_noise =
       jump_rounding * max_abs(context.system.jumps(to.state.dislocations, to.state.forces));
     double defect = 0., work = 0., stored = 0.;
@@ -78,10 +119,10 @@ namespace fuga
           noise += jump_noise * std::abs(to.state.forces[bar]);
         };
         if (has_nonlinear_closure(element))
-          work_of_bar(element.normal_bar, *element.normal_law, closing(k, from), closing(k, to));
+          work_of_bar(element.normal_bar, *element.normal_law, closing(context, k, from), closing(context, k, to));
         for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
           work_of_bar(
-            element.bar(a), *element.shear_law, shearing(k, a, from), shearing(k, a, to));
+            element.bar(a), *element.shear_law, shearing(context, k, a, from), shearing(context, k, a, to));
         const double stored_before = nonlinear_energy(element, from.state, k);
         const double mismatch =
           std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
@@ -90,33 +131,6 @@ namespace fuga
       }
     count.largest_energy = std::max(count.largest_energy, stored);
     work                 = std::max(work, count.largest_energy);
-    return work > 0. ? defect / work : 0.;
-  }
-
-  CurvedSegment::LayerMotion
-  CurvedSegment::closing(const std::size_t k, const PathPoint &point) const
-  {
-    const ContactElement &element = context.elements[k];
-    const std::size_t n           = element.normal_bar;
-    const double rise             = point.state.strengths[k].dilatancy;
-    double rate =
-      point.rates.dislocations[n] + context.system.compliance(n) * point.rates.forces[n];
-    if (rise > 0. && is_slipping(point.state.states[k]))
-      rate -= rise * dot(context.scheme.slip_direction_of(k),
-                         slip_rate(element, point.state, k, point.rates));
-    return {gap(element, point.state, k), rate};
-  }
-
-  // Along the tangent of bar number @p a.
-  CurvedSegment::LayerMotion
-  CurvedSegment::shearing(const std::size_t k, const std::size_t a, const PathPoint &point) const
-  {
-    const ContactElement &element = context.elements[k];
-    const std::size_t bar         = element.bar(a);
-    double rate =
-      point.rates.dislocations[bar] + context.system.compliance(bar) * point.rates.forces[bar];
-    if (is_slipping(point.state.states[k]))
-      rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
-    return {elastic_shear(element, point.state, k)[a - 1], rate};
+    return work > 0. ? defect / (largest_defect * work) : 0.;
   }
 } // namespace fuga
