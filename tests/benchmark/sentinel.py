@@ -85,23 +85,24 @@ def seconds_of(name, case):
 
 def measure_all():
     """{(scene, part): (median of the seconds, median of the ratios, smallest ratio)}"""
-    samples, peers, start = {name: [] for name in CASES}, {name: [] for name in PEERS}, fuga_runs.start_seconds()
+    samples, peers = {name: [] for name in CASES}, {name: [] for name in PEERS}
     controls = {key: [] for key in CONTROLS}
     with_peer = shutil.which(calculix.PROGRAM) is not None
     for number in range(ROUNDS):
+        start = fuga_runs.start_seconds()  # in every round: it changes with what else the machine does
         for key, control in CONTROLS.items():
             controls[key].append(seconds_of("bonded_%s_%d" % key, control)["whole process"] - start)
         for name, case in CASES.items():
-            samples[name].append(seconds_of(name, case))
+            seconds = seconds_of(name, case)
+            seconds["model"] -= start  # loading the libraries is not the mesh
+            seconds["total after start"] = seconds["whole process"] - start
+            samples[name].append(seconds)
         if with_peer and number == 0:  # tens of seconds, and always the same program
             for name in PEERS:
                 scene = CASES[name]
                 peers[name].append(calculix.run_scene(scene, "nts", 10, None, 120).phases["total"])
     figures = {}
     for name, of_scene in samples.items():
-        for seconds in of_scene:
-            seconds["model"] -= start  # loading the libraries is not the mesh
-            seconds["total after start"] = seconds["whole process"] - start
         units = [("whole process", "over CalculiX", [peers[name][0]] * ROUNDS)] if peers.get(name) else []
         if isinstance(CASES[name], scenes.Scene):
             units.append(("total after start", "over bonded control", controls[CASES[name].name, CASES[name].n]))
