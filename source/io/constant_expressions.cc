@@ -4,7 +4,7 @@
 #include <fuga/io/constant_expressions.h>
 #include <fuga/io/parameter_expressions.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
+#include <fuga/io/parameter_patterns.h>
 
 #include <fmt/format.h>
 
@@ -17,14 +17,6 @@ namespace fuga
 {
   namespace
   {
-    bool
-    is_plain_number(const std::string &text)
-    {
-      static const NumberPattern number(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
-      return number.match(text);
-    }
-
     /** Whether there is something to calculate: more than a number, with a unit or the rest of a
      * decimal comma behind it, or a word. */
     bool
@@ -94,7 +86,7 @@ namespace fuga
   ConstantExpressions::Result
   ConstantExpressions::number(const std::string &text) const
   {
-    if (text.empty() || is_plain_number(text))
+    if (text.empty() || number_of_text(text))
       return {text, "", false};
     const std::vector<std::string> names = names_in_expression(text);
     const bool is_name =

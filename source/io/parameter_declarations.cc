@@ -3,37 +3,24 @@
 
 #include <fuga/io/parameter_declarations.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 
 namespace fuga
 {
   std::string
   EntryDeclaration::allowed() const
   {
-    const std::vector<std::string> words = choices();
-    if (!words.empty())
-      return "one of " + quoted_list(words);
-    if (is_number())
-      return pattern->description(dealii::Patterns::PatternBase::Text);
-    return "text";
+    return !words.empty() ? "one of " + quoted_list(words) : range ? range->description() : "text";
   }
 
 
-  bool
-  EntryDeclaration::is_number() const
+  std::string
+  EntryDeclaration::problem(const std::string &value) const
   {
-    return dynamic_cast<const NumberPattern *>(pattern.get()) != nullptr;
-  }
-
-
-  std::vector<std::string>
-  EntryDeclaration::choices() const
-  {
-    if (dynamic_cast<const dealii::Patterns::Selection *>(pattern.get()) == nullptr)
-      return {};
-    const std::string words  = pattern->description(dealii::Patterns::PatternBase::Text);
-    const std::string prefix = "Any one of ";
-    return split_pieces(words.substr(words.rfind(prefix, 0) == 0 ? prefix.size() : 0), ',');
+    if (range)
+      return range->problem(value);
+    const bool is_known =
+      words.empty() || std::find(words.begin(), words.end(), value) != words.end();
+    return is_known ? "" : "this word is unknown";
   }
 
 

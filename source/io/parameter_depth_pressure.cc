@@ -3,7 +3,6 @@
 
 #include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
@@ -19,9 +18,8 @@ namespace fuga
                 const std::string &point,
                 const std::string &text)
     {
-      const NumberPattern number(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
-      if (!number.match(text))
+      const std::optional<double> number = number_of_text(text);
+      if (!number)
         section.fail(entry,
                      fmt::format("'{}' is no point of a table: '{}' {}. Write '{}' with two "
                                  "numbers, and ';' between the points.",
@@ -29,7 +27,7 @@ namespace fuga
                                  text,
                                  text.empty() ? "is empty" : "is not a number",
                                  form));
-      return std::stod(text);
+      return *number;
     }
   } // namespace
 

@@ -2,10 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/parameter_entries.h>
-#include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
-#include <fuga/io/parameter_strength.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/parameter_entries.h>
-#include <fuga/io/parameter_layers.h>
 #include <fuga/io/parameter_names.h>
 #include <fuga/io/parameter_readers.h>
 #include <fuga/laws/law_check.h>
@@ -10,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace fuga
@@ -129,16 +127,14 @@ namespace fuga
     double
     read_number(const ParameterSection &section, const AnyEntry &entry, const std::string &word)
     {
-      double value      = 0.;
-      const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (result.ec != std::errc() || result.ptr != word.data() + word.size() ||
-          !std::isfinite(value))
+      const std::optional<double> value = number_of_text(word);
+      if (!value)
         section.fail(
           entry,
           fmt::format("'{}' is not a number. A table is written 0: 0; w: stress; ... with "
                       "decimal points and without units.",
                       word));
-      return value;
+      return *value;
     }
 
     std::vector<TabularLaw::Point>

@@ -3,7 +3,6 @@
 
 #include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
@@ -13,12 +12,10 @@ namespace fuga
   std::vector<double>
   read_coordinates(const std::string &text)
   {
-    const NumberPattern number(
-      NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
     std::vector<double> coordinates;
     for (const std::string &piece : split_pieces(text, ','))
-      if (number.match(piece))
-        coordinates.push_back(std::stod(piece));
+      if (const auto number = number_of_text(piece))
+        coordinates.push_back(*number);
       else
         return {};
     return coordinates;

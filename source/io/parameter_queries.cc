@@ -90,7 +90,8 @@ namespace fuga
   {
     std::map<std::string, double> result;
     for (const std::string &name : constant_names)
-      result[name] = handler.get_double({entries_of<ConstantEntries>().name}, name);
+      result[name] =
+        std::stod(given_values.at(path_name({entries_of<ConstantEntries>().name, name})));
     return result;
   }
 } // namespace fuga

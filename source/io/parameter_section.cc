@@ -28,21 +28,7 @@ namespace fuga
   std::string
   ParameterSection::text(const AnyEntry &entry) const
   {
-    return values->handler.get(path, entry.name());
-  }
-
-
-  double
-  ParameterSection::number(const AnyEntry &entry) const
-  {
-    return values->handler.get_double(path, entry.name());
-  }
-
-
-  unsigned int
-  ParameterSection::integer(const AnyEntry &entry) const
-  {
-    return static_cast<unsigned int>(values->handler.get_integer(path, entry.name()));
+    return values->value_of(full_name(entry), *entry.declaration);
   }
 
 

@@ -3,7 +3,6 @@
 
 #include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
@@ -30,18 +29,19 @@ namespace fuga
         section.fail(entry,
                      "a direction without 'Horizontal coefficient' does nothing. Add the "
                      "coefficient, or remove this entry.");
-      const NumberPattern number(
-        NumberPattern::Kind::real, -NumberPattern::infinity, false, NumberPattern::infinity, false);
       const std::vector<std::string> pieces = split_pieces(section.text(entry), ';');
-      if (pieces.size() != 2 || !number.match(pieces[0]) || !number.match(pieces[1]))
+      const bool is_pair                    = pieces.size() == 2;
+      const auto x                          = is_pair ? number_of_text(pieces[0]) : std::nullopt;
+      const auto y                          = is_pair ? number_of_text(pieces[1]) : std::nullopt;
+      if (!x || !y)
         section.fail(entry,
                      "a horizontal direction is two numbers 'x; y', for example '0; 1' for y.");
-      const double x = std::stod(pieces[0]), y = std::stod(pieces[1]), length = std::hypot(x, y);
+      const double length = std::hypot(*x, *y);
       if (length == 0.)
         section.fail(entry,
                      "this vector has no direction. Write one that is not 0, for example '0; 1' "
                      "for y; its length does not count.");
-      return {{x / length, y / length}};
+      return {{*x / length, *y / length}};
     }
   } // namespace
 

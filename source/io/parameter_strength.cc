@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/parameter_entries.h>
-#include <fuga/io/parameter_layers.h>
-#include <fuga/io/parameter_strength.h>
+#include <fuga/io/parameter_readers.h>
 
 #include <fmt/format.h>
 
@@ -33,37 +32,36 @@ namespace fuga
           fmt::format("a coefficient > 5 looks like an angle in degrees: use '{}'.", angle.name()));
       return value;
     }
+
+    /** Friction is lost and not gained, the tip of the cone carries the tension, and sliding
+     * creates no energy. */
+    void
+    check_strength(const ParameterSection &section, const FrictionLaw &law)
+    {
+      const JointEntries &e = entries_of<JointEntries>();
+      if (law.friction_loss < 0.)
+        section.fail(section.given(e.residual_angle) ? e.residual_angle : e.residual_coefficient,
+                     fmt::format("residual friction {:g} is above the friction {:g} before it. "
+                                 "Friction is lost by slip, not gained.",
+                                 residual_friction(law),
+                                 law.coefficient));
+      if (law.tensile_strength * law.coefficient > law.cohesion)
+        section.fail(
+          e.tensile_strength,
+          fmt::format("a tensile strength of {:g} lies beyond the tip of Coulomb's cone at "
+                      "cohesion/friction = {:g}. Lower it, or raise the cohesion.",
+                      law.tensile_strength,
+                      law.cohesion / law.coefficient));
+      if (law.dilatancy > residual_friction(law))
+        section.fail(
+          e.dilatancy_angle,
+          fmt::format(
+            "the tangent {:g} of the dilatancy angle is above the (residual) friction {:g}: "
+            "sliding would create energy.",
+            law.dilatancy,
+            residual_friction(law)));
+    }
   } // namespace
-
-
-  std::optional<StrengthProblem>
-  find_strength_problem(const FrictionLaw &law)
-  {
-    using Part = StrengthProblem::Part;
-    if (law.friction_loss < 0.)
-      return StrengthProblem{
-        Part::residual,
-        fmt::format("residual friction {:g} is above the friction {:g} before it. "
-                    "Friction is lost by slip, not gained.",
-                    residual_friction(law),
-                    law.coefficient)};
-    if (law.tensile_strength * law.coefficient > law.cohesion)
-      return StrengthProblem{
-        Part::tension,
-        fmt::format("a tensile strength of {:g} lies beyond the tip of Coulomb's cone at "
-                    "cohesion/friction = {:g}. Lower it, or raise the cohesion.",
-                    law.tensile_strength,
-                    law.cohesion / law.coefficient)};
-    if (law.dilatancy > residual_friction(law))
-      return StrengthProblem{
-        Part::dilatancy,
-        fmt::format(
-          "the tangent {:g} of the dilatancy angle is above the (residual) friction {:g}: "
-          "sliding would create energy.",
-          law.dilatancy,
-          residual_friction(law))};
-    return {};
-  }
 
 
   FrictionLaw
@@ -86,15 +84,7 @@ namespace fuga
       if (law.coefficient == 0. && section.given(entry))
         section.fail(entry,
                      "the joint has no friction: give 'Friction coefficient' or 'Friction angle'.");
-    if (const std::optional<StrengthProblem> problem = find_strength_problem(law))
-      {
-        using Part            = StrengthProblem::Part;
-        const Number &culprit = problem->part == Part::tension     ? e.tensile_strength
-                                : problem->part == Part::dilatancy ? e.dilatancy_angle
-                                : section.given(e.residual_angle)  ? e.residual_angle
-                                                                   : e.residual_coefficient;
-        section.fail(culprit, problem->text);
-      }
+    check_strength(section, law);
     return law;
   }
 

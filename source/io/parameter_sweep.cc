@@ -59,7 +59,7 @@ namespace fuga
       if (line.targets.empty())
         return "";
       const EntryDeclaration *entry = find_entry(line.targets.front().full_name());
-      if (entry == nullptr || !(entry->is_number() || entry->content == TextContent::level))
+      if (entry == nullptr || !(entry->range || entry->content == TextContent::level))
         return "";
       const std::size_t begin = entry->documentation.find('[');
       const std::size_t end   = entry->documentation.find(']');

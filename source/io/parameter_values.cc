@@ -4,7 +4,6 @@
 #include <fuga/base/errors.h>
 #include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_names.h>
-#include <fuga/io/parameter_number_pattern.h>
 #include <fuga/io/parameter_values.h>
 
 #include <fmt/format.h>
@@ -83,11 +82,6 @@ namespace fuga
   ParameterValues::ParameterValues(const ParameterScan &scan, InputErrors &collected)
     : file_name(scan.file), of_sweep(scan.is_variant), swept(scan.swept), errors(collected)
   {
-    for (const SectionDeclaration &section : parameter_declarations())
-      if (section.name.empty())
-        declare({});
-      else if (!section.has_named_subsections())
-        declare({section.name});
     for (const ScannedSection &section : scan.sections)
       if (broken.count({section.path.begin(), section.path.end() - 1}) > 0)
         broken.insert(section.path);
@@ -138,27 +132,6 @@ namespace fuga
                     path_name(section.path),
                     earlier->second));
     subsection_paths[top].push_back(section.path);
-    declare(section.path);
-  }
-
-
-  void
-  ParameterValues::declare(const SectionPath &path)
-  {
-    for (const std::string &name : path)
-      handler.enter_subsection(name);
-    for (const EntryDeclaration &entry : declaration_of(path).entries)
-      {
-        // The handler wants a valid default even where the entry has to be given.
-        const std::vector<std::string> words = entry.choices();
-        const bool needs_word                = !words.empty() && entry.default_value.empty();
-        handler.declare_entry(entry.name,
-                              needs_word ? words.front() : entry.default_value,
-                              *entry.pattern,
-                              entry.documentation);
-      }
-    for (std::size_t i = 0; i < path.size(); ++i)
-      handler.leave_subsection();
   }
 
 
@@ -224,7 +197,7 @@ namespace fuga
   {
     static const std::set<std::string> reserved = {"x", "y", "z", "t", "pi"};
     EntryDeclaration constant;
-    constant.pattern       = parameter_patterns::any_number().check;
+    constant.range         = NumberRange();
     constant.documentation = "A constant is a number or an expression of constants above it.";
     expressions.add_unknown(entry.name);
     if (!is_identifier(entry.name) || reserved.count(entry.name) > 0)
@@ -233,15 +206,12 @@ namespace fuga
         "of x, y, z, t, pi.");
     if (entry.value.empty())
       entry.fail("there is no value. Allowed: a finite number.");
-    handler.enter_subsection(entry.path.front());
-    handler.declare_entry(entry.name, "0", *constant.pattern, "A constant.");
-    handler.leave_subsection();
-    constant_names.push_back(entry.name);
     const ScannedEntry evaluated = with_numbers(entry, constant);
     if (evaluated.value.empty())
       return; // another constant has an error
+    constant_names.push_back(entry.name);
     set(evaluated, constant);
-    expressions.add(entry.name, handler.get_double(entry.path, entry.name));
+    expressions.add(entry.name, std::stod(evaluated.value));
   }
 
 
@@ -251,7 +221,7 @@ namespace fuga
                                 const EntryDeclaration &declaration) const
   {
     ConstantExpressions::Result result;
-    if (declaration.is_number())
+    if (declaration.range)
       result = expressions.number(entry.value);
     else if (declaration.content != TextContent::words)
       result = expressions.numbers(entry.value);
@@ -268,28 +238,25 @@ namespace fuga
   void
   ParameterValues::set(const ScannedEntry &entry, const EntryDeclaration &declaration)
   {
-    for (const std::string &name : entry.path)
-      handler.enter_subsection(name);
-    bool is_accepted = true;
-    try
-      {
-        handler.set(entry.name, entry.value);
-      }
-    catch (const dealii::ExceptionBase &)
-      {
-        is_accepted = false;
-      }
-    for (std::size_t i = 0; i < entry.path.size(); ++i)
-      handler.leave_subsection();
-    if (is_accepted)
-      return;
-    const auto *number = dynamic_cast<const NumberPattern *>(declaration.pattern.get());
-    const auto words   = declaration.choices();
-    entry.fail(fmt::format(
-      "{}. Allowed: {}. {}",
-      number == nullptr ? "this word is unknown" : number->problem(entry.value),
-      declaration.allowed(),
-      words.empty() ? in_units(declaration.documentation, units) : close_word(entry.value, words)));
+    if (entry.value.empty())
+      return; // what the entry is written with has an error of its own, or empty is its default
+    const std::string problem = declaration.problem(entry.value);
+    if (!problem.empty())
+      entry.fail(fmt::format("{}. Allowed: {}. {}",
+                             problem,
+                             declaration.allowed(),
+                             declaration.words.empty()
+                               ? in_units(declaration.documentation, units)
+                               : close_word(entry.value, declaration.words)));
+    given_values[entry.full_name()] = entry.value;
+  }
+
+
+  std::string
+  ParameterValues::value_of(const std::string &full_name, const EntryDeclaration &declaration) const
+  {
+    const auto given = given_values.find(full_name);
+    return given == given_values.end() ? declaration.default_value : given->second;
   }
 
 
@@ -331,19 +298,16 @@ namespace fuga
     std::vector<std::pair<std::string, std::string>> result;
     for (const SectionPath &path : all_paths())
       {
-        const SectionDeclaration &section = declaration_of(path);
-        for (const std::string &name :
-             section.free_entries ? constant_names : section.entry_names())
-          {
-            const std::string value     = handler.get(path, name);
-            const std::string full_name = ScannedEntry{path, name, "", ""}.full_name();
-            // The handler has a value for every choice between words, wanted or not.
-            const bool absent = !section.free_entries &&
-                                section.find(name)->presence == Presence::optional &&
-                                entry_origins.count(full_name) == 0;
-            if (!value.empty() && !absent)
-              result.emplace_back(full_name, value);
-          }
+        const auto add = [&](const std::string &name, const EntryDeclaration &declaration) {
+          const std::string full_name = ScannedEntry{path, name, "", ""}.full_name();
+          if (const std::string value = value_of(full_name, declaration); !value.empty())
+            result.emplace_back(full_name, value);
+        };
+        for (const EntryDeclaration &entry : declaration_of(path).entries)
+          add(entry.name, entry);
+        if (declaration_of(path).free_entries)
+          for (const std::string &name : constant_names)
+            add(name, {});
       }
     return result;
   }

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -42,17 +41,6 @@ namespace fuga
       return pieces;
     }
 
-    std::optional<double>
-    number(const std::string &text)
-    {
-      double value      = 0.;
-      const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
-          !std::isfinite(value))
-        return {};
-      return value;
-    }
-
     /** The constants of a file, as far as they are right: what is wrong is told elsewhere. */
     ConstantExpressions
     constants_of(const ParameterScan &file)
@@ -62,7 +50,7 @@ namespace fuga
         if (entry.path == SectionPath{entries_of<ConstantEntries>().name})
           {
             const ConstantExpressions::Result result = constants.number(entry.value);
-            if (const auto value = number(result.text); result.problem.empty() && value)
+            if (const auto value = number_of_text(result.text); result.problem.empty() && value)
               constants.add(entry.name, *value);
           }
       return constants;
@@ -77,7 +65,7 @@ namespace fuga
       for (const std::string &word : words)
         {
           const ConstantExpressions::Result result = constants.number(word);
-          const auto value                         = number(result.text);
+          const auto value                         = number_of_text(result.text);
           if (!result.problem.empty())
             line.fail(result.problem);
           if (!value)

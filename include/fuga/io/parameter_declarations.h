@@ -44,7 +44,9 @@ namespace fuga
     std::string name;
     Presence presence = Presence::defaulted;
     std::string default_value;
-    std::shared_ptr<const dealii::Patterns::PatternBase> pattern;
+    /** One of these words, a number of this range, or else any text. */
+    std::vector<std::string> words;
+    std::optional<NumberRange> range;
     TextContent content = TextContent::words;
     std::string documentation;
     /** Values in default_parameter_text(), one per example section; none = a commented line. */
@@ -59,13 +61,9 @@ namespace fuga
     std::string
     allowed() const;
 
-    /** Whether the value is one number. */
-    bool
-    is_number() const;
-
-    /** The words allowed if the entry is a choice between words, else empty. */
-    std::vector<std::string>
-    choices() const;
+    /** Why @p value is not allowed; "" if it is. */
+    std::string
+    problem(const std::string &value) const;
   };
 
   /** An entry in the hands of a reader; valid as long as the program runs. */
@@ -245,12 +243,14 @@ namespace fuga
       declaration.name              = entry;
       declaration.presence          = presence;
       declaration.default_value     = value;
-      declaration.pattern           = pattern.check;
-      declaration.content           = pattern.content;
-      declaration.documentation     = text;
-      declaration.examples          = examples;
-      declaration.accepts_empty     = presence == Presence::defaulted && value.empty();
-      declaration.decides           = decided;
+      for (const auto &word : pattern.words)
+        declaration.words.push_back(word.first);
+      declaration.range         = pattern.range;
+      declaration.content       = pattern.content;
+      declaration.documentation = text;
+      declaration.examples      = examples;
+      declaration.accepts_empty = presence == Presence::defaulted && value.empty();
+      declaration.decides       = decided;
       return {{&declaration}, pattern.words, &declaration};
     }
 

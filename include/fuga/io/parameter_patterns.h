@@ -4,18 +4,43 @@
 #ifndef fuga_io_parameter_patterns_h
 #define fuga_io_parameter_patterns_h
 
-#include <deal.II/base/patterns.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace fuga
 {
+  /** A finite number or integer within bounds; it can say what is wrong with a text. */
+  struct NumberRange
+  {
+    bool is_integer       = false;
+    double lower          = -std::numeric_limits<double>::infinity();
+    bool lower_is_allowed = false;
+    double upper          = std::numeric_limits<double>::infinity();
+    bool upper_is_allowed = false;
+
+    /** "a finite number > 0", "an integer from 1 to 3". */
+    std::string
+    description() const;
+
+    /** Why @p text is none of these numbers; "" if it is one. */
+    std::string
+    problem(const std::string &text) const;
+  };
+
+  /** The finite number that @p text is, or nothing. */
+  std::optional<double>
+  number_of_text(const std::string &text);
+
+  /** As a user would write it: 1e-9, 0.01, 1000000. */
+  std::string
+  short_number(const double value);
+
   /** Whether expressions of constants may stand in a text. */
   enum class TextContent
   {
@@ -29,70 +54,81 @@ namespace fuga
   template <typename Value>
   using Words = std::vector<std::pair<std::string, Value>>;
 
-  /** As a user would write it: 1e-9, 0.01, 1000000. */
-  std::string
-  short_number(const double value);
-
-  /** What may stand as a value, and what it means. */
+  /** What may stand as a value, and what it means: one of the words, a number, or a text. */
   template <typename Value>
   struct Pattern
   {
-    std::shared_ptr<const dealii::Patterns::PatternBase> check;
-    Words<Value> words  = {};
-    TextContent content = TextContent::words;
+    Words<Value> words               = {};
+    std::optional<NumberRange> range = {};
+    TextContent content              = TextContent::words;
 
     /** How a file says @p value. */
     std::string
     text_of(const Value &value) const
     {
-      const auto word =
-        std::find_if(words.begin(), words.end(), [&](const auto &w) { return w.second == value; });
-      if (word != words.end())
-        return word->first;
-      if constexpr (std::is_same_v<Value, double>)
-        return short_number(value);
-      else if constexpr (std::is_enum_v<Value>)
-        return "";
+      for (const auto &[word, meaning] : words)
+        if (meaning == value)
+          return word;
+      if constexpr (std::is_same_v<Value, std::string>)
+        return value;
       else
-        return fmt::format("{}", value);
+        return short_number(static_cast<double>(value));
     }
   };
 
   /** The words in which the tables of entries are written. */
   namespace parameter_patterns
   {
-    Pattern<std::string>
-    text(const TextContent content = TextContent::words);
+    inline Pattern<std::string>
+    text(const TextContent content = TextContent::words)
+    {
+      return {{}, {}, content};
+    }
 
     /** One of the words, with what each means. */
     template <typename Value>
     Pattern<Value>
     choice(const Words<Value> &words)
     {
-      std::string list;
-      for (const auto &[word, value] : words)
-        list += (list.empty() ? "" : "|") + word;
-      return {std::make_shared<dealii::Patterns::Selection>(list), words};
+      return {words};
     }
 
-    Pattern<unsigned int>
-    integer(const double lower, const double upper);
+    inline Pattern<unsigned int>
+    integer(const double lower, const double upper)
+    {
+      return {{}, NumberRange{true, lower, true, upper, true}};
+    }
 
-    Pattern<double>
-    any_number();
+    inline Pattern<double>
+    any_number()
+    {
+      return {{}, NumberRange{}};
+    }
 
-    Pattern<double>
-    number_above(const double lower);
+    inline Pattern<double>
+    number_above(const double lower)
+    {
+      return {{}, NumberRange{false, lower}};
+    }
 
-    Pattern<double>
-    number_from(const double lower);
+    inline Pattern<double>
+    number_from(const double lower)
+    {
+      return {{}, NumberRange{false, lower, true}};
+    }
 
-    Pattern<double>
-    number_between(const double lower, const bool lower_is_allowed, const double upper);
+    inline Pattern<double>
+    number_between(const double lower, const bool lower_is_allowed, const double upper)
+    {
+      return {{}, NumberRange{false, lower, lower_is_allowed, upper}};
+    }
 
     /** Both bounds are allowed. */
-    Pattern<double>
-    number_in(const double lower, const double upper);
+    inline Pattern<double>
+    number_in(const double lower, const double upper)
+    {
+      return {{}, NumberRange{false, lower, true, upper, true}};
+    }
   } // namespace parameter_patterns
 } // namespace fuga
 

@@ -4,6 +4,7 @@
 #ifndef fuga_io_parameter_readers_h
 #define fuga_io_parameter_readers_h
 
+#include <fuga/io/parameter_entries.h>
 #include <fuga/io/parameter_expressions.h>
 #include <fuga/io/parameter_values.h>
 #include <fuga/io/parameters.h>
@@ -34,6 +35,47 @@ namespace fuga
                    const std::string &expression,
                    const ExpressionArguments arguments,
                    const std::map<std::string, double> &constants);
+
+  /** Fails at @p one if both entries are given. */
+  void
+  refuse_both(const ParameterSection &section, const AnyEntry &one, const AnyEntry &other);
+
+  /** What reading the layer of a joint depends on besides its own section. */
+  struct LayerSurroundings
+  {
+    const std::map<std::string, double> &constants;
+    /** Stress up to which laws are checked [MPa]. */
+    double largest_stress;
+    /** Laws that section Sweep gives the joint: the section of the joint has the entries of all of
+     * them. */
+    std::vector<LayerLaw> swept_normal_laws, swept_shear_laws;
+    /** The joint has shear strength, so that it needs a shear law. */
+    bool has_shear;
+  };
+
+  /**
+   * Reads compliance and curve of one direction into @p joint, whose law is known, and checks the
+   * law.
+   * @throws InputError for entries that are missing or belong to another law, and for laws that
+   * check_law() refuses.
+   */
+  void
+  read_layer(const ParameterSection &section,
+             const LayerDirection direction,
+             const LayerSurroundings &surroundings,
+             JointParameters &joint);
+
+  /** Friction, bond and dilatancy of one joint. @throws InputError */
+  FrictionLaw
+  read_strength(const ParameterSection &section);
+
+  /** How the shear stiffness of a joint grows. @throws InputError */
+  ShearGrowth
+  read_shear_growth(const ParameterSection &section);
+
+  /** That it goes together with the joint's laws and friction. @throws InputError */
+  void
+  check_shear_growth(const ParameterSection &section, const JointParameters &joint);
 
   /** Section Joints. @throws InputError */
   std::vector<JointParameters>

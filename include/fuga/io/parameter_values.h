@@ -10,8 +10,6 @@
 #include <fuga/io/parameter_scanner.h>
 #include <fuga/io/unit_text.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <functional>
 #include <map>
 #include <set>
@@ -45,10 +43,8 @@ namespace fuga
     Value
     value(const Entry<Value> &entry) const
     {
-      if constexpr (std::is_same_v<Value, double>)
-        return number(entry);
-      else if constexpr (std::is_same_v<Value, unsigned int>)
-        return integer(entry);
+      if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, unsigned int>)
+        return static_cast<Value>(std::stod(text(entry)));
       else if constexpr (std::is_same_v<Value, std::string>)
         return text(entry);
       else
@@ -113,12 +109,6 @@ namespace fuga
   private:
     friend class ParameterValues;
 
-    double
-    number(const AnyEntry &entry) const;
-
-    unsigned int
-    integer(const AnyEntry &entry) const;
-
     std::string
     full_name(const AnyEntry &entry) const;
 
@@ -154,7 +144,7 @@ namespace fuga
 
   /**
    * The values of a scanned file within what is declared. The constructor refuses unknown,
-   * repeated, missing and ill-formed entries; what it accepts sits in a dealii::ParameterHandler.
+   * repeated, missing and ill-formed entries; what it accepts is given.
    * Expressions of constants are numbers from then on.
    *
    * Errors are collected. A section with an error is broken: whatever else would be found in it, or
@@ -252,9 +242,6 @@ namespace fuga
     add_section(const ScannedSection &section);
 
     void
-    declare(const SectionPath &path);
-
-    void
     add_constant(const ScannedEntry &entry);
 
     void
@@ -270,6 +257,10 @@ namespace fuga
     void
     set(const ScannedEntry &entry, const EntryDeclaration &declaration);
 
+    /** What the file says, else the default. */
+    std::string
+    value_of(const std::string &full_name, const EntryDeclaration &declaration) const;
+
     void
     require_entries(const SectionPath &path) const;
 
@@ -284,7 +275,7 @@ namespace fuga
     mutable std::set<SectionPath> broken;
     Units units;
     ConstantExpressions expressions;
-    dealii::ParameterHandler handler;
+    std::map<std::string, std::string> given_values;
     std::map<std::string, std::vector<SectionPath>> subsection_paths;
     std::map<SectionPath, std::string> section_origins;
     std::map<std::string, std::string> entry_origins;
