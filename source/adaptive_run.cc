@@ -7,6 +7,7 @@
 #include <fuga/bodies/refinement_indicator.h>
 #include <fuga/dual_fields.h>
 #include <fuga/io/output_files.h>
+#include <fuga/io/parameter_entries.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -39,20 +40,6 @@ namespace fuga
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
-
-    std::string
-    quantity_name(const AccuracyTarget::Quantity quantity)
-    {
-      switch (quantity)
-        {
-          case AccuracyTarget::Quantity::pressure:
-            return "contact pressure";
-          case AccuracyTarget::Quantity::resultant:
-            return "resultant";
-          default:
-            return "monitor";
-        }
-    }
   } // namespace
 
 
@@ -61,7 +48,7 @@ namespace fuga
     : model(std::move(first_model))
   {
     const AccuracyTarget &target = model->parameters.accuracy;
-    report.quantity              = quantity_name(target.quantity);
+    report.quantity              = entries_of<AccuracyEntries>().quantity.word_of(target.quantity);
     report.target                = target.relative_error;
   }
 

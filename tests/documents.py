@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """The pages of doc/ speak of what exists: messages of doc/errors.md are in the sources, entries of doc/names.md and
-doc/errors.md are in doc/input.md, links lead to files and headings; pages, sections and equations that any file mentions
+doc/errors.md are in doc/input.md, the sources name an entry once, links lead to files and headings; pages, sections and equations that any file mentions
 are there, and so are the sources that a page mentions; generated pages have the remarks that are written by hand; the
 README is short, and the top of the repository tidy.
 
@@ -56,6 +56,20 @@ def check_entries(name, text):
         if entry not in known:
             complaints.append(f"{name}: there is no entry {section}/{path}")
     return len(found)
+
+
+def check_names():
+    """An entry of the input is named by the table of its section; whatever else in the program needs the name takes it
+    from there."""
+    rows = re.findall(r"^\| `([^`]+)` \|", (ROOT / "doc/input.md").read_text(encoding="utf-8"), re.M)
+    code = "\n".join(re.sub(r"^\s*(//|/?\*).*", "", path.read_text(encoding="utf-8"), flags=re.M)
+                     for folder in ("source", "include") for path in sorted((ROOT / folder).rglob("*.[ch]*")))
+    names = [literal.split("/")[-1] for literal in LITERAL.findall(code)]
+    for name in sorted(set(rows)):
+        # A single word may be the title of something else.
+        if " " in name and names.count(name) > rows.count(name):
+            complaints.append(f"the sources name the entry '{name}' {names.count(name)} times; doc/input.md has {rows.count(name)}")
+    return len(set(rows))
 
 
 def slug(heading):
@@ -135,12 +149,13 @@ def main():
     errors, names = ((ROOT / "doc" / name).read_text(encoding="utf-8") for name in ("errors.md", "names.md"))
     n_messages = check_messages(errors)
     n_entries = check_entries("doc/errors.md", errors) + check_entries("doc/names.md", names)
+    n_names = check_names()
     check_top()
     check_remarks()
     n_mentions = check_mentions()
     for path in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "meshes").glob("*.md")), *sorted((ROOT / "doc").rglob("*.md"))]:
         check_links(path)
-    if n_messages < 40 or n_entries < 30 or n_mentions < 200:
+    if n_names < 100 or n_messages < 40 or n_entries < 30 or n_mentions < 200:
         complaints.append(f"only {n_messages} messages, {n_entries} entries and {n_mentions} pages found")
     print("\n".join(complaints) or f"{n_messages} messages, {n_entries} entries, {n_mentions} pages")
     sys.exit(1 if complaints else 0)

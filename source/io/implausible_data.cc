@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/io/implausible_data.h>
+#include <fuga/io/parameter_entries.h>
+#include <fuga/io/parameter_scanner.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -22,6 +24,13 @@ namespace fuga
       double unit_size = 1.;
     };
 
+    std::string
+    path_of(const LoadDefinition &load, const AnyEntry &entry)
+    {
+      return path_name({entries_of<LoadEntries>().name, load.name, entry.name()});
+    }
+
+
     /** Judges sizes; ranges are in N and m. */
     class Review
     {
@@ -39,28 +48,29 @@ namespace fuga
       {
         for (const Material &material : parameters.model.materials)
           {
-            const auto name = [&](const char *entry) {
-              return fmt::format("Bodies/{}/{}", material.body, entry);
+            const BodyEntries &e = entries_of<BodyEntries>();
+            const auto name      = [&](const AnyEntry &entry) {
+              return path_name({e.name, material.body, entry.name()});
             };
             if (material.weight_density > 0.)
-              check(specific_weight(name("Weight density"), material.weight_density),
+              check(specific_weight(name(e.weight_density), material.weight_density),
                     5e3,
                     80e3,
                     "It is weight, not mass, per volume: 9.81 m/s2 times the density");
             const double weight = material.weight_density * newton / (metre * metre * metre);
             const bool is_stone = weight >= 22.5e3 && weight <= 30e3;
-            check(stress(name("Young modulus"), material.young_modulus),
+            check(stress(name(e.young_modulus), material.young_modulus),
                   is_stone ? 5e8 : 1e6,
                   is_stone ? 2e11 : 4e11,
                   fmt::format("{}Check the unit, which is {}",
                               is_stone ? "The body is as heavy as concrete, masonry or rock. " : "",
                               units.stress()));
-            check({name("Poisson ratio"), material.poisson_ratio, "", 1.},
+            check({name(e.poisson_ratio), material.poisson_ratio, "", 1.},
                   0.05,
                   0.49,
                   "Towards 0.5 a body keeps its volume, and its elements lock");
             if (material.thermal_expansion > 0.)
-              check({name("Thermal expansion"), material.thermal_expansion, "1/K", 1.},
+              check({name(e.thermal_expansion), material.thermal_expansion, "1/K", 1.},
                     1e-6,
                     5e-5,
                     "Concrete, rock and steel have about 1e-5 1/K");
@@ -103,13 +113,13 @@ namespace fuga
       {
         for (const LoadDefinition &load : parameters.model.loads)
           if (load.kind == LoadKind::uplift || type_of(parameters, load) == "hydrostatic")
-            check(
-              specific_weight(fmt::format("Loads/{}/Unit weight", load.name), load.depth.gradient),
-              9e3,
-              14e3,
-              fmt::format("Water has {:.4g} {}",
-                          9810. / specific_weight("", 0.).unit_size,
-                          specific_weight("", 0.).unit));
+            check(specific_weight(path_of(load, entries_of<LoadEntries>().unit_weight),
+                                  load.depth.gradient),
+                  9e3,
+                  14e3,
+                  fmt::format("Water has {:.4g} {}",
+                              9810. / specific_weight("", 0.).unit_size,
+                              specific_weight("", 0.).unit));
       }
 
       void
@@ -201,7 +211,7 @@ namespace fuga
   type_of(const Parameters &parameters, const LoadDefinition &load)
   {
     for (const auto &[entry, value] : parameters.echo)
-      if (entry == "Loads/" + load.name + "/Type")
+      if (entry == path_of(load, entries_of<LoadEntries>().type))
         return value;
     return {};
   }

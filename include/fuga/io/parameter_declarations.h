@@ -93,6 +93,13 @@ namespace fuga
     /** The row of the table, which the constructor of the section goes on filling. */
     EntryDeclaration *row = nullptr;
 
+    /** How a file says @p value. */
+    std::string
+    word_of(const Value &value) const
+    {
+      return Pattern<Value>{words}.text_of(value);
+    }
+
     /** This entry and @p other are two ways to say the same. */
     const Entry &
     instead_of(const Entry &other) const
