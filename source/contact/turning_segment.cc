@@ -76,9 +76,9 @@ namespace fuga
     first.stage = stage_at_start(directions);
     for (std::size_t i = 0; i < slipping.size(); ++i)
       {
-        const std::size_t k   = slipping[i];
-        const TangentVector e = i < turning.size() ? directions[k] :
-                                                     context.scheme.slip_direction_of(k);
+        const std::size_t k = slipping[i];
+        const TangentVector e =
+          i < turning.size() ? directions[k] : context.scheme.slip_direction_of(k);
         first.slip_rates.push_back(
           dot(e, slip_rate(context.elements[k], start.state, k, start.rates)));
       }

@@ -52,7 +52,9 @@ namespace fuga
 
   // How the background answers at a state in equilibrium. Returns false if nothing holds it.
   bool
-  TurningSegment::take_response(const double tau, const TurningStage &stage, const JointState &state)
+  TurningSegment::take_response(const double tau,
+                                const TurningStage &stage,
+                                const JointState &state)
   {
     const std::size_t n = turning.size();
     std::vector<std::size_t> bars;
@@ -108,9 +110,8 @@ namespace fuga
           }
         state.dilations[k] = stage.dilations[i];
         if (!has_nonlinear_closure(element))
-          state.dislocations[element.normal_bar] =
-            start.state.dislocations[element.normal_bar] +
-            (stage.dilations[i] - start.state.dilations[k]);
+          state.dislocations[element.normal_bar] = start.state.dislocations[element.normal_bar] +
+                                                   (stage.dilations[i] - start.state.dilations[k]);
       }
   }
 
@@ -162,13 +163,14 @@ namespace fuga
       }
   }
 
-  // A linear background has answered once and for all. Any other is linearised at the state that the
-  // last answer led to, until that stays where it is: a Newton iteration about the other.
+  // A linear background has answered once and for all. Any other is linearised at the state that
+  // the last answer led to, until that stays where it is: a Newton iteration about the other.
   bool
   TurningSegment::solve_stage(const TurningStageSolver::Demand demand,
                               const double tau,
                               const double advance,
                               const TurningStage &base,
+                              const double slip_noise,
                               Vector &xi,
                               TurningStage &stage,
                               JointState &state)
@@ -199,7 +201,7 @@ namespace fuga
         for (std::size_t j = 0; j < stage.dilations.size(); ++j)
           change = std::max(change, std::abs(stage.dilations[j] - before.dilations[j]));
         if (change <= tolerance * jump_scale ||
-            (change >= 0.5 * last && change <= accepted * jump_scale))
+            (change >= 0.5 * last && change <= accepted * jump_scale + slip_noise))
           return true;
         last = change;
       }

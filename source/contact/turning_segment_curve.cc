@@ -3,11 +3,11 @@
 
 #include <fuga/base/cubic.h>
 #include <fuga/base/errors.h>
-#include <fuga/contact/turning_segment.h>
 #include <fuga/contact/implicit_runge_kutta.h>
 #include <fuga/contact/layer_response.h>
 #include <fuga/contact/layer_work.h>
 #include <fuga/contact/strength_reduction.h>
+#include <fuga/contact/turning_segment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +70,17 @@ namespace fuga
     return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
   }
 
+  // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
+  // Close to a mechanism their rounding moves the slips.
+  double
+  TurningSegment::force_noise(const JointState &state) const
+  {
+    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
+    return std::max(force_rounding * force_scale,
+                    stage_rounding * context.system.largest_stiffness() *
+                      max_abs(state.dislocations));
+  }
+
   // One step of the Runge-Kutta pair. The error is relative to the tolerance.
   bool
   TurningSegment::step(const Station &from, const double length, Station &to, double &error)
@@ -93,10 +104,12 @@ namespace fuga
     for (const std::size_t k : turning)
       rise.push_back(start.state.strengths[k].dilatancy);
 
+    const double slip_noise =
+      force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / driving_force();
     JointState &state = to.point.state;
     state             = from.point.state;
-    to.stage    = from.stage;
-    double work = length * rk::weights.back()[0] * power(from.stage, rates[0]);
+    to.stage          = from.stage;
+    double work       = length * rk::weights.back()[0] * power(from.stage, rates[0]);
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
     // Of the stages so far: rates of slip along the directions, and these.
     std::vector<Vector> stage_rates                          = {xi};
@@ -117,16 +130,16 @@ namespace fuga
           value *= length * rk::diagonal;
         // Stages on the cones by their rates alone, so that the method keeps its order (as one for
         // a differential-algebraic system it would lose it); the last one, the result, exactly.
-        const auto demand =
-          k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates : TurningStageSolver::Demand::cone;
+        const auto demand  = k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates
+                                                  : TurningStageSolver::Demand::cone;
         state.dislocations = from.point.state.dislocations;
         for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
-          state.dislocations[bar] +=
-            rk::abscissae[k] * length * from.point.rates.dislocations[bar];
+          state.dislocations[bar] += rk::abscissae[k] * length * from.point.rates.dislocations[bar];
         if (!solve_stage(demand,
                          from.tau + rk::abscissae[k] * length,
                          length * rk::diagonal,
                          base,
+                         slip_noise,
                          xi,
                          to.stage,
                          state))
@@ -156,17 +169,9 @@ namespace fuga
         for (std::size_t i = 0; i < n; ++i)
           of_rises[i] += weight * rise[i] * stage_rates[k][i];
       }
-    // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
-    // Close to a mechanism their rounding moves the slips.
-    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
-    const double force_noise = std::max(force_rounding * force_scale,
-                                        stage_rounding * context.system.largest_stiffness() *
-                                          max_abs(to.point.state.dislocations));
-    const double jump_noise =
-      force_noise * max_abs(from.point.rates.dislocations) / driving_force();
-    error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + jump_noise),
+    error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /
-                       (turning_step_tolerance * force_scale + force_noise));
+                       (turning_step_tolerance * force_scale + force_noise(to.point.state)));
     error = std::max(error, work_defect(from, to, length, work));
     if (context.scheme.is_nonlinear())
       error = std::max(
@@ -178,9 +183,9 @@ namespace fuga
   // in the work of friction, relative to the share that is allowed.
   double
   TurningSegment::work_defect(const Station &from,
-                           const Station &to,
-                           const double length,
-                           const double work) const
+                              const Station &to,
+                              const double length,
+                              const double work) const
   {
     constexpr double allowed_share = 5e-11;
     constexpr double least_share   = 1e-13;
@@ -201,10 +206,8 @@ namespace fuga
                                             a.rates.forces[bar] * length,
                                             b.state.forces[bar],
                                             b.rates.forces[bar] * length);
-            const CubicOnUnitInterval slip(a.state.slips[k][i],
-                                           a_rate[i] * length,
-                                           b.state.slips[k][i],
-                                           b_rate[i] * length);
+            const CubicOnUnitInterval slip(
+              a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
             for (int g = 0; g < 3; ++g)
               of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
           }

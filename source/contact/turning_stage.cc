@@ -126,9 +126,9 @@ namespace fuga
         const TurningElement &own = turning[i];
         const TangentVector e = stage.directions[i], side = normal_to(e);
         const double strength =
-          demand == Demand::rates ?
-            advance * (own.cohesion_rate - own.friction_rate * stage.forces[3 * i]) :
-            own.cohesion;
+          demand == Demand::rates
+            ? advance * (own.cohesion_rate - own.friction_rate * stage.forces[3 * i])
+            : own.cohesion;
         result.values[2 * i] = e[0] * along[3 * i + 1] + e[1] * along[3 * i + 2] +
                                own.friction * along[3 * i] - strength;
         result.values[2 * i + 1] =
@@ -147,8 +147,8 @@ namespace fuga
                                  const TangentVector &slip,
                                  const double rise) const
   {
-    const double force = response.against_slip(row, 2 * j) * slip[0] +
-                         response.against_slip(row, 2 * j + 1) * slip[1];
+    const double force =
+      response.against_slip(row, 2 * j) * slip[0] + response.against_slip(row, 2 * j + 1) * slip[1];
     return response.against_rise.empty() ? force : force + response.against_rise(row, j) * rise;
   }
 
@@ -198,7 +198,10 @@ namespace fuga
   }
 
   void
-  TurningStageSolver::take_step(const Vector &step, const Vector &arms, Vector &xi, TurningStage &stage)
+  TurningStageSolver::take_step(const Vector &step,
+                                const Vector &arms,
+                                Vector &xi,
+                                TurningStage &stage)
   {
     constexpr double largest_turn = 1.;
     for (std::size_t j = 0; j < xi.size(); ++j)
@@ -213,11 +216,11 @@ namespace fuga
 
   bool
   TurningStageSolver::solve(const Demand demand,
-                         const double tau,
-                         const double advance,
-                         const TurningStage &base_stage,
-                         Vector &xi,
-                         TurningStage &stage)
+                            const double tau,
+                            const double advance,
+                            const TurningStage &base_stage,
+                            Vector &xi,
+                            TurningStage &stage)
   {
     constexpr unsigned int max_iterations = 30;
     // Residuals, in units of rounding, with which an iteration that stands still is accepted.
@@ -246,10 +249,10 @@ namespace fuga
         Vector step = residual.values;
         factorisation.factors->solve(step);
         ++count.n_iterations;
-        count.max_in_one               = std::max<std::size_t>(count.max_in_one, i + 1);
-        const TurningStage stage_before   = stage;
-        const Vector xi_before         = xi;
-        const Residual residual_before = residual;
+        count.max_in_one                = std::max<std::size_t>(count.max_in_one, i + 1);
+        const TurningStage stage_before = stage;
+        const Vector xi_before          = xi;
+        const Residual residual_before  = residual;
         take_step(step, factorisation.arms, xi, stage);
         residual = evaluate(demand, from, advance, xi, stage);
         if (residual.worst <= accepted && residual.worst >= 0.5 * residual_before.worst)

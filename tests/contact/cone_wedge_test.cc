@@ -118,7 +118,114 @@ namespace fuga::tests
       system.motion_loads = L;
       return system;
     }
+    /** A rigid wedge on two planes, its line of intersection plunging steeply; loads: the weight,
+     * and water that presses on both planes. */
+    struct RigidWedge
+    {
+      static constexpr std::size_t n_on_plane = 6;
+      static constexpr double weight          = 10.;
+      const double plunge;
+      const std::array<double, 2> dips, thrusts;
+      std::array<Point, 2> normals;
+      ToySystem system;
+
+      RigidWedge(const double line_plunges,
+                 const std::array<double, 2> &planes_dip,
+                 const std::array<double, 2> &water)
+        : plunge(line_plunges), dips(planes_dip), thrusts(water)
+      {
+        const Point line   = {{std::cos(plunge), 0., -std::sin(plunge)}};
+        const Point side   = {{0., 1., 0.}};
+        system.S           = DenseMatrix(6, 6);
+        system.B           = DenseMatrix(6 * n_on_plane, 6);
+        system.F           = DenseMatrix(6, 2);
+        const Point middle = combine(1., line, 0.7, up());
+        system.F(2, 0)     = -weight;
+        system.F(3, 0)     = -weight * middle[1];
+        system.F(4, 0)     = weight * middle[0];
+        for (std::size_t plane = 0; plane < 2; ++plane)
+          {
+            const double dip = dips[plane], sign = plane == 0 ? 1. : -1.;
+            normals[plane]       = combine(-sign * std::sin(dip), side, std::cos(dip), up());
+            const Point outwards = combine(sign * std::cos(dip), side, std::sin(dip), up());
+            const std::array<Point, 3> frame = {
+              {normals[plane], line, cross(normals[plane], line)}};
+            for (std::size_t k = 0; k < n_on_plane; ++k)
+              {
+                const Point x = combine(
+                  0.5 + 0.5 * static_cast<double>(k % 3), line, k < 3 ? 0.2 : 1.2, outwards);
+                const auto row  = 3 * (plane * n_on_plane + k);
+                const Point arm = cross(x, normals[plane]);
+                for (std::size_t j = 0; j < 3; ++j)
+                  {
+                    Point axis = {{0., 0., 0.}};
+                    axis[j]    = 1.;
+                    for (std::size_t i = 0; i < 3; ++i)
+                      {
+                        system.B(row + i, j)     = frame[i][j];
+                        system.B(row + i, 3 + j) = inner(frame[i], cross(axis, x));
+                      }
+                    const double share = thrusts[plane] / n_on_plane;
+                    system.F(j, 1) += share * normals[plane][j];
+                    system.F(3 + j, 1) += share * arm[j];
+                  }
+              }
+          }
+        system.motions      = system.B;
+        system.motion_loads = system.F;
+      }
+
+      Point
+      up() const
+      {
+        return {{std::sin(plunge), 0., std::cos(plunge)}};
+      }
+
+      /** E. Hoek, J. W. Bray, Rock Slope Engineering: slip along the line of intersection, no shear
+       * across it. @p cohesion: force on both planes together. */
+      double
+      factor_of_safety(const double friction, const double cohesion) const
+      {
+        const double sine   = std::sin(dips[0] + dips[1]);
+        const double normal = weight * std::cos(plunge);
+        const double N_a    = normal * std::sin(dips[1]) / sine - thrusts[0];
+        const double N_b    = normal * std::sin(dips[0]) / sine - thrusts[1];
+        return (friction * (N_a + N_b) + cohesion) / (weight * std::sin(plunge));
+      }
+    };
   } // namespace
+
+  // Friction, cohesion and water; the strength is reduced until the wedge slides. On the way shear
+  // across the line turns into the direction of slip; at the limit none is left, but for what the
+  // path leaves before it is one without resistance.
+  TEST(ConeWedge, FactorOfSafetyIsThatOfHoekAndBray)
+  {
+    for (const double cohesion : {0., 3.})
+      for (const double water : {0., 1.})
+        {
+          SCOPED_TRACE(testing::Message() << "cohesion " << cohesion << ", water " << water);
+          const RigidWedge wedge(0.7, {{0.8, 1.}}, {{water, 0.5 * water}});
+          constexpr double friction = 1.1;
+          constexpr std::size_t n   = 2 * RigidWedge::n_on_plane;
+          ConeJoint joint(n, 0.5, make_linear_law(1e-3), make_linear_law(1e-3), friction);
+          for (ContactElement &element : joint.elements)
+            {
+              element.friction.cohesion = cohesion / (n * element.area);
+              element.friction.reduced  = true;
+            }
+          const LoadHistory history(
+            {0., 1., 2., 3.}, {{0., 0.}, {1., 0.}, {1., 1.}, {1., 1.}}, {1., 1., 1., 0.2});
+          const ConeRun run(wedge.system, joint.elements, history, {1., 2.});
+          EXPECT_EQ(run.result.verdict, Verdict::limit_load);
+          EXPECT_EQ(run.result.mechanism, MechanismKind::sliding);
+          const double factor = 1. / history.strength_share(run.result.t);
+          // The path ends less than 1e-6 of the load below a limit that it only approaches.
+          const double below = 1. - factor / wedge.factor_of_safety(friction, cohesion);
+          EXPECT_GT(below, 0.);
+          EXPECT_LT(below, 1e-6);
+          EXPECT_LT(run.record.worst.worst(), 1e-9);
+        }
+  }
 
   // The virgin state of rigid joints with a friction of 0.9 is one rate problem at the apex of all
   // cones. Newton's method alone, from soft layers and with sweeps, leaves eight of these forty

@@ -100,9 +100,12 @@ namespace fuga
                 const double tau,
                 const double advance,
                 const TurningStage &base,
+                const double slip_noise,
                 Vector &xi,
                 TurningStage &stage,
                 JointState &state);
+    double
+    force_noise(const JointState &state) const;
     bool
     complete(Station &station);
     bool

@@ -12,7 +12,8 @@
 
 namespace fuga
 {
-  /** An element that slips along two tangents, |T| = c - f N, and its strength at one parameter τ. */
+  /** An element that slips along two tangents, |T| = c - f N, and its strength at one parameter τ.
+   */
   struct TurningElement
   {
     std::size_t element = 0;
@@ -58,9 +59,9 @@ namespace fuga
    * The implicit equations of all turning elements together. Wanted are slips s = s* + ξ e, with
    * ω = ω* + ξ tan ψ, in the directions e of T. With Demand::cone they are such that
    * T + (f N - c) e = 0: a return mapping. With Demand::rates the slips ξ e are what flows with the
-   * rates at τ while the path goes on by λ: e·q_t + f q_n = λ (ċ - ḟ N), with q the change of forces
-   * by λ and ξ. Unknowns are ξ and the angles of e, so that neither N = 0 nor ξ = 0 is a singular
-   * point. Solved by Newton's method; the factors are kept as long as they serve.
+   * rates at τ while the path goes on by λ: e·q_t + f q_n = λ (ċ - ḟ N), with q the change of
+   * forces by λ and ξ. Unknowns are ξ and the angles of e, so that neither N = 0 nor ξ = 0 is a
+   * singular point. Solved by Newton's method; the factors are kept as long as they serve.
    */
   class TurningStageSolver
   {
