@@ -59,6 +59,8 @@ namespace fuga
             candidate.friction      = state.strengths[member.element].friction;
             candidate.rise          = state.strengths[member.element].dilatancy;
             candidate.strength_rate = shear_strength_rate(element, drive);
+            if (!drive.release.empty())
+              candidate.shear_release = tangential(element, drive.release);
             bars.push_back(element.tangential_bar);
             if (candidate.n_tangents == 2)
               bars.push_back(element.second_tangential_bar);

@@ -88,8 +88,9 @@ namespace fuga
             {
               std::array<double, 3> unit = {{0., 0., 0.}};
               unit[i]                    = 1. / std::sqrt(diagonal[row + i]);
-              unknowns.push_back(
-                {c, row, unit, unit, 0., i == 0 ? unit[0] * candidate.tension_rate : 0.});
+              const double release =
+                i == 0 ? candidate.tension_rate : candidate.shear_release[i - 1];
+              unknowns.push_back({c, row, unit, unit, 0., unit[i] * release});
             }
         else if (is_slipping(candidate.state))
           {

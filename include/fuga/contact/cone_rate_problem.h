@@ -71,6 +71,8 @@ namespace fuga
       double rise = 0.;
       /** Rates of the strength at the present pressure, and of the tensile strength. */
       double strength_rate = 0., tension_rate = 0.;
+      /** Rate of the shear that a broken bond still carries if the element is open. */
+      TangentVector shear_release = {{0., 0.}};
       /** On the boundary of no strength: every direction of slip is free, or there is none. */
       bool at_apex = false;
       /** It may open. */
