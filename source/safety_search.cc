@@ -61,8 +61,8 @@ namespace fuga
         options.beyond_limit = false;
 
         const LoadHistory history = history_of(s);
-        const auto way            = std::make_unique<EventPath>(joint.elements, layered, history, options);
-        const PathResult reached  = way->resume(start, levels, observer);
+        const auto way = std::make_unique<EventPath>(joint.elements, layered, history, options);
+        const PathResult reached = way->resume(start, levels, observer);
         if (!reached.tried.empty())
           throw NumericalFailure(fmt::format(
             "Safety search '{}': no equilibrium was found behind load time {:.12g}. {}.",

@@ -132,8 +132,8 @@ namespace fuga
     // Not a number is worse than any number.
     if (!(row.certificate <= summary.worst_certificate))
       summary.worst_certificate = row.certificate;
-    SchemeWork &total        = summary.work.scheme;
-    const SchemeWork of_one  = path.work();
+    SchemeWork &total       = summary.work.scheme;
+    const SchemeWork of_one = path.work();
     total.n_factorisations += of_one.n_factorisations;
     total.n_updates += of_one.n_updates;
     total.n_bars_ever_active = std::max(total.n_bars_ever_active, of_one.n_bars_ever_active);

@@ -99,7 +99,8 @@ namespace fuga
     const LoadHistory loading  = history.until(model->loads.end_of_loading);
     Judge judge(model->bodies, joint.elements, history, model->loads.end_of_loading);
     VariantObserver observer(judge, joint.elements, search.is_wanted());
-    const auto path = std::make_unique<EventPath>(joint.elements, system, loading, model->path_options());
+    const auto path =
+      std::make_unique<EventPath>(joint.elements, system, loading, model->path_options());
 
     SweepRow row;
     row.settings = variant.settings;

@@ -21,7 +21,8 @@ namespace fuga
     const LoadHistory loading = model.loads.history.until(model.loads.end_of_loading);
     PathOptions options       = model.path_options();
     options.beyond_limit      = false;
-    std::make_unique<EventPath>(joint.elements, layered, loading, options)->run(model.loads.levels, *this);
+    std::make_unique<EventPath>(joint.elements, layered, loading, options)
+      ->run(model.loads.levels, *this);
     n_reached = all_levels.size();
     if (!last_state.states.empty() && (all_levels.empty() || all_levels.back().t < last_state.t))
       add_level(last_state);

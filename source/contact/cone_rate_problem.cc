@@ -309,9 +309,8 @@ namespace fuga
         const double f          = candidate.friction;
         const TangentVector q_t = tangential_rows(candidate, q);
         const double no_shear   = shear_noise(candidate);
-        const double reserve =
-          candidate.strength_rate - dot(candidate.direction, q_t) - f * q[n];
-        const double turning    = dot(normal_to(candidate.direction), q_t);
+        const double reserve = candidate.strength_rate - dot(candidate.direction, q_t) - f * q[n];
+        const double turning = dot(normal_to(candidate.direction), q_t);
         if (reserve <= no_shear && std::abs(turning) > std::sqrt(no_shear * length(q_t)))
           {
             candidate.state = ContactState::slip_forward;

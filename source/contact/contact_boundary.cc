@@ -126,9 +126,9 @@ namespace fuga
   {
     const ContactElement &element = elements[k];
     const double shear            = force_tolerances[element.tangential_bar];
-    return (element.has_second_tangential_bar() ?
-              std::max(shear, force_tolerances[element.second_tangential_bar]) :
-              shear) +
+    return (element.has_second_tangential_bar()
+              ? std::max(shear, force_tolerances[element.second_tangential_bar])
+              : shear) +
            strength.friction * force_tolerances[element.normal_bar];
   }
 
@@ -153,7 +153,9 @@ namespace fuga
     else if (slipping || size >= strength - tolerance)
       {
         candidate.shear = ShearPosition::at_strength;
-        candidate.sign  = is_cone ? 1. : slipping ? slip_sign(state.states[k]) : std::copysign(1., T[0]);
+        candidate.sign  = is_cone    ? 1.
+                          : slipping ? slip_sign(state.states[k])
+                                     : std::copysign(1., T[0]);
         if (is_cone && size > 0.)
           candidate.direction = {{T[0] / size, T[1] / size}};
       }
@@ -172,9 +174,8 @@ namespace fuga
     const TangentVector T_rate    = tangential(element, rates.forces);
     const double size             = length(T);
     const double strength         = shear_strength(element, state, k);
-    const double strength_rate =
-      -state.strengths[k].friction * rates.forces[element.normal_bar] +
-      shear_strength_rate(element, drive);
+    const double strength_rate = -state.strengths[k].friction * rates.forces[element.normal_bar] +
+                                 shear_strength_rate(element, drive);
     const double tolerance = strength_tolerance(k, state.strengths[k]);
     if (element.has_second_tangential_bar())
       {
@@ -214,12 +215,10 @@ namespace fuga
     tolerance += rate_tolerance * std::abs(rates.forces[element.normal_bar]);
     double nearest = no_boundary;
     for (const double sign : {1., -1.})
-      nearest = std::min(nearest,
-                         used_up_after({strength - sign * T[0],
-                                        strength_rate - sign * T_rate[0],
-                                        tolerance},
-                                       noise.force(element.tangential_bar) +
-                                         f * noise.force(element.normal_bar)));
+      nearest = std::min(
+        nearest,
+        used_up_after({strength - sign * T[0], strength_rate - sign * T_rate[0], tolerance},
+                      noise.force(element.tangential_bar) + f * noise.force(element.normal_bar)));
     return nearest;
   }
 
@@ -278,9 +277,8 @@ namespace fuga
         const std::size_t n           = element.normal_bar;
         if (state.states[k] == ContactState::open)
           {
-            result.push_back({lip_opening(element, state, k),
-                              lip_opening_rate(element, state, rates),
-                              zero_gap});
+            result.push_back(
+              {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap});
             continue;
           }
         result.push_back({tensile_strength(element, state, k) - state.forces[n],

@@ -50,7 +50,7 @@ namespace fuga
   ContactPath::run(const std::vector<double> &levels, PathObserver &observer)
   {
     PathCut start;
-    start.state  = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
+    start.state = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
     remember_schemes(start);
     return resume(start, levels, observer);
   }
@@ -74,7 +74,7 @@ namespace fuga
   PathResult
   ContactPath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
   {
-    PathCut start    = end;
+    PathCut start = end;
     remember_schemes(start);
     start.resticking = {};
     start.n_reports  = 0;

@@ -202,7 +202,7 @@ namespace fuga
       factors[i] += tau * course.factor_rates[i];
     ContactBoundary here(context.elements, context.system);
     here.set_scales(state, factors, 1.);
-    const Drive drive = drive_at(context.elements, course, state);
+    const Drive drive                   = drive_at(context.elements, course, state);
     const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
     const std::vector<Reserve> at_start = context.boundary.reserves(state, point.rates, drive);
     for (std::size_t i = 0; i < reserves.size(); ++i)

@@ -67,11 +67,11 @@ namespace fuga
         const Strength &b     = to.state.strengths[k];
         const double strength = 0.5 * (a.cohesion + b.cohesion) -
                                 0.5 * (a.friction + b.friction) * force(element.normal_bar);
-        double slope        = 0.;
+        double slope = 0.;
         for (std::size_t i = 1; i < element.n_bars(); ++i)
           {
             const std::size_t bar = element.bar(i);
-            miss = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
+            miss                  = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
             slope += e[i - 1] * cubic(from.state.dislocations,
                                       from.rates.dislocations,
                                       to.state.dislocations,

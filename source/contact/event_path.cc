@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/contact/curved_segment.h>
 #include <fuga/base/errors.h>
+#include <fuga/contact/curved_segment.h>
 #include <fuga/contact/event_path.h>
 #include <fuga/contact/implicit_step.h>
 #include <fuga/contact/layer_response.h>
@@ -181,8 +181,8 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
       if (may_turn(elements[k], start.state, k))
         if (const TangentVector across = normal_to(scheme.slip_direction_of(k));
-            is_curved || std::abs(dot(across, tangential(elements[k], start.rates.forces))) >
-                           no_turn * size)
+            is_curved ||
+            std::abs(dot(across, tangential(elements[k], start.rates.forces))) > no_turn * size)
           return true;
     return false;
   }

@@ -18,7 +18,7 @@ namespace fuga
     scheme.linearise(state);
 
     const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
-    Continuation continuation              = rate_problem.solve(state, set, course.drive, resticking);
+    Continuation continuation = rate_problem.solve(state, set, course.drive, resticking);
     result.n_schemes += continuation.n_schemes;
     if (continuation.exists)
       choose_branch(state, set, course.drive, continuation, result);
@@ -62,12 +62,11 @@ namespace fuga
         if (state.states[k] == scheme.state(k))
           continue;
         const Strength strength = state.strengths[k];
-        events.push_back(change_element(
-          k,
-          scheme.state(k),
-          scheme.slip_direction_of(k),
-          boundary.force_tolerance(elements[k].normal_bar),
-          state));
+        events.push_back(change_element(k,
+                                        scheme.state(k),
+                                        scheme.slip_direction_of(k),
+                                        boundary.force_tolerance(elements[k].normal_bar),
+                                        state));
         events.back().n_branches = n_branches;
         costs_strength |= is_slipping(state.states[k]) && !(state.strengths[k] == strength);
       }

@@ -99,9 +99,9 @@ namespace fuga
             critical.elements.push_back(k);
         return;
       }
-    critical.elements          = rate_problem.critical_elements(set);
-    critical.all_counted       = RateProblem::can_be_enumerated(set);
-    const bool none_alone      = critical.elements.empty();
+    critical.elements     = rate_problem.critical_elements(set);
+    critical.all_counted  = RateProblem::can_be_enumerated(set);
+    const bool none_alone = critical.elements.empty();
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength &&
           scheme.state(candidate.element) != ContactState::open)
@@ -130,7 +130,8 @@ namespace fuga
         find_critical_elements(state, result);
         if (has_cones)
           result.tried = fmt::format(
-            "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
+            "Newton's method tried {} sets of states of {} elements on the boundary of their "
+            "contact "
             "conditions, also from a softer layer, from associated friction and with sweeps from "
             "element to element",
             continuation.n_schemes,
@@ -148,12 +149,11 @@ namespace fuga
         const ContactState to =
           state_in_mechanism(candidate, elements[k], state, result.mechanism_jumps);
         if (to != state.states[k])
-          events.push_back(
-            change_element(k,
-                           to,
-                           slip_direction(elements[k], to, candidate.direction),
-                           boundary.force_tolerance(elements[k].normal_bar),
-                           state));
+          events.push_back(change_element(k,
+                                          to,
+                                          slip_direction(elements[k], to, candidate.direction),
+                                          boundary.force_tolerance(elements[k].normal_bar),
+                                          state));
       }
     report(events, state, observer, result);
   }

@@ -137,10 +137,11 @@ namespace fuga
     const double stress = length(T) / A;
     if (element.coupling == nullptr)
       return scaled(element.shear_law->deformation(stress), direction_of(T));
-    return scaled(at.states[k] == ContactState::open
-                    ? element.coupling->deformation(-at.forces[element.normal_bar] / A, stress).shear
-                    : element.coupling->shear_deformation(-gap(element, at, k), stress),
-                  direction_of(T));
+    return scaled(
+      at.states[k] == ContactState::open
+        ? element.coupling->deformation(-at.forces[element.normal_bar] / A, stress).shear
+        : element.coupling->shear_deformation(-gap(element, at, k), stress),
+      direction_of(T));
   }
 
   LayerForces
@@ -149,8 +150,9 @@ namespace fuga
     const double A = element.area;
     if (element.coupling != nullptr)
       {
-        const TangentVector e           = layer_shear(element, at, k);
-        const ShearCoupling::Response r = element.coupling->response(-gap(element, at, k), length(e));
+        const TangentVector e = layer_shear(element, at, k);
+        const ShearCoupling::Response r =
+          element.coupling->response(-gap(element, at, k), length(e));
         return {-A * r.sigma, scaled(A * r.tau, direction_of(e))};
       }
     LayerForces forces;
@@ -252,15 +254,13 @@ namespace fuga
           element.coupling->deformation(-at.forces[element.normal_bar] / A, length(T) / A);
         const ShearCoupling::Response r = element.coupling->response(w, e);
         tangent.across                  = A * (e > 0. ? r.tau / e : r.dtau_de);
-        along =
-          (r.dsigma_de * rates.forces[element.normal_bar] + r.dsigma_dw * dot(u, rate)) /
-          (A * (r.dsigma_dw * r.dtau_de - r.dsigma_de * r.dsigma_de));
+        along = (r.dsigma_de * rates.forces[element.normal_bar] + r.dsigma_dw * dot(u, rate)) /
+                (A * (r.dsigma_dw * r.dtau_de - r.dsigma_de * r.dsigma_de));
       }
     TangentVector elastic = scaled(along, u);
     if (element.has_second_tangential_bar())
       elastic = sum(elastic, dot(normal_to(u), rate) / tangent.across, normal_to(u));
-    const TangentVector jump =
-      sum(dislocation_rate, bar_compliance(*element.shear_law, A), rate);
+    const TangentVector jump = sum(dislocation_rate, bar_compliance(*element.shear_law, A), rate);
     return sum(jump, -1., elastic);
   }
 

@@ -119,10 +119,15 @@ namespace fuga
           noise += jump_noise * std::abs(to.state.forces[bar]);
         };
         if (has_nonlinear_closure(element))
-          work_of_bar(element.normal_bar, *element.normal_law, closing(context, k, from), closing(context, k, to));
+          work_of_bar(element.normal_bar,
+                      *element.normal_law,
+                      closing(context, k, from),
+                      closing(context, k, to));
         for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
-          work_of_bar(
-            element.bar(a), *element.shear_law, shearing(context, k, a, from), shearing(context, k, a, to));
+          work_of_bar(element.bar(a),
+                      *element.shear_law,
+                      shearing(context, k, a, from),
+                      shearing(context, k, a, to));
         const double stored_before = nonlinear_energy(element, from.state, k);
         const double mismatch =
           std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));

@@ -190,7 +190,8 @@ namespace fuga
           continue;
         if (is_slipping(now))
           {
-            if (dot(scheme.slip_direction_of(k), slip_rate(element, state, k, rates)) < -noise.jump())
+            if (dot(scheme.slip_direction_of(k), slip_rate(element, state, k, rates)) <
+                -noise.jump())
               switches.push_back({k, ContactState::stick});
             continue;
           }

@@ -109,7 +109,7 @@ namespace fuga
     };
     for (std::size_t b = 0; b < stuck.size(); ++b)
       {
-        const std::size_t i = stuck[b];
+        const std::size_t i  = stuck[b];
         const SchemeRow &row = stuck_rows[b];
         Vector line(rows.size());
         for (std::size_t j = 0; j < rows.size(); ++j)

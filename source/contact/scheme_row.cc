@@ -170,7 +170,7 @@ namespace fuga
         case Demand::layer:
           {
             const LayerForces law = layer_forces(element, at, k);
-            return at.forces[row.bar] - (row.bar == element.normal_bar     ? law.normal
+            return at.forces[row.bar] - (row.bar == element.normal_bar       ? law.normal
                                          : row.bar == element.tangential_bar ? law.shear[0]
                                                                              : law.shear[1]);
           }

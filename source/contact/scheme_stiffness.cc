@@ -50,8 +50,8 @@ namespace fuga
             for (std::size_t i = 0; i < n; ++i)
               of_rows(i, j) += share * W(bars[i], element.bar(a));
       }
-    DenseMatrix x          = inverse.solve(C);
-    DenseMatrix defect     = multiply(active_matrix(), x);
+    DenseMatrix x      = inverse.solve(C);
+    DenseMatrix defect = multiply(active_matrix(), x);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < m; ++i)
         defect(i, j) = C(i, j) - defect(i, j);

@@ -128,8 +128,7 @@ namespace fuga
   {
     DenseMatrix X(n, B.n_columns());
     if (n > 0 && B.n_columns() > 0)
-      blas::gemm(
-        'N', n, B.n_columns(), n, values.data(), stride, B.data(), n, X.data(), n);
+      blas::gemm('N', n, B.n_columns(), n, values.data(), stride, B.data(), n, X.data(), n);
     return X;
   }
 

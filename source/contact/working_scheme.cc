@@ -233,7 +233,7 @@ namespace fuga
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const ContactElement &element = elements[rows[i].element];
-        rhs[i] = row_drive(rows[i], element, states[rows[i].element], drive);
+        rhs[i]                        = row_drive(rows[i], element, states[rows[i].element], drive);
         for (std::size_t a = 0; a < element.n_bars(); ++a)
           if (position[element.bar(a)] != no_row)
             rhs[i] -= rows[i].stiffness[a] * imposed[element.bar(a)];

@@ -210,8 +210,7 @@ namespace fuga
       }
     const double smallest_pivot =
       smallest_relative_pivot * std::abs(system.stiffness()(row.bar, row.bar));
-    if (std::abs(inverse.append(column, line, entry(row, row), smallest_pivot)) <=
-        smallest_pivot)
+    if (std::abs(inverse.append(column, line, entry(row, row), smallest_pivot)) <= smallest_pivot)
       return false;
     rows.push_back(row);
     note_position(rows.size() - 1);

@@ -68,8 +68,9 @@ TEST(Cycles, RatchetOfRockingBlock)
   const double tolerance = 1e-11; // the advance grows to 12 in 40 cycles
   for (std::size_t cycle = 3; cycle <= n_cycles; ++cycle)
     for (std::size_t k = 0; k < 2; ++k)
-      EXPECT_NEAR(
-        record.levels[2 * cycle].slips[k][0] - record.levels[2 * cycle - 2].slips[k][0], 0.3, tolerance);
+      EXPECT_NEAR(record.levels[2 * cycle].slips[k][0] - record.levels[2 * cycle - 2].slips[k][0],
+                  0.3,
+                  tolerance);
 }
 
 // V6, shakedown: the Jenkins element with F0 ≤ fN(1 + k/k_t) = 0.42 never slips again after the

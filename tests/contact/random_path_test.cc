@@ -143,8 +143,10 @@ namespace
             if (to.t - from.t < 1e-9)
               continue;
             ++n_pieces;
-            const auto found = judges::enumerate_step(
-              problem, judges::judge_slips(from), judges::judge_load(scene.system, history.factors(to.t)));
+            const auto found =
+              judges::enumerate_step(problem,
+                                     judges::judge_slips(from),
+                                     judges::judge_load(scene.system, history.factors(to.t)));
             double nearest = std::numeric_limits<double>::infinity();
             for (const auto &solution : found.solutions)
               {

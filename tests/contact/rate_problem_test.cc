@@ -52,9 +52,8 @@ namespace
           state.dilations    = {0.};
           state.strengths    = {virgin_strength(joint.elements[0].friction, 1.)};
           state.unreleased   = {0., 0.};
-          const Drive drive{multiply(layered.reactions(), Vector{std::cos(angle), std::sin(angle)}),
-                            {},
-                            {}};
+          const Drive drive{
+            multiply(layered.reactions(), Vector{std::cos(angle), std::sin(angle)}), {}, {}};
           const auto n = static_cast<unsigned int>(
             problem.branches(state, {{0, false, ShearPosition::at_strength, sign}}, drive).size());
           counts.smallest = std::min(counts.smallest, n);

@@ -107,7 +107,7 @@ namespace fuga::tests
         const Vector by_loads = multiply(system.F, history.rates(t));
         // The residual's derivatives with respect to the loads and to an amount of slip along e.
         Vector from_load = by_loads, from_slip(3, 0.);
-        from_slip[0] = area * stress_slope(y[2] - delta[0]) * law.dilatancy;
+        from_slip[0]     = area * stress_slope(y[2] - delta[0]) * law.dilatancy;
         for (std::size_t a = 0; a < 2; ++a)
           if (law.shear_layer)
             from_slip[1 + a] = -(J(1 + a, 1) + system.S(1 + a, 1)) * e[0] -
@@ -163,8 +163,8 @@ namespace fuga::tests
     coupled_element()
     {
       ToySystem system;
-      system.S = DenseMatrix(3, 3);
-      system.F = DenseMatrix(3, 3);
+      system.S             = DenseMatrix(3, 3);
+      system.F             = DenseMatrix(3, 3);
       const double S[3][3] = {{1.5, 0.3, -0.2}, {0.3, 4., 0.5}, {-0.2, 0.5, 3.}};
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
@@ -191,21 +191,16 @@ namespace fuga::tests
     ConeJoint
     layered_joint(const Case &of_case)
     {
-      ConeJoint joint(1,
-                      area,
-                      law_nine(),
-                      of_case.shear_layer ? law_nine() : make_rigid_law(),
-                      of_case.friction);
+      ConeJoint joint(
+        1, area, law_nine(), of_case.shear_layer ? law_nine() : make_rigid_law(), of_case.friction);
       FrictionLaw &friction = joint.elements[0].friction;
       friction.cohesion     = of_case.cohesion;
       friction.dilatancy    = of_case.dilatancy;
       return joint;
     }
 
-    const std::vector<Case> cases = {{false, 0.4, 0., 0.},
-                                     {true, 0.4, 0., 0.},
-                                     {false, 0.5, 0.2, 0.},
-                                     {true, 0.4, 0.1, 0.2}};
+    const std::vector<Case> cases = {
+      {false, 0.4, 0., 0.}, {true, 0.4, 0., 0.}, {false, 0.5, 0.2, 0.}, {true, 0.4, 0.1, 0.2}};
 
     SlidingElement::State
     slips_of(const JointState &state)
@@ -218,7 +213,8 @@ namespace fuga::tests
     {
       namespace odeint = boost::numeric::odeint;
       odeint::integrate_adaptive(
-        odeint::make_controlled<odeint::runge_kutta_fehlberg78<SlidingElement::State>>(1e-14, 1e-14),
+        odeint::make_controlled<odeint::runge_kutta_fehlberg78<SlidingElement::State>>(1e-14,
+                                                                                       1e-14),
         std::cref(element),
         y,
         2.,
@@ -246,7 +242,7 @@ namespace fuga::tests
         for (const JointState &state : levels)
           {
             const SlidingElement::State y = reference(element, slips_of(levels.front()), state.t);
-            const Vector p = element.bar_forces(element.jump(y, state.t), state.t);
+            const Vector p                = element.bar_forces(element.jump(y, state.t), state.t);
             for (std::size_t a = 0; a < 3; ++a)
               {
                 EXPECT_NEAR(slips_of(state)[a], y[a], 1e-9) << state.t;
@@ -298,11 +294,8 @@ namespace fuga::tests
               boundary.set_scales(point.state, course.factors, 1.);
               WorkingScheme background(joint.elements, layered);
               IterationCount count;
-              TurningSegment segment({joint.elements, layered, boundary, background},
-                                     course,
-                                     point,
-                                     {e},
-                                     count);
+              TurningSegment segment(
+                {joint.elements, layered, boundary, background}, course, point, {e}, count);
               point = segment.at((t_end - 2.) / n_steps);
             }
           double error = 0.;

@@ -97,7 +97,9 @@ TEST(Archive, Checkpoint)
   checkpoint.cut.state.strengths  = {{0.1, 0.2, 0.3, 0.4}, {}};
   checkpoint.cut.state.states     = {ContactState::stick, ContactState::slip_forward};
   checkpoint.cut.scheme.exchanges = {
-    {7, {}}, {RowExchange::none, {SchemeRow::Demand::layer, 3, 1, {{2., 0.1, -0.}}, {{1e300, 4., 0.}}, {{1., 0., 0.}}}}};
+    {7, {}},
+    {RowExchange::none,
+     {SchemeRow::Demand::layer, 3, 1, {{2., 0.1, -0.}}, {{1e300, 4., 0.}}, {{1., 0., 0.}}}}};
   checkpoint.cut.resticking    = {5, 3};
   checkpoint.cut.n_reports     = 17;
   checkpoint.judge.ledger      = {0.1, 0.2, 0.3, std::nan("")};

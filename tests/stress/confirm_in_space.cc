@@ -34,9 +34,9 @@ namespace fuga::stress
             model.bodies, model.parameters.joints, model.parameters.model.constants))
         , layered(model.bodies, joint.elements)
         , sample(1)
-        , result(
-            std::make_unique<EventPath>(joint.elements, layered, model.loads.history, model.path_options())
-              ->run(model.loads.levels, sample))
+        , result(std::make_unique<EventPath>(
+                   joint.elements, layered, model.loads.history, model.path_options())
+                   ->run(model.loads.levels, sample))
       {
       }
 

@@ -169,8 +169,8 @@ namespace fuga::stress
       const JointModel joint = make_joint_model<dim>(
         model.bodies, model.parameters.joints, model.parameters.model.constants);
       const LayeredSystem layered(model.bodies, joint.elements);
-      const auto path =
-        std::make_unique<EventPath>(joint.elements, layered, model.loads.history, model.path_options());
+      const auto path = std::make_unique<EventPath>(
+        joint.elements, layered, model.loads.history, model.path_options());
       JudgedSample sample(Judge(model.bodies, joint.elements, model.loads.history));
       std::optional<PathResult> end;
       try

@@ -4,8 +4,8 @@
 #ifndef fuga_contact_cone_rate_problem_h
 #define fuga_contact_cone_rate_problem_h
 
-#include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/cone_program.h>
+#include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/working_scheme.h>
 
 #include <optional>
@@ -76,7 +76,7 @@ namespace fuga
       /** On the boundary of no strength: every direction of slip is free, or there is none. */
       bool at_apex = false;
       /** It may open. */
-      bool grazing    = false;
+      bool grazing = false;
       /** Tangential rows: none without friction, one where only one bar is free. */
       std::size_t n_tangents  = 0;
       bool resting            = false;

@@ -100,7 +100,8 @@ namespace fuga
       return force_tolerances;
     }
 
-    /** Force below which the shear strength of an element, or its distance from it, is zero [MN]. */
+    /** Force below which the shear strength of an element, or its distance from it, is zero [MN].
+     */
     double
     strength_tolerance(const std::size_t element, const Strength &strength) const;
 

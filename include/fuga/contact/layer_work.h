@@ -22,8 +22,8 @@ namespace fuga
                 const double rest,
                 IterationCount &count);
 
-  /** Speed of slip of an element that slips, in the direction in which its strength acts [m per unit
-   * of the path]; negative if the slip turns back. */
+  /** Speed of slip of an element that slips, in the direction in which its strength acts [m per
+   * unit of the path]; negative if the slip turns back. */
   double
   slip_speed(const PathContext &context, const PathPoint &point, const std::size_t k);
 } // namespace fuga

@@ -13,8 +13,8 @@ namespace fuga
   using BarWeights = std::array<double, 3>;
 
   /**
-   * One unknown of a working scheme and its equation: an amount of dislocation x along `column`, and
-   * what the state of the element demands of it,
+   * One unknown of a working scheme and its equation: an amount of dislocation x along `column`,
+   * and what the state of the element demands of it,
    *
    *     own · p - stiffness · d = right-hand side,     d = Σ x column,
    *
@@ -40,8 +40,8 @@ namespace fuga
     Demand demand       = Demand::no_force;
     std::size_t element = 0;
     /** By which the row is known: no two rows of a scheme have the same. */
-    std::size_t bar   = 0;
-    BarWeights own    = {{0., 0., 0.}}, stiffness = {{0., 0., 0.}};
+    std::size_t bar = 0;
+    BarWeights own = {{0., 0., 0.}}, stiffness = {{0., 0., 0.}};
     BarWeights column = {{0., 0., 0.}};
 
     bool
@@ -58,9 +58,9 @@ namespace fuga
                  const ContactState state,
                  const TangentVector &direction)
   {
-    return element.has_second_tangential_bar() && is_slipping(state) ?
-             direction :
-             TangentVector{{slip_sign(state), 0.}};
+    return element.has_second_tangential_bar() && is_slipping(state)
+             ? direction
+             : TangentVector{{slip_sign(state), 0.}};
   }
 
   /**

@@ -289,7 +289,8 @@ namespace fuga
     rebuild();
     void
     note_position(const std::size_t row);
-    /** What an imposed unit dislocation in a bar does to the equation of a row, as an unknown would. */
+    /** What an imposed unit dislocation in a bar does to the equation of a row, as an unknown
+     * would. */
     double
     imposed_entry(const SchemeRow &row, const std::size_t bar) const;
     std::optional<JointRates>
