@@ -177,7 +177,7 @@ namespace fuga
     if (element.coupling != nullptr)
       return A * element.coupling->energy(-g, length(elastic_shear(element, at, k)));
     double energy = 0.;
-    if (has_nonlinear_closure(element))
+    if (has_nonlinear_closure(element) && at.states[k] != ContactState::open)
       energy += g < 0. ? A * element.normal_law->energy(-g)
                        : 0.5 * g * g * first_stiffness(*element.normal_law, A);
     if (has_nonlinear_shear(element))

@@ -58,9 +58,17 @@ namespace fuga
       const std::size_t bar         = element.bar(a);
       double rate =
         point.rates.dislocations[bar] + context.system.compliance(bar) * point.rates.forces[bar];
-      if (is_slipping(point.state.states[k]))
+      if (point.state.states[k] != ContactState::stick)
         rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
       return {elastic_shear(element, point.state, k)[a - 1], rate};
+    }
+    /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
+     */
+    bool
+    unloads_in_shear(const ContactElement &element, const JointState &at)
+    {
+      return element.coupling == nullptr && has_nonlinear_shear(element) &&
+             length(tangential(element, at.unreleased)) > 0.;
     }
   } // namespace
 
@@ -96,8 +104,9 @@ namespace fuga
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
-        if (to.state.states[k] == ContactState::open ||
-            !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
+        const bool open               = to.state.states[k] == ContactState::open;
+        if (open ? !unloads_in_shear(element, from.state)
+                 : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
           continue;
         double element_work = 0., noise = 0.;
         const auto work_of_bar = [&](const std::size_t bar,
@@ -118,7 +127,7 @@ namespace fuga
                          element.area * law.energy(law.deformation(force_at_end / element.area)));
           noise += jump_noise * std::abs(to.state.forces[bar]);
         };
-        if (has_nonlinear_closure(element))
+        if (has_nonlinear_closure(element) && !open)
           work_of_bar(element.normal_bar,
                       *element.normal_law,
                       closing(context, k, from),

@@ -126,6 +126,7 @@ namespace fuga::tests
       {"bond_on_coupled_layer", all({coupling(Coupling::closure, 0.5), bond})},
       {"all_on_law_nine_of_closure",
        all({closure<CubicRootLaw>(0.3, 2.), bond, brittle, residual, dilatancy, rise_limit, gaps})},
+      {"all_on_law_nine", all({law_nine, bond, brittle, residual, dilatancy, rise_limit, gaps})},
       {"all_on_coupled_layer",
        all({coupling(Coupling::pressure, 0.5), bond, brittle, residual, dilatancy, gaps})}};
     return cases;

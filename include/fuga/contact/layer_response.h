@@ -62,7 +62,8 @@ namespace fuga
   LayerForces
   layer_forces(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Energy stored in the nonlinear bars of a closed element [MNm]. */
+  /** Energy stored in the nonlinear bars of an element [MNm]; where the lips are apart, in those of
+   * shear. */
   double
   nonlinear_energy(const ContactElement &element, const JointState &at, const std::size_t k);
 
