@@ -16,18 +16,21 @@ namespace fuga
   void
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
+    constexpr double rounding = 1e-10;
     Drive at_rest;
     at_rest.reactions.assign(system.n_bars(), 0.);
     for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
       {
         if (motion.empty() || result.has_mechanism)
           continue;
-        if (dot(r, motion) < 0.)
+        double size        = 0.;
+        const double power = driving_power(motion, size);
+        if (power < 0.)
           for (double &rate : motion)
             rate = -rate;
-        result.mechanism = full_rates(background, at_rest, motion);
-        result.has_mechanism =
-          is_admissible(motion) && is_driven(motion) && is_free_motion(result.mechanism, system);
+        result.mechanism     = full_rates(background, at_rest, motion);
+        result.has_mechanism = is_admissible(motion) && std::abs(power) > rounding * size &&
+                               is_free_motion(result.mechanism, system);
       }
   }
 
@@ -55,16 +58,20 @@ namespace fuga
     return true;
   }
 
-  bool
-  ConeRateProblem::is_driven(const Vector &motion) const
+  double
+  ConeRateProblem::driving_power(const Vector &motion, double &size) const
   {
-    constexpr double rounding = 1e-10;
-    double power = 0., size = 0.;
+    double power = size = 0.;
+    const auto add      = [&](const double term) {
+      power += term;
+      size += std::abs(term);
+    };
     for (std::size_t row = 0; row < motion.size(); ++row)
-      {
-        power += r[row] * motion[row];
-        size += std::abs(r[row] * motion[row]);
-      }
-    return power > rounding * size;
+      add(r[row] * motion[row]);
+    for (const Candidate &candidate : candidates)
+      if (!candidate.at_apex && candidate.n_tangents > 0)
+        add(-candidate.strength_rate *
+            dot(tangential_rows(candidate, motion), candidate.direction));
+    return power;
   }
 } // namespace fuga

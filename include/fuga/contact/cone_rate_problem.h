@@ -130,8 +130,10 @@ namespace fuga
     find_mechanism(WorkingScheme &background, ConeContinuation &result);
     bool
     is_admissible(const Vector &motion) const;
-    bool
-    is_driven(const Vector &motion) const;
+    /** What loads that grow and strengths that fall do to a motion, per square of the path
+     * parameter; and the sum of the sizes of its terms. */
+    double
+    driving_power(const Vector &motion, double &size) const;
     Outcome
     iterate(const unsigned int max_iterations, ConeContinuation &result);
     /** Rates of the present scheme; false if something moves freely in it, which is then held by

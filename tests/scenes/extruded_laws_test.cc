@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// What a joint can do in the plane it does in space, from parameter file to results.
+
+#include "scenes/grid_mesh.h"
+#include "scenes/rough_blocks.h"
+#include "scenes/scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace fuga;
+using namespace fuga::tests;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+  struct Law
+  {
+    std::string name;
+    /** Entries that make it. */
+    std::vector<std::string> entries;
+  };
+
+  std::ostream &
+  operator<<(std::ostream &out, const Law &law)
+  {
+    return out << law.name;
+  }
+
+  class ExtrudedLaws : public testing::TestWithParam<Law>
+  {
+  };
+} // namespace
+
+// Two elements deep between planes that hold both ends across: plane strain, with two tangents in
+// the middle. Pressed, pushed until faces slide and open, and let go in part. 1e-9 of the largest
+// value, and of a stage for the times; ten times that where a search drives the path, whose limit
+// is a difference of nearly equal strengths and loads.
+TEST_P(ExtrudedLaws, HaveTheEventsOfThePlane)
+{
+  const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 6), uniform(0., 1., 3));
+  Json scene           = rough_blocks();
+  add_load(scene, "press", "pressure", "top", "1 + 0.3*x");
+  add_load(scene, "push", "traction", "top", "0.45; 0.4*(1 - x)");
+  scene["Stages"]["press"]["Loads"]  = "press: t";
+  scene["Stages"]["push"]            = {{"Loads", "push: t"}, {"Levels", 3}};
+  scene["Stages"]["let go"]["Loads"] = "push: 1 - 0.7*t";
+  const SceneRun flat                = run_scene(write_scene(plane, scene), GetParam().entries);
+  scene["Loads"]["push"]["Value"]    = "0.45; 0.4*(1 - x); 0";
+  const SceneRun deep = run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z")),
+                                  GetParam().entries);
+  EXPECT_EQ(flat.exit_code, deep.exit_code);
+  EXPECT_LE(deep.certificate(), 1e-9);
+  ASSERT_GT(flat.events.rows.size(), 2u); // the scene is worth comparing
+  ASSERT_EQ(deep.events.rows.size(), 3 * flat.events.rows.size());
+  const Vector flat_times = flat.event_times(0.), times = deep.event_times(0.);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(times[i], flat_times[i / 3], 1e-8) << i;
+  EXPECT_NEAR(deep.last_t(), flat.last_t(), 1e-8);
+  for (const char *column : {"N", "T1", "slip1", "jump_n", "jump_t1"})
+    for (const double t : {1., 4. / 3., std::min(2., flat.last_t())})
+      EXPECT_LE(difference_from_plane(deep, 3, flat, column, t, 1e-9), 1e-8)
+        << column << " t = " << t;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Scenes,
+  ExtrudedLaws,
+  testing::Values(
+    Law{"bond", {"Joints/joint/Cohesion=0.2", "Joints/joint/Tensile strength=0.05"}},
+    Law{"brittle",
+        {"Joints/joint/Cohesion=0.1",
+         "Joints/joint/Tensile strength=0.05",
+         "Joints/joint/Bond lost by=slip"}},
+    Law{"residual", {"Joints/joint/Residual friction coefficient=0.35"}},
+    Law{"dilatancy", {"Joints/joint/Dilatancy angle=8", "Joints/joint/Dilation limit=0.00002"}},
+    Law{"gap", {"Joints/joint/Initial gap=0.0001*(x > 1.5)"}},
+    Law{"cubic_root", {"Joints/joint/Normal law=cubic root", "Joints/joint/Thickness=0.002"}},
+    Law{"cubic_root_shear",
+        {"Joints/joint/Normal law=cubic root",
+         "Joints/joint/Shear law=cubic root",
+         "Joints/joint/Thickness=0.01"}},
+    Law{"hyperbolic",
+        {"Joints/joint/Normal law=hyperbolic", "Joints/joint/Normal closure limit=0.001"}},
+    Law{
+      "coupled",
+      {"Joints/joint/Shear stiffness grows with=pressure", "Joints/joint/Shear growth pressure=1"}},
+    Law{"all",
+        {"Joints/joint/Cohesion=0.1",
+         "Joints/joint/Tensile strength=0.05",
+         "Joints/joint/Bond lost by=slip",
+         "Joints/joint/Residual friction coefficient=0.4",
+         "Joints/joint/Dilatancy angle=5",
+         "Joints/joint/Normal law=hyperbolic",
+         "Joints/joint/Normal closure limit=0.001"}},
+    Law{"strength_reduction", {"Safety/Strength reduction=yes", "Joints/joint/Cohesion=0.1"}},
+    Law{"load_factor", {"Safety/Load factor=push"}}),
+  [](const auto &one) { return one.param.name; });
