@@ -28,27 +28,24 @@ namespace fuga::tests
   };
 
   /** A path and all that it reported. */
-  template <typename Path>
-  struct PathRun
+  struct ConeRun
   {
     PathResult result;
     Record record;
     IterationCount iterations;
 
-    PathRun(const ContactSystem &system,
+    ConeRun(const ContactSystem &system,
             const std::vector<ContactElement> &elements,
             const LoadHistory &history,
             const std::vector<double> &levels)
       : record(system, elements, history)
     {
       const LayeredSystem layered(system, elements);
-      Path path(elements, layered, history, PathOptions());
+      EventPath path(elements, layered, history, PathOptions());
       result     = path.run(levels, record);
       iterations = path.iterations();
     }
   };
-
-  using ConeRun = PathRun<EventPath>;
 
   /** The same elements at the same loads, but for rounding. */
   void
