@@ -64,9 +64,7 @@ namespace fuga
             bars.push_back(element.tangential_bar);
             if (candidate.n_tangents == 2)
               bars.push_back(element.second_tangential_bar);
-            const TangentVector T = tangential(element, state.forces);
-            if (length(T) > 0.)
-              candidate.direction = {{T[0] / length(T), T[1] / length(T)}};
+            candidate.direction = direction_of(tangential(element, state.forces));
           }
         candidates.push_back(candidate);
       }

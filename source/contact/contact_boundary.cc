@@ -156,9 +156,55 @@ namespace fuga
         candidate.sign  = is_cone    ? 1.
                           : slipping ? slip_sign(state.states[k])
                                      : std::copysign(1., T[0]);
-        if (is_cone && size > 0.)
-          candidate.direction = {{T[0] / size, T[1] / size}};
+        if (is_cone)
+          candidate.direction = direction_of(T);
       }
+  }
+
+  Reserve
+  ContactBoundary::gap_reserve(const std::size_t k,
+                               const JointState &state,
+                               const JointRates &rates) const
+  {
+    return {
+      lip_opening(elements[k], state, k), lip_opening_rate(elements[k], state, rates), zero_gap};
+  }
+
+  Reserve
+  ContactBoundary::tension_reserve(const std::size_t k,
+                                   const JointState &state,
+                                   const JointRates &rates,
+                                   const Drive &drive) const
+  {
+    const std::size_t n = elements[k].normal_bar;
+    return {tensile_strength(elements[k], state, k) - state.forces[n],
+            tensile_strength_rate(elements[k], drive) - rates.forces[n],
+            force_tolerances[n]};
+  }
+
+  Reserve
+  ContactBoundary::dilation_reserve(const std::size_t k,
+                                    const JointState &state,
+                                    const JointRates &rates) const
+  {
+    return {elements[k].friction.dilation_limit - state.dilations[k],
+            -state.strengths[k].dilatancy * length(slip_rate(elements[k], state, k, rates)),
+            zero_gap};
+  }
+
+  ContactBoundary::Shear
+  ContactBoundary::shear(const std::size_t k,
+                         const JointState &state,
+                         const JointRates &rates,
+                         const Drive &drive) const
+  {
+    const ContactElement &element = elements[k];
+    return {tangential(element, state.forces),
+            tangential(element, rates.forces),
+            shear_strength(element, state, k),
+            -state.strengths[k].friction * rates.forces[element.normal_bar] +
+              shear_strength_rate(element, drive),
+            strength_tolerance(k, state.strengths[k])};
   }
 
   // Along one tangent both directions, as |T| has a kink.
@@ -169,16 +215,10 @@ namespace fuga
                                          const Drive &drive,
                                          std::vector<Reserve> &reserves) const
   {
-    const ContactElement &element = elements[k];
-    const TangentVector T         = tangential(element, state.forces);
-    const TangentVector T_rate    = tangential(element, rates.forces);
-    const double size             = length(T);
-    const double strength         = shear_strength(element, state, k);
-    const double strength_rate = -state.strengths[k].friction * rates.forces[element.normal_bar] +
-                                 shear_strength_rate(element, drive);
-    const double tolerance = strength_tolerance(k, state.strengths[k]);
-    if (element.has_second_tangential_bar())
+    const auto [T, T_rate, strength, strength_rate, tolerance] = shear(k, state, rates, drive);
+    if (elements[k].has_second_tangential_bar())
       {
+        const double size   = length(T);
         const double growth = size > 0. ? dot(T, T_rate) / size : length(T_rate);
         reserves.push_back({strength - size, strength_rate - growth, tolerance});
       }
@@ -194,14 +234,8 @@ namespace fuga
                                       const Drive &drive,
                                       const RateNoise &noise) const
   {
-    const ContactElement &element = elements[k];
-    const double f                = state.strengths[k].friction;
-    const double strength         = shear_strength(element, state, k);
-    const double strength_rate =
-      -f * rates.forces[element.normal_bar] + shear_strength_rate(element, drive);
-    const TangentVector T      = tangential(element, state.forces);
-    const TangentVector T_rate = tangential(element, rates.forces);
-    double tolerance           = strength_tolerance(k, state.strengths[k]);
+    const ContactElement &element                              = elements[k];
+    const auto [T, T_rate, strength, strength_rate, tolerance] = shear(k, state, rates, drive);
     if (element.has_second_tangential_bar())
       {
         const double size = strength + length(T);
@@ -212,13 +246,16 @@ namespace fuga
         // On the cone. The rate problem has seen to it that the element does not leave it at once.
         return a < 0. && size > tolerance && b > 0. ? -2. * b / a : no_boundary;
       }
-    tolerance += rate_tolerance * std::abs(rates.forces[element.normal_bar]);
+    const double noise_of_shear = noise.force(element.tangential_bar) +
+                                  state.strengths[k].friction * noise.force(element.normal_bar);
+    const double noise_of_value =
+      tolerance + rate_tolerance * std::abs(rates.forces[element.normal_bar]);
     double nearest = no_boundary;
     for (const double sign : {1., -1.})
       nearest = std::min(
         nearest,
-        used_up_after({strength - sign * T[0], strength_rate - sign * T_rate[0], tolerance},
-                      noise.force(element.tangential_bar) + f * noise.force(element.normal_bar)));
+        used_up_after({strength - sign * T[0], strength_rate - sign * T_rate[0], noise_of_value},
+                      noise_of_shear));
     return nearest;
   }
 
@@ -229,26 +266,16 @@ namespace fuga
                                const Drive &drive,
                                const RateNoise &noise) const
   {
-    const ContactElement &element = elements[k];
-    const std::size_t n           = element.normal_bar;
     if (state.states[k] == ContactState::open)
-      return used_up_after(
-        {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap},
-        noise.jump());
-
-    const Strength &strength_left = state.strengths[k];
-    double nearest = used_up_after({tensile_strength(element, state, k) - state.forces[n],
-                                    tensile_strength_rate(element, drive) - rates.forces[n],
-                                    force_tolerances[n]},
-                                   noise.force(n));
-    if (is_slipping(state.states[k]) && strength_left.dilatancy > 0.)
+      return used_up_after(gap_reserve(k, state, rates), noise.jump());
+    const Strength &strength = state.strengths[k];
+    double nearest =
+      used_up_after(tension_reserve(k, state, rates, drive), noise.force(elements[k].normal_bar));
+    if (is_slipping(state.states[k]) && strength.dilatancy > 0.)
       nearest = std::min(
         nearest,
-        used_up_after({element.friction.dilation_limit - state.dilations[k],
-                       -strength_left.dilatancy * length(slip_rate(element, state, k, rates)),
-                       zero_gap},
-                      strength_left.dilatancy * noise.jump()));
-    if (state.states[k] == ContactState::stick && carries_shear(element, strength_left))
+        used_up_after(dilation_reserve(k, state, rates), strength.dilatancy * noise.jump()));
+    if (state.states[k] == ContactState::stick && carries_shear(elements[k], strength))
       nearest = std::min(nearest, distance_from_cone(k, state, rates, drive, noise));
     return nearest;
   }
@@ -273,26 +300,18 @@ namespace fuga
     std::vector<Reserve> result;
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
-        const ContactElement &element = elements[k];
-        const std::size_t n           = element.normal_bar;
         if (state.states[k] == ContactState::open)
           {
-            result.push_back(
-              {lip_opening(element, state, k), lip_opening_rate(element, state, rates), zero_gap});
+            result.push_back(gap_reserve(k, state, rates));
             continue;
           }
-        result.push_back({tensile_strength(element, state, k) - state.forces[n],
-                          tensile_strength_rate(element, drive) - rates.forces[n],
-                          force_tolerances[n]});
-        const Strength &strength = state.strengths[k];
-        if (!carries_shear(element, strength))
+        result.push_back(tension_reserve(k, state, rates, drive));
+        if (!carries_shear(elements[k], state.strengths[k]))
           continue;
         if (state.states[k] == ContactState::stick)
           append_shear_reserves(k, state, rates, drive, result);
-        else if (strength.dilatancy > 0.)
-          result.push_back({element.friction.dilation_limit - state.dilations[k],
-                            -strength.dilatancy * length(slip_rate(element, state, k, rates)),
-                            zero_gap});
+        else if (state.strengths[k].dilatancy > 0.)
+          result.push_back(dilation_reserve(k, state, rates));
       }
     return result;
   }

@@ -37,15 +37,6 @@ namespace fuga
   {
   }
 
-  void
-  ContactPath::require_available(std::string (*unavailable)(const ContactElement &),
-                                 const char *where) const
-  {
-    for (const ContactElement &element : elements)
-      if (const std::string what = unavailable(element); !what.empty())
-        throw InputError(fmt::format("Not available {}: {}.", where, what));
-  }
-
   PathResult
   ContactPath::run(const std::vector<double> &levels, PathObserver &observer)
   {

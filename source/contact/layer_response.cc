@@ -29,14 +29,6 @@ namespace fuga
       return length(tangential(element, at.forces));
     }
 
-    /** The unit vector along a; where a is zero, the first tangent. */
-    TangentVector
-    direction_of(const TangentVector &a)
-    {
-      const double size = length(a);
-      return size > 0. ? TangentVector{{a[0] / size, a[1] / size}} : TangentVector{{1., 0.}};
-    }
-
     TangentVector
     scaled(const double size, const TangentVector &direction)
     {

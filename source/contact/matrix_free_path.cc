@@ -52,7 +52,10 @@ namespace fuga
     , solver(tangent_solver)
     , n_bars(layered_system.n_bars())
   {
-    require_available(unavailable_without_stiffness, "without the stiffness of the interface");
+    for (const ContactElement &element : elements)
+      if (const std::string what = unavailable_without_stiffness(element); !what.empty())
+        throw InputError(
+          fmt::format("Not available without the stiffness of the interface: {}.", what));
   }
 
   PathResult

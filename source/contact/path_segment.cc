@@ -78,6 +78,31 @@ namespace fuga
       }
   }
 
+  double
+  polish(const PathContext &context,
+         const Course &course,
+         const double tau,
+         const std::array<double, 4> &negligible,
+         JointState &state)
+  {
+    double moved = 0., before = std::numeric_limits<double>::infinity();
+    for (const double left : negligible)
+      {
+        const Vector residual = context.scheme.residual(state);
+        const double worst    = max_abs(residual);
+        if (worst <= left * max_abs(state.forces) || worst > 0.5 * before)
+          break;
+        before                                 = worst;
+        const std::optional<JointRates> change = context.scheme.correction(residual);
+        if (!change)
+          break;
+        moved += max_abs(change->dislocations);
+        state.dislocations = along(state.dislocations, 1., change->dislocations);
+        complete_state(context, course, tau, state);
+      }
+    return moved;
+  }
+
   StraightSegment::StraightSegment(const PathContext &path_context,
                                    const Course &path_course,
                                    const PathPoint &path_start)
@@ -141,22 +166,7 @@ namespace fuga
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
     release(course.drive, tau, result.state);
     complete_state(context, course, tau, result.state);
-
-    double before = std::numeric_limits<double>::infinity();
-    for (const double left : {rounding, accepted, accepted, accepted})
-      {
-        const Vector residual = context.scheme.residual(result.state);
-        const double worst    = max_abs(residual);
-        if (worst <= left * max_abs(result.state.forces) || worst > 0.5 * before)
-          break;
-        before                                 = worst;
-        const std::optional<JointRates> change = context.scheme.correction(residual);
-        if (!change)
-          break;
-        moved += max_abs(change->dislocations);
-        result.state.dislocations = along(result.state.dislocations, 1., change->dislocations);
-        complete_state(context, course, tau, result.state);
-      }
+    moved += polish(context, course, tau, {{rounding, accepted, accepted, accepted}}, result.state);
     return result;
   }
 

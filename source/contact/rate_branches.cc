@@ -14,6 +14,9 @@ namespace fuga
 {
   namespace
   {
+    /** A determinant below this share of its neighbour is that of a mechanism, not a negative one.
+     */
+    constexpr double smallest_ratio = 1e-10;
     /** Rates that differ by less than this share of the largest are the same branch. */
     constexpr double same_rates = 1e-7;
     /** Covering vectors with which Lemke's method looks for further branches. */
@@ -36,6 +39,45 @@ namespace fuga
       return result;
     }
   } // namespace
+
+  std::vector<std::size_t>
+  RateProblem::critical_elements(const std::vector<BoundaryElement> &set)
+  {
+    const bool all = scheme.determinant_sign() <= 0;
+    std::vector<std::size_t> result;
+    for (const BoundaryElement &candidate : set)
+      {
+        if (candidate.shear != ShearPosition::at_strength)
+          continue;
+        const std::size_t k    = candidate.element;
+        const ContactState now = scheme.state(k);
+        if (now == ContactState::open)
+          continue;
+        const ContactState other = is_slipping(now)      ? ContactState::stick
+                                   : candidate.sign > 0. ? ContactState::slip_forward
+                                                         : ContactState::slip_backward;
+        if (all || scheme.determinant_ratio(k, other) < -smallest_ratio)
+          result.push_back(k);
+      }
+    return result;
+  }
+
+  bool
+  RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
+  {
+    if (has_cones)
+      return false; // nothing is known of others there
+    std::vector<WorkingScheme::SlipDirection> slips;
+    for (const BoundaryElement &candidate : set)
+      if (candidate.shear == ShearPosition::at_strength)
+        slips.push_back({candidate.element, candidate.sign});
+    const bool all_slips = std::none_of(
+      set.begin(), set.end(), [](const BoundaryElement &candidate) { return candidate.grazing; });
+    if (all_slips)
+      if (const std::optional<bool> monotone = scheme.is_monotone(slips))
+        return !*monotone;
+    return found.met_negative_determinant || !critical_elements(set).empty();
+  }
 
   Branch
   RateProblem::present_branch(const JointState &state,

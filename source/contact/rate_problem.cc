@@ -14,9 +14,6 @@ namespace fuga
 {
   namespace
   {
-    /** A determinant below this share of its neighbour is that of a mechanism, not a negative one.
-     */
-    constexpr double smallest_ratio = 1e-10;
     /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
     constexpr double max_combinations = 4096.;
     /** Mechanisms that one attempt to switch states one by one may pass through. */
@@ -120,19 +117,22 @@ namespace fuga
     result.mechanism     = found.mechanism;
     if (!found.exists)
       return result;
+    bool any_open = false;
     for (std::size_t i = 0; i < set.size(); ++i)
       {
         const ContactElement &element = elements[set[i].element];
-        off_boundary.set_state(set[i].element,
-                               found.states[i] == ContactState::open ? ContactState::open
-                                                                     : ContactState::stick);
+        if (found.states[i] == ContactState::open)
+          {
+            any_open = true;
+            off_boundary.set_state(set[i].element, ContactState::open);
+          }
         scheme.set_state(set[i].element, found.states[i], found.directions[i]);
         for (std::size_t a = 0; a < element.n_bars(); ++a)
           if (found.rates.dislocations[element.bar(a)] != 0.)
             scheme.note_active(element.bar(a));
       }
     // What opens may leave bodies without support.
-    if (!off_boundary.rates(drive))
+    if (any_open && !off_boundary.rates(drive))
       {
         result.exists        = false;
         result.has_mechanism = true;
@@ -279,28 +279,6 @@ namespace fuga
       }
   }
 
-  std::vector<std::size_t>
-  RateProblem::critical_elements(const std::vector<BoundaryElement> &set)
-  {
-    const bool all = scheme.determinant_sign() <= 0;
-    std::vector<std::size_t> result;
-    for (const BoundaryElement &candidate : set)
-      {
-        if (candidate.shear != ShearPosition::at_strength)
-          continue;
-        const std::size_t k    = candidate.element;
-        const ContactState now = scheme.state(k);
-        if (now == ContactState::open)
-          continue;
-        const ContactState other = is_slipping(now)      ? ContactState::stick
-                                   : candidate.sign > 0. ? ContactState::slip_forward
-                                                         : ContactState::slip_backward;
-        if (all || scheme.determinant_ratio(k, other) < -smallest_ratio)
-          result.push_back(k);
-      }
-    return result;
-  }
-
   bool
   RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set)
   {
@@ -308,23 +286,6 @@ namespace fuga
     for (const BoundaryElement &candidate : set)
       n *= static_cast<double>(admissible_states(candidate).size());
     return n <= max_combinations;
-  }
-
-  bool
-  RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
-  {
-    if (has_cones)
-      return false; // nothing is known of others there
-    std::vector<WorkingScheme::SlipDirection> slips;
-    for (const BoundaryElement &candidate : set)
-      if (candidate.shear == ShearPosition::at_strength)
-        slips.push_back({candidate.element, candidate.sign});
-    const bool all_slips = std::none_of(
-      set.begin(), set.end(), [](const BoundaryElement &candidate) { return candidate.grazing; });
-    if (all_slips)
-      if (const std::optional<bool> monotone = scheme.is_monotone(slips))
-        return !*monotone;
-    return found.met_negative_determinant || !critical_elements(set).empty();
   }
 
   std::vector<ContactState>

@@ -128,7 +128,8 @@ namespace fuga
     complete_state(context, course, tau, state);
     if (linear)
       {
-        polish(tau, state);
+        constexpr double rounding = 1e-14;
+        polish(context, course, tau, {{rounding, rounding, rounding, rounding}}, state);
         return true;
       }
     if (course.share_rate != 0.)
@@ -138,29 +139,6 @@ namespace fuga
       return false;
     context.scheme.linearise(state);
     return true;
-  }
-
-  // Corrects the dislocations of a linear background until they satisfy its equations to rounding.
-  void
-  TurningSegment::polish(const double tau, JointState &state)
-  {
-    constexpr double rounding = 1e-14;
-    constexpr int max_sweeps  = 4;
-    double before             = std::numeric_limits<double>::infinity();
-    for (int sweep = 0; sweep < max_sweeps; ++sweep)
-      {
-        const Vector residual = context.scheme.residual(state);
-        const double worst    = max_abs(residual);
-        if (worst <= rounding * max_abs(state.forces) || worst > 0.5 * before)
-          return;
-        before                                 = worst;
-        const std::optional<JointRates> change = context.scheme.correction(residual);
-        if (!change)
-          return;
-        for (std::size_t bar = 0; bar < state.dislocations.size(); ++bar)
-          state.dislocations[bar] += change->dislocations[bar];
-        complete_state(context, course, tau, state);
-      }
   }
 
   // A linear background has answered once and for all. Any other is linearised at the state that

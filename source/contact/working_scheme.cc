@@ -211,17 +211,6 @@ namespace fuga
     return {};
   }
 
-  std::optional<JointRates>
-  WorkingScheme::rates(const Drive &drive)
-  {
-    if (!bring_up_to_date())
-      return {};
-    Vector rhs(rows.size(), 0.);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rhs[i] = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
-    return solve(rhs, drive.reactions);
-  }
-
   // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
   std::optional<JointRates>
   WorkingScheme::rates(const Drive &drive, const Vector &imposed)
@@ -234,7 +223,7 @@ namespace fuga
       {
         const ContactElement &element = elements[rows[i].element];
         rhs[i]                        = row_drive(rows[i], element, states[rows[i].element], drive);
-        for (std::size_t a = 0; a < element.n_bars(); ++a)
+        for (std::size_t a = 0; a < element.n_bars() && !imposed.empty(); ++a)
           if (position[element.bar(a)] != no_row)
             rhs[i] -= rows[i].stiffness[a] * imposed[element.bar(a)];
       }

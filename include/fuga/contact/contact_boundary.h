@@ -138,6 +138,27 @@ namespace fuga
     };
 
   private:
+    /** The shear of an element, its strength, their rates, and the tolerance of both [MN]. */
+    struct Shear
+    {
+      TangentVector force, rate;
+      double strength, strength_rate, tolerance;
+    };
+
+    Shear
+    shear(const std::size_t k,
+          const JointState &state,
+          const JointRates &rates,
+          const Drive &drive) const;
+    Reserve
+    gap_reserve(const std::size_t k, const JointState &state, const JointRates &rates) const;
+    Reserve
+    tension_reserve(const std::size_t k,
+                    const JointState &state,
+                    const JointRates &rates,
+                    const Drive &drive) const;
+    Reserve
+    dilation_reserve(const std::size_t k, const JointState &state, const JointRates &rates) const;
     void
     place_shear(const JointState &state, BoundaryElement &candidate) const;
     void

@@ -67,11 +67,6 @@ namespace fuga
                 const LayeredSystem &system,
                 const LoadHistory &history);
 
-    /** @throws InputError if @p unavailable names anything that an element has; @p where completes
-     * the sentence. */
-    void
-    require_available(std::string (*unavailable)(const ContactElement &), const char *where) const;
-
     /** The loop over the events, from the last cut on. */
     virtual PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) = 0;

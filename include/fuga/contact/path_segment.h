@@ -7,6 +7,8 @@
 #include <fuga/contact/contact_boundary.h>
 #include <fuga/contact/working_scheme.h>
 
+#include <array>
+
 #include <optional>
 
 namespace fuga
@@ -147,6 +149,18 @@ namespace fuga
                  const Course &course,
                  const double tau,
                  JointState &state);
+
+  /**
+   * Corrects the dislocations of a state of a linear scheme until its equations hold to rounding.
+   * A residual that is less than @p negligible of the largest force is not worth the correction of
+   * that number. Returns the sum of the largest corrections [m].
+   */
+  double
+  polish(const PathContext &context,
+         const Course &course,
+         const double tau,
+         const std::array<double, 4> &negligible,
+         JointState &state);
 } // namespace fuga
 
 #endif

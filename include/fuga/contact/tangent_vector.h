@@ -41,6 +41,14 @@ namespace fuga
     return std::hypot(a[0], a[1]);
   }
 
+  /** The unit vector along a; where a is zero, the first tangent. */
+  inline TangentVector
+  direction_of(const TangentVector &a)
+  {
+    const double size = length(a);
+    return size > 0. ? TangentVector{{a[0] / size, a[1] / size}} : TangentVector{{1., 0.}};
+  }
+
   /** The part of a bar vector that lies in the tangent plane of an element; where only one
    * tangential bar is free, the second component is zero. */
   inline TangentVector

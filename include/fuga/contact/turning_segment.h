@@ -93,8 +93,6 @@ namespace fuga
     set_slips(const TurningStage &stage, JointState &state) const;
     bool
     settle(const double tau, const TurningStage &stage, JointState &state);
-    void
-    polish(const double tau, JointState &state);
     bool
     solve_stage(const TurningStageSolver::Demand demand,
                 const double tau,

@@ -149,13 +149,12 @@ namespace fuga
     void
     linearise(const JointState &at, const LayerStiffness stiffness = LayerStiffness::tangent);
 
-    /** The rates under @p drive; nothing if the scheme is a mechanism (or beyond critical friction). */
+    /**
+     * The rates under @p drive and, if it is not empty, with rates of dislocation @p imposed on all
+     * bars in addition; nothing if the scheme is a mechanism (or beyond critical friction).
+     */
     std::optional<JointRates>
-    rates(const Drive &drive);
-
-    /** The rates under @p drive and imposed (additional) rates of dislocation of all bars. */
-    std::optional<JointRates>
-    rates(const Drive &drive, const Vector &imposed);
+    rates(const Drive &drive, const Vector &imposed = {});
 
     /**
      * The stiffness of the scheme against dislocations imposed in some bars: entry (i, j) is what
