@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/adaptive_run.h>
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/bodies/processes.h>
-#include <fuga/io/directory_lock.h>
-#include <fuga/io/law_plot.h>
-#include <fuga/io/output_files.h>
-#include <fuga/io/parameters.h>
-#include <fuga/io/report.h>
-#include <fuga/io/threads.h>
-#include <fuga/io/version.h>
-#include <fuga/model_check.h>
-#include <fuga/phases.h>
-#include <fuga/sweep.h>
+#include <fuga/input/parameters.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/output/files/directory_lock.h>
+#include <fuga/output/files/output_files.h>
+#include <fuga/output/files/threads.h>
+#include <fuga/output/files/version.h>
+#include <fuga/output/tables/law_plot.h>
+#include <fuga/output/tables/report.h>
+#include <fuga/run/simulation/phases.h>
+#include <fuga/study/adaptive_run.h>
+#include <fuga/study/model_check.h>
+#include <fuga/study/sweep.h>
 
 #include <deal.II/base/config.h>
 

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""A layer includes only itself and layers above it; laws, contact and mesh know neither deal.II nor each other's business.
+"""The program is a house of layers, a layer one of rooms: a file includes only its own room and rooms before it.
+
+What stands at the door of a layer (folder without a room) is common to all its rooms. Laws, contact and mesh do not know
+deal.II. A room has at most a dozen sources and a dozen headers.
 
 usage: layers.py REPOSITORY
 """
@@ -9,49 +12,72 @@ import pathlib
 import re
 import sys
 
-# What each layer may include besides itself; the order is that of CMakeLists.txt.
+# Which layers a layer may include besides itself; the order is that of CMakeLists.txt.
 ALLOWED = {
     "base": [],
     "laws": ["base"],
     "contact": ["base", "laws"],
     "mesh": ["base"],
     "bodies": ["base", "laws", "contact", "mesh"],
-    "io": ["base", "laws", "contact", "mesh", "bodies"],
+    "input": ["base", "laws", "contact", "mesh", "bodies"],
+    "output": ["base", "laws", "contact", "mesh", "bodies", "input"],
+    "run": ["base", "laws", "contact", "mesh", "bodies", "input", "output"],
+    "study": ["base", "laws", "contact", "mesh", "bodies", "input", "output", "run"],
 }
-# At the top, like source/*.cc: may include everything.
-TOP = ["python"]
+# The rooms of each layer, in the order in which they may include each other.
+ROOMS = {
+    "base": ["", "numerics"],
+    "laws": [""],
+    "contact": ["", "system", "element", "scheme", "cones", "rates", "segments", "path", "judge"],
+    "mesh": [""],
+    "bodies": ["", "space", "joints", "solvers", "elasticity", "loads", "condensed", "program"],
+    "input": ["", "syntax", "entries", "values", "joints", "loads", "read"],
+    "output": ["files", "results", "tables", "fields", "warnings", "restart"],
+    "run": ["model", "simulation"],
+    "study": [""],
+}
 WITHOUT_DEALII = ["base", "laws", "contact", "mesh"]
+MOST_FILES = 12
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def complaint(root, layer, room, name):
+    """Why a file of this room must not include this header; None if it may."""
+    if name.startswith("deal.II/"):
+        return "but this layer does not know deal.II" if layer in WITHOUT_DEALII else None
+    if not name.startswith("fuga/"):
+        return None
+    if not any((root / "include" / (name + end)).is_file() for end in ("", ".in")):
+        return "which does not exist"
+    other, *inner = name.split("/")[1:-1]
+    if other != layer:
+        return None if other in ALLOWED[layer] else "a layer that is not before it"
+    rooms = ROOMS[layer]
+    return None if rooms.index("/".join(inner)) <= rooms.index(room) else "a room that is not before it"
 
 
 def main():
     root = pathlib.Path(sys.argv[1])
     complaints, n_files = [], 0
     for folder in ("include/fuga", "source"):
-        for layer in sorted(p.name for p in (root / folder).iterdir() if p.is_dir()):
-            if layer in TOP:
+        count = {}
+        for path in sorted((root / folder).rglob("*.[hc]*")):
+            layer, *inner = path.relative_to(root / folder).parts[:-1] or ["main"]
+            room = "/".join(inner)
+            if layer in ("python", "main"):
                 continue
-            if layer not in ALLOWED:
-                complaints.append(f"{folder}/{layer}: no layer of this name")
+            if room not in ROOMS.get(layer, []):
+                complaints.append(f"{path.relative_to(root)}: no such room")
                 continue
-            for path in sorted((root / folder / layer).rglob("*.[hc]*")):
-                n_files += 1
-                for name in INCLUDE.findall(path.read_text()):
-                    where = f"{path.relative_to(root)} includes {name}"
-                    parts = name.split("/")
-                    if parts[0] == "deal.II" and layer in WITHOUT_DEALII:
-                        complaints.append(where + ", but this layer does not know deal.II")
-                    if parts[0] != "fuga":
-                        continue
-                    if len(parts) < 3:
-                        complaints.append(where + ", the top")
-                    elif parts[1] != layer and parts[1] not in ALLOWED[layer]:
-                        complaints.append(where + ", which is not above it")
-                    if not (root / "include" / name).is_file():
-                        # made by CMake (the version)
-                        if not (root / "include" / (name + ".in")).is_file():
-                            complaints.append(where + ", which does not exist")
-    print("\n".join(complaints) or f"{n_files} files: every include points upwards")
+            n_files += 1
+            count[layer, room] = count.get((layer, room), 0) + 1
+            for name in INCLUDE.findall(path.read_text()):
+                why = complaint(root, layer, room, name)
+                if why:
+                    complaints.append(f"{path.relative_to(root)} includes {name}, {why}")
+        complaints += [f"{folder}/{'/'.join(filter(None, key))}: {n} files in one room"
+                       for key, n in count.items() if n > MOST_FILES]
+    print("\n".join(complaints) or f"{n_files} files: every include leads to the same room or one before it")
     sys.exit(1 if complaints or n_files < 50 else 0)
 
 

@@ -6,9 +6,9 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <fuga/bodies/discretization.h>
 #include <fuga/bodies/processes.h>
-#include <fuga/bodies/serial_cell_id.h>
+#include <fuga/bodies/space/discretization.h>
+#include <fuga/bodies/space/serial_cell_id.h>
 
 #include <random>
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef fuga_tests_bodies_block_mesh_h
 #define fuga_tests_bodies_block_mesh_h
 
-#include <fuga/bodies/condensed_system.h>
+#include <fuga/bodies/condensed/condensed_system.h>
 
 #include <algorithm>
 #include <functional>

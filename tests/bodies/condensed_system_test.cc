@@ -6,7 +6,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/base/errors.h>
-#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/space/discretization.h>
 #include <gtest/gtest.h>
 #include <lapacke.h>
 

@@ -3,7 +3,7 @@
 
 // Values by hand from the definitions of levels, factors and searches for safety.
 
-#include <fuga/bodies/driving_quantity.h>
+#include <fuga/bodies/program/driving_quantity.h>
 #include <gtest/gtest.h>
 
 using namespace fuga;

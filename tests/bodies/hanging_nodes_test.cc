@@ -9,8 +9,8 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <fuga/bodies/joint_geometry.h>
-#include <fuga/bodies/monitor.h>
+#include <fuga/bodies/joints/joint_geometry.h>
+#include <fuga/bodies/program/monitor.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "bodies/spatial_meshes.h"
 #include "random_refinement.h"
 
-#include <fuga/bodies/joint_corners.h>
+#include <fuga/bodies/joints/joint_corners.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "block_mesh.h"
 #include "spatial_meshes.h"
 
-#include <fuga/bodies/load_resultant.h>
-#include <fuga/bodies/model_sizes.h>
+#include <fuga/bodies/condensed/model_sizes.h>
+#include <fuga/bodies/program/load_resultant.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/base/errors.h>
-#include <fuga/bodies/discretization.h>
-#include <fuga/bodies/monitor.h>
+#include <fuga/bodies/program/monitor.h>
+#include <fuga/bodies/space/discretization.h>
 #include <gtest/gtest.h>
 
 #include <random>

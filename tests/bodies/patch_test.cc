@@ -5,7 +5,7 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <fuga/bodies/cell_values.h>
+#include <fuga/bodies/space/cell_values.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/schur_solver.h>
+#include <fuga/bodies/solvers/schur_solver.h>
 
 #include <gtest/gtest.h>
 

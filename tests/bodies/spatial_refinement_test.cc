@@ -8,8 +8,8 @@
 #include "random_refinement.h"
 #include "spatial_meshes.h"
 
-#include <fuga/bodies/joint_geometry.h>
-#include <fuga/bodies/serial_cell_id.h>
+#include <fuga/bodies/joints/joint_geometry.h>
+#include <fuga/bodies/space/serial_cell_id.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

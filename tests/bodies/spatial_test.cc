@@ -12,7 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/base/errors.h>
-#include <fuga/bodies/discretization.h>
+#include <fuga/bodies/space/discretization.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <gtest/gtest.h>
 #include <lapacke.h>

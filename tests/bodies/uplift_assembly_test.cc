@@ -4,7 +4,7 @@
 #include "block_mesh.h"
 
 #include <fuga/base/errors.h>
-#include <fuga/bodies/load_program.h>
+#include <fuga/bodies/program/load_program.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/contact/layer_response.h>
+#include <fuga/contact/element/layer_response.h>
 #include <fuga/laws/cubic_root_law.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/contact/conditioning.h>
-#include <fuga/contact/event_path.h>
+#include <fuga/contact/judge/conditioning.h>
+#include <fuga/contact/path/event_path.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "contact/cone_toy.h"
 
-#include <fuga/contact/implicit_runge_kutta.h>
+#include <fuga/contact/segments/implicit_runge_kutta.h>
 
 #include <cmath>
 

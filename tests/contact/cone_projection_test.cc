@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/cone_projection.h>
+#include <fuga/base/numerics/cone_projection.h>
 #include <gtest/gtest.h>
 
 using namespace fuga;

@@ -6,7 +6,7 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/contact/event_path.h>
+#include <fuga/contact/path/event_path.h>
 
 #include <gtest/gtest.h>
 #include <random>

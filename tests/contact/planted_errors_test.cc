@@ -6,9 +6,9 @@
 
 #include "contact/toy_system.h"
 
-#include <fuga/base/accurate.h>
 #include <fuga/base/errors.h>
-#include <fuga/contact/limit_proof.h>
+#include <fuga/base/numerics/accurate.h>
+#include <fuga/contact/judge/limit_proof.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

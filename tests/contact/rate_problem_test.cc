@@ -4,7 +4,7 @@
 #include "contact/toy_system.h"
 #include "known_answer.h"
 
-#include <fuga/contact/rate_problem.h>
+#include <fuga/contact/rates/rate_problem.h>
 
 #include <gtest/gtest.h>
 

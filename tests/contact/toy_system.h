@@ -4,9 +4,9 @@
 #ifndef fuga_tests_contact_toy_system_h
 #define fuga_tests_contact_toy_system_h
 
-#include <fuga/contact/certificate.h>
 #include <fuga/contact/contact_system.h>
-#include <fuga/contact/event_path.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/path/event_path.h>
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 
 #include "contact/cone_toy.h"
 
-#include <fuga/contact/layer_response.h>
-#include <fuga/contact/turning_segment.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/turning_segment.h>
 #include <fuga/laws/cubic_root_law.h>
 
 #include <boost/numeric/odeint.hpp>

@@ -6,9 +6,10 @@
 #include "fuzz/mutator.h"
 
 #include <fuga/base/errors.h>
-#include <fuga/model_check.h>
-#include <fuga/simulation.h>
-#include <fuga/sweep.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/run/simulation/simulation.h>
+#include <fuga/study/model_check.h>
+#include <fuga/study/sweep.h>
 
 #include <algorithm>
 #include <filesystem>

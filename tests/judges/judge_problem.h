@@ -4,7 +4,7 @@
 #ifndef fuga_tests_judges_judge_problem_h
 #define fuga_tests_judges_judge_problem_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/laws/contact_state.h>
 
 #include <vector>

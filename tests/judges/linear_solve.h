@@ -4,7 +4,7 @@
 #ifndef fuga_tests_judges_linear_solve_h
 #define fuga_tests_judges_linear_solve_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 
 namespace fuga::judges
 {

@@ -6,8 +6,9 @@
 #include "scenes/blocks_mesh.h"
 #include "scenes/scene_run.h"
 
-#include <fuga/io/output_files.h>
-#include <fuga/phases.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/output/files/output_files.h>
+#include <fuga/run/simulation/phases.h>
 
 #include <gtest/gtest.h>
 
@@ -200,5 +201,6 @@ TEST(Construction, Mistakes)
   expect("Bodies/fill/Removed at stage=wall", "removed before it has stood");
   expect("Stages/dig/Grouted joints=bed, bod", "there is no joint 'bod'");
   expect("Stages/rock/Grouted joints=bed", "nothing has opened");
-  expect("Sweep/Friction coefficient=0.1, 0.2", "sweeps are of structures that are there from the start");
+  expect("Sweep/Friction coefficient=0.1, 0.2",
+         "sweeps are of structures that are there from the start");
 }

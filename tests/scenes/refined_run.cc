@@ -3,6 +3,7 @@
 
 #include "scenes/refined_run.h"
 
+#include <fuga/input/read/read_parameters.h>
 #include <fuga/mesh/gmsh_mesh.h>
 
 namespace fuga::tests

@@ -7,7 +7,7 @@
 #include "scenes/scene_run.h"
 #include "spatial_patch.h"
 
-#include <fuga/io/parameters.h>
+#include <fuga/input/parameters.h>
 
 namespace fuga::tests
 {

@@ -7,8 +7,9 @@
 #include "scenes/scene_run.h"
 
 #include <fuga/base/errors.h>
-#include <fuga/io/output_files.h>
-#include <fuga/simulation.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/output/files/output_files.h>
+#include <fuga/run/simulation/simulation.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,8 @@
 
 #include "judges/from_contact.h"
 
-#include <fuga/io/layer_law.h>
+#include <fuga/input/layer_law.h>
+#include <fuga/input/read/read_parameters.h>
 #include <fuga/mesh/gmsh_mesh.h>
 #include <fuga/mesh/joint_splitter.h>
 

@@ -7,9 +7,9 @@
 #include "judges/judge_problem.h"
 #include "scenes/scene_run.h"
 
-#include <fuga/bodies/condensed_system.h>
-#include <fuga/bodies/load_program.h>
-#include <fuga/io/parameters.h>
+#include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/program/load_program.h>
+#include <fuga/input/parameters.h>
 
 #include <deal.II/lac/vector.h>
 

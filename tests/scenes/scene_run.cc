@@ -3,8 +3,9 @@
 
 #include "scenes/refined_run.h"
 
-#include <fuga/adaptive_run.h>
-#include <fuga/phases.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/run/simulation/phases.h>
+#include <fuga/study/adaptive_run.h>
 
 #include <sys/wait.h>
 

@@ -4,7 +4,7 @@
 #ifndef fuga_tests_scenes_scene_run_h
 #define fuga_tests_scenes_scene_run_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 
 #include <nlohmann/json.hpp>
 

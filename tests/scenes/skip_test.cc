@@ -3,8 +3,9 @@
 
 #include "scenes/scene_run.h"
 
-#include <fuga/simulation.h>
-#include <fuga/sweep.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/run/simulation/simulation.h>
+#include <fuga/study/sweep.h>
 
 #include <gtest/gtest.h>
 

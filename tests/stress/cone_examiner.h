@@ -6,9 +6,9 @@
 
 #include "judges/cone_newton.h"
 
-#include <fuga/contact/certificate.h>
-#include <fuga/joint_model.h>
-#include <fuga/model.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
 
 #include <optional>
 

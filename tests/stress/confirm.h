@@ -4,9 +4,9 @@
 #ifndef fuga_tests_stress_confirm_h
 #define fuga_tests_stress_confirm_h
 
-#include <fuga/contact/event_path.h>
-#include <fuga/joint_model.h>
-#include <fuga/model.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
 
 #include <optional>
 #include <string>

@@ -7,9 +7,9 @@
 #include "judges/judge_problem.h"
 #include "stress/rate_question.h"
 
-#include <fuga/contact/certificate.h>
-#include <fuga/joint_model.h>
-#include <fuga/model.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
 
 #include <optional>
 

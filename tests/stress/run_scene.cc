@@ -7,11 +7,12 @@
 #include "stress/confirm_in_space.h"
 
 #include <fuga/base/errors.h>
-#include <fuga/contact/event_path.h>
-#include <fuga/contact/limit_proof.h>
-#include <fuga/io/summary.h>
-#include <fuga/io/threads.h>
-#include <fuga/simulation.h>
+#include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/input/read/read_parameters.h>
+#include <fuga/output/files/threads.h>
+#include <fuga/output/tables/summary.h>
+#include <fuga/run/simulation/simulation.h>
 
 #include <nlohmann/json.hpp>
 

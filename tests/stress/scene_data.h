@@ -4,7 +4,7 @@
 #ifndef fuga_tests_stress_scene_data_h
 #define fuga_tests_stress_scene_data_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 
 #include <functional>
 #include <map>

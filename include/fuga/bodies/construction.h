@@ -4,8 +4,8 @@
 #ifndef fuga_bodies_construction_h
 #define fuga_bodies_construction_h
 
-#include <fuga/base/dense_matrix.h>
 #include <fuga/base/fields.h>
+#include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/bodies/model_definition.h>
 
 namespace fuga

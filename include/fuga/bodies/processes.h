@@ -4,7 +4,7 @@
 #ifndef fuga_bodies_processes_h
 #define fuga_bodies_processes_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 
 #include <exception>
 #include <numeric>

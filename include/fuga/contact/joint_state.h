@@ -4,8 +4,8 @@
 #ifndef fuga_contact_joint_state_h
 #define fuga_contact_joint_state_h
 
-#include <fuga/base/dense_matrix.h>
 #include <fuga/base/fields.h>
+#include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/contact/tangent_vector.h>
 #include <fuga/contact/water_in_joints.h>
 #include <fuga/laws/contact_state.h>

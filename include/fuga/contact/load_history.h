@@ -4,7 +4,7 @@
 #ifndef fuga_contact_load_history_h
 #define fuga_contact_load_history_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #ifndef fuga_contact_tangent_vector_h
 #define fuga_contact_tangent_vector_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/contact/contact_element.h>
 
 #include <array>

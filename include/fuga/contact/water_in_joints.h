@@ -4,7 +4,7 @@
 #ifndef fuga_contact_water_in_joints_h
 #define fuga_contact_water_in_joints_h
 
-#include <fuga/base/dense_matrix.h>
+#include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/laws/contact_state.h>
 
 #include <string_view>

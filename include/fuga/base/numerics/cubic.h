@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_base_numerics_cubic_h
+#define fuga_base_numerics_cubic_h
+
+namespace fuga
+{
+  /** The cubic on [0, 1] with given values and derivatives at both ends (Hermite). */
+  class CubicOnUnitInterval
+  {
+  public:
+    CubicOnUnitInterval(const double value_0,
+                        const double slope_0,
+                        const double value_1,
+                        const double slope_1);
+
+    double
+    value(const double x) const;
+
+    double
+    slope(const double x) const;
+
+    /** Smallest value on [0, 1]. */
+    double
+    minimum() const;
+
+    /** The first x in [0, 1] where the cubic goes from positive (or zero) to negative; 1 if there
+     * is none. */
+    double
+    first_descending_root() const;
+
+  private:
+    double
+    inner_minimiser() const;
+
+    /** Coefficients of 1, x, x², x³. */
+    double c0, c1, c2, c3;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_condensed_condensed_system_h
+#define fuga_bodies_condensed_condensed_system_h
+
+#include <fuga/bodies/condensed/condensed_operator.h>
+#include <fuga/bodies/condensed/linear_response.h>
+#include <fuga/contact/contact_system.h>
+
+namespace fuga
+{
+  template <int dim>
+  class JointWaterModel;
+
+
+  /** When the bodies are factorised: the expensive part. */
+  enum class Condensation
+  {
+    at_once,
+    /** By set_load_patterns(): a mistake in loads or joints is found before anything is computed.
+     */
+    with_loads,
+    /** Not at all: the input is checked and nothing is computed. */
+    never
+  };
+
+  /**
+   * The finite element model as the contact layer sees it: the condensed operator with the loads
+   * that are set, and the fields that go with its states.
+   */
+  template <int dim>
+  class CondensedSystem : public BodyModel<dim>, public ContactSystem, public TangentSolver
+  {
+  public:
+    /**
+     * Makes the body model and, if told so, factorises it.
+     * @throws InputError, NumericalFailure
+     */
+    CondensedSystem(const JointedMesh &mesh,
+                    const ModelDefinition &model,
+                    const std::vector<bool> &frictionless,
+                    const Condensation condensation = Condensation::at_once,
+                    const unsigned int stage        = 0);
+
+    ~CondensedSystem() override;
+
+    const DenseMatrix &
+    stiffness() const override
+    {
+      return condensed.stiffness();
+    }
+
+    bool
+    has_stiffness() const override
+    {
+      return condensed.has_stiffness();
+    }
+
+    Vector
+    resistance(const Vector &x) const override
+    {
+      return condensed.resistance(x);
+    }
+
+    Solution
+    solve_with_bars(const std::vector<ElementStiffness> &of_elements,
+                    const Vector &r,
+                    const double tolerance) const override
+    {
+      return condensed.solve_with_bars(of_elements, r, tolerance);
+    }
+
+    unsigned int
+    n_coordinates() const;
+
+    const DenseMatrix &
+    load_patterns() const override
+    {
+      return F;
+    }
+
+    const DenseMatrix &
+    jump_operator() const override;
+
+    const DenseMatrix &
+    imposed_jumps() const override
+    {
+      return E;
+    }
+
+    const DenseMatrix &
+    rigid_motions() const override
+    {
+      return condensed.rigid_motions();
+    }
+
+    const DenseMatrix &
+    rigid_coordinates() const override
+    {
+      return condensed.rigid_coordinates();
+    }
+
+    const DenseMatrix &
+    rigid_motion_loads() const override
+    {
+      return motion_loads;
+    }
+
+    const WaterInJoints *
+    water_in_joints() const override;
+
+    /** Water in the closed joint: n_bars x n_patterns [MN]; empty without water. */
+    const DenseMatrix &
+    closed_water() const
+    {
+      return water_of_closed;
+    }
+
+    /** Condenses the patterns; they stay here for recover() and equilibrium_error(). */
+    void
+    set_load_patterns(std::vector<LoadPattern> patterns);
+
+    /** Says that pattern @p number is what an earlier phase of construction left, and that the bars
+     *  feel @p jumps of it. To be called behind set_load_patterns(). */
+    void
+    set_carried_load(const std::size_t number, const Vector &jumps);
+
+    const Vector &
+    carried_load() const override
+    {
+      return carried;
+    }
+
+    /** Displacements in which bodies built later are free of stress. */
+    void
+    set_stress_free_shapes(std::vector<StressFreeShape> new_shapes)
+    {
+      shapes = std::move(new_shapes);
+    }
+
+    const std::vector<StressFreeShape> &
+    stress_free_shapes() const
+    {
+      return shapes;
+    }
+
+    /** Work of nodal forces (entry node * dim + component) on the shape of bodies built in @p stage. */
+    double
+    stress_free_value(const Vector &force, const unsigned int stage) const;
+
+    /** The displacement of all degrees of freedom for load factors @p a and interface coordinates @p
+     * x. */
+    dealii::Vector<double>
+    recover(const Vector &a, const Vector &x) const;
+
+    /** The displacement under nodal forces (entry node * dim + component; empty: none) and
+     * interface coordinates (empty: zero), without supports that move. */
+    dealii::Vector<double>
+    bonded_field(const Vector &forces, const Vector &x) const;
+
+    /**
+     * The work of the nodal forces @p force (entry node * dim + component) on the displacement, for
+     * any x and a: what recover() would give, without recovering (doc/theory.md, section 1).
+     */
+    LinearResponse
+    response(const Vector &force) const;
+
+    /** Interface coordinates as a rigid motion of the bodies that can move freely and the rest. */
+    struct RigidPart
+    {
+      /** Displacement of all degrees of freedom in the rigid motion nearest to the coordinates. */
+      dealii::Vector<double> motion;
+      /** Coordinates without that motion. */
+      Vector remainder;
+    };
+
+    /**
+     * Splits interface coordinates: a body that soft joints hold moves by far more than it deforms,
+     * and recover() of the remainder alone keeps the digits of the deformation.
+     */
+    RigidPart
+    rigid_part(const Vector &x) const;
+
+    /** Errors of the full model for displacement u, bar forces p and load factors a. @p motion: a
+     * rigid motion that was taken out of u, to whose last digits the jumps are uncertain. */
+    EquilibriumError
+    equilibrium_error(const dealii::Vector<double> &u,
+                      const Vector &p,
+                      const Vector &a,
+                      const dealii::Vector<double> &motion = {}) const;
+
+    BodiesWork
+    work() const;
+
+  private:
+    Vector
+    combination(const Vector &a, const Vector LoadPattern::*part) const;
+
+    CondensedOperator<dim> condensed;
+    DenseMatrix F, E, motion_loads, water_of_closed;
+    std::unique_ptr<JointWaterModel<dim>> water;
+    std::vector<LoadPattern> patterns;
+    Vector carried;
+    std::vector<StressFreeShape> shapes;
+    mutable std::size_t n_recovered_fields = 0;
+  };
+} // namespace fuga
+
+#endif

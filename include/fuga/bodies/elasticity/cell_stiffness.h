@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_elasticity_cell_stiffness_h
+#define fuga_bodies_elasticity_cell_stiffness_h
+
+#include <fuga/bodies/elasticity/lame_constants.h>
+#include <fuga/bodies/space/cell_values.h>
+
+namespace fuga
+{
+  /** Stiffness matrices of one cell after the other; entry (node * dim + component). A cell of the
+   * shape and body of the one before has its matrix too. */
+  template <int dim>
+  class CellStiffness
+  {
+  public:
+    /** @p materials, one for each body, must live as long as this object. */
+    CellStiffness(const Discretization<dim> &discretization,
+                  const std::vector<LameConstants> &materials);
+
+    /** All entries, row by row. */
+    const double *
+    of(const std::size_t cell);
+
+  private:
+    void
+    compute();
+
+    /** From ∫ ∇N_a ⊗ ∇N_b. */
+    dealii::Tensor<2, dim>
+    plane_block(const dealii::Tensor<2, dim> &product) const;
+
+    /** What the hoop strain u_r / r adds. */
+    void
+    add_hoop(const std::size_t a, const std::size_t b, dealii::Tensor<2, dim> &block) const;
+
+    const Discretization<dim> &discretization;
+    const std::vector<LameConstants> &materials;
+    CellValues<dim> values;
+    std::size_t n_nodes;
+    std::vector<double> matrix;
+    unsigned int body = static_cast<unsigned int>(-1);
+  };
+} // namespace fuga
+
+#endif

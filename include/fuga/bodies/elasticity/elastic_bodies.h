@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_elasticity_elastic_bodies_h
+#define fuga_bodies_elasticity_elastic_bodies_h
+
+#include <fuga/bodies/elasticity/lame_constants.h>
+#include <fuga/bodies/joints/interface_coordinates.h>
+#include <fuga/bodies/solvers/interior_solver.h>
+
+namespace fuga
+{
+  template <int dim>
+  class NodeGraph;
+
+  /**
+   * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
+   * the matrix in the coordinates goes straight into MUMPS' triplets, and products with it
+   * (residuals, energies, reactions) are sums over cells. Vectors: entry node * dim + component.
+   * Every process computes on its own cells and has to call alike; sums are the same on all.
+   */
+  template <int dim>
+  class ElasticBodies
+  {
+  public:
+    ElasticBodies(const Discretization<dim> &discretization,
+                  const JointedMesh &mesh,
+                  const ModelDefinition &model);
+
+    /** By node, the largest modulus λ + 2μ of the bodies there [MPa]. */
+    Vector
+    node_moduli() const;
+
+    /** Cᵀ K C, one triangle, with C of @p coordinates; of the own cells. */
+    SymmetricTriplets
+    assemble(const InterfaceCoordinates<dim> &coordinates) const;
+
+    /** K u: the nodal forces that hold the displacement u; of all bodies, or by their numbers @p only
+     *  some. */
+    Vector
+    forces(const Vector &u, const std::vector<bool> *only = nullptr) const;
+
+    /** The same; @p terms: Σ|Kᵢⱼuⱼ|, what the rounding errors of forces and displacements are in
+     * proportion to. */
+    Vector
+    forces(const Vector &u, Vector &terms) const;
+
+    /** ½ uᵀ K u. */
+    double
+    energy(const Vector &u) const;
+
+    /** The same, cell by cell. */
+    Vector
+    cell_energies(const Vector &u) const;
+
+  private:
+    /** Calls @p action(cell, u of the cell relative to its first node, forces, stiffness) for every
+     * own cell, or those of some bodies only. */
+    template <typename Action>
+    void
+    for_each_cell_force(const Vector &u,
+                        const Action &action,
+                        const std::vector<bool> *only = nullptr) const;
+
+    void
+    add_plain_cells(const NodeGraph<dim> &graph,
+                    const std::vector<std::size_t> &cells,
+                    const InterfaceCoordinates<dim> &coordinates,
+                    SymmetricTriplets &matrix) const;
+
+    void
+    add_special_cells(const std::vector<std::size_t> &cells,
+                      const InterfaceCoordinates<dim> &coordinates,
+                      SymmetricTriplets &matrix) const;
+
+    const Discretization<dim> &discretization;
+    std::vector<LameConstants> materials;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_elasticity_equilibrium_error_h
+#define fuga_bodies_elasticity_equilibrium_error_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+#include <string>
+
+namespace fuga
+{
+  template <int dim>
+  class RigidPieces;
+
+  /** How well a solution satisfies the equations of the full model; forces relative to the largest.
+   */
+  struct EquilibriumError
+  {
+    /** Largest entry of K u + Gᵀ p - P a over all free degrees of freedom, less what the rounding
+     * of u explains. */
+    double residual = 0.;
+    /** Largest resultant (force or moment) on a body without support, and which body. */
+    double resultant = 0.;
+    std::string body;
+  };
+
+  /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim + component). */
+  template <int dim>
+  EquilibriumError
+  equilibrium_error(const Vector &elastic,
+                    const Vector &terms,
+                    const Vector &contact,
+                    const Vector &loads,
+                    const std::vector<bool> &fixed,
+                    const RigidPieces<dim> &pieces);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_joints_contact_bars_h
+#define fuga_bodies_joints_contact_bars_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+#include <fuga/bodies/joints/joint_geometry.h>
+#include <fuga/contact/contact_element.h>
+
+#include <string>
+
+namespace fuga
+{
+  /**
+   * The contact elements of all joints and their bars. A bar whose jump the supports exclude does
+   * not exist; an element without normal bar does not exist either; nor does one at a tip inside a
+   * body, nor one without area, on the axis of revolution.
+   */
+  template <int dim>
+  class ContactBars
+  {
+  public:
+    static constexpr unsigned int no_element = static_cast<unsigned int>(-1);
+
+    /** One bar: its jump is (u⁺ - u⁻)·direction. */
+    struct Bar
+    {
+      unsigned int plus_node  = 0;
+      unsigned int minus_node = 0;
+      dealii::Tensor<1, dim> direction;
+    };
+
+    /** Two degrees of freedom that face each other and are both held. */
+    struct HeldPair
+    {
+      unsigned int plus_node  = 0;
+      unsigned int minus_node = 0;
+      unsigned int component  = 0;
+    };
+
+    /**
+     * @p fixed: held degrees of freedom, node * dim + component; @p frictionless: joints without
+     * tangential bars, but for the nodes where they cross or touch others.
+     * @throws InputError if a support holds both lips in a direction oblique to the joint.
+     */
+    ContactBars(const JointGeometry<dim> &geometry,
+                const JointedMesh &mesh,
+                const std::vector<bool> &fixed,
+                const std::vector<bool> &frictionless);
+
+    /** Geometry and numbers only; the laws are for others to fill in. */
+    const std::vector<ContactElement> &
+    elements() const
+    {
+      return all_elements;
+    }
+
+    const NodePair<dim> &
+    pair_of_element(const std::size_t element) const
+    {
+      return geometry.pairs()[pairs[element]];
+    }
+
+    /** The tangents of an element: those of its pair, or, where the supports exclude a jump along
+     * the first but not along the second, both turned by a right angle. */
+    const std::array<dealii::Tensor<1, dim>, dim - 1> &
+    tangents_of_element(const std::size_t element) const
+    {
+      return its_tangents[element];
+    }
+
+    /** Along how many of its tangents, the first ones, the supports allow a jump. */
+    unsigned int
+    n_free_tangents(const std::size_t element) const
+    {
+      return free_tangents[element];
+    }
+
+    const std::vector<Bar> &
+    bars() const
+    {
+      return all_bars;
+    }
+
+    const std::vector<HeldPair> &
+    held_pairs() const
+    {
+      return all_held_pairs;
+    }
+
+    /** Contact elements, with their weights. */
+    using Shares = std::vector<std::pair<unsigned int, double>>;
+
+    /** What the jump of a pair of the geometry is made of: its element; of a hanging pair those of
+     *  its masters; nothing where lips are bonded or held. */
+    Shares
+    shares_of_pair(const unsigned int pair) const;
+
+    /** Jump of every bar; entry node * dim + component of @p u. */
+    Vector
+    jumps(const Vector &u) const;
+
+    /** Adds @p factor times the nodal forces Gᵀ p. */
+    void
+    add_forces(const double factor, const Vector &p, Vector &forces) const;
+
+    /** One line per joint with elements left out. */
+    const std::vector<std::string> &
+    report() const
+    {
+      return lines;
+    }
+
+  private:
+    /** What the supports leave of the jump of a pair. */
+    struct Jump
+    {
+      bool normal = true;
+      std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
+      unsigned int n_free_tangents = dim - 1;
+    };
+
+    Jump
+    possible_jump(const NodePair<dim> &pair,
+                  const std::string &joint,
+                  const std::vector<bool> &fixed);
+
+    void
+    add_element(const unsigned int pair,
+                const unsigned int number,
+                const Jump &jump,
+                const bool tangential_bars);
+
+    const JointGeometry<dim> &geometry;
+    std::vector<ContactElement> all_elements;
+    std::vector<unsigned int> pairs;
+    std::vector<unsigned int> pair_elements;
+    std::vector<std::array<dealii::Tensor<1, dim>, dim - 1>> its_tangents;
+    std::vector<unsigned int> free_tangents;
+    std::vector<Bar> all_bars;
+    std::vector<HeldPair> all_held_pairs;
+    std::vector<std::string> lines;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_loads_uplift_assembly_h
+#define fuga_bodies_loads_uplift_assembly_h
+
+#include <fuga/bodies/joints/contact_bars.h>
+#include <fuga/bodies/loads/load_assembly.h>
+#include <fuga/bodies/loads/uplift_way.h>
+#include <fuga/bodies/space/face_map.h>
+
+namespace fuga
+{
+  /**
+   * Turns the water of one uplift into forces between the two sides of contact elements: ∫ N u dA
+   * along the faces of the joints, exact also where the line of the water or of its distribution
+   * has a corner within a face.
+   */
+  template <int dim>
+  class UpliftAssembly
+  {
+  public:
+    /** All must outlive this object. @throws InputError, see UpliftWay. */
+    UpliftAssembly(const LoadDefinition &load,
+                   const Discretization<dim> &discretization,
+                   const JointGeometry<dim> &geometry,
+                   const ContactBars<dim> &bars,
+                   const JointedMesh &mesh);
+
+    /** The pattern for one pair of levels. */
+    LoadPattern
+    assemble(const WaterLevels &levels) const;
+
+    /** Forces that press the two sides of every bar apart, for each of @p levels, if the water has
+     * this access to the elements; empty @p access: to the closed joint. */
+    std::vector<Vector>
+    forces(const std::vector<WaterAccess> &access, const std::vector<WaterLevels> &levels) const;
+
+    /** The levels at which the forces change otherwise than smoothly, increasing: see
+     * fuga::levels_of_kinks(). */
+    std::vector<double>
+    levels_of_kinks() const;
+
+    const UpliftWay<dim> &
+    way() const
+    {
+      return its_way;
+    }
+
+  private:
+    using FacePoint = typename FaceMap<dim>::FacePoint;
+
+    /** What one element occupies of a way: the reach that it is when it is open. */
+    struct Extent
+    {
+      std::size_t element = 0, way = 0;
+      WaterReach reach;
+      double across_begin = 0., across_end = 0.;
+    };
+
+    /** A point of a quadrature rule. */
+    struct QuadraturePoint
+    {
+      double along = 0., height = 0., area = 0.;
+      /** Of the shape functions of the nodes of the face. */
+      std::vector<double> values;
+    };
+
+    /** A line across one face, in the direction of flow. */
+    struct Line
+    {
+      std::size_t face = 0;
+      typename FaceMap<dim>::Line line;
+      /** At its begin and its end. */
+      double along[2] = {}, height[2] = {};
+      double across = 0.;
+      /** For integrands without a corner on the line. */
+      std::vector<QuadraturePoint> points = {};
+    };
+
+    void
+    find_extents();
+
+    /** Lines that sweep all faces, exactly if the pressure has corners only at the distances
+     * @p corners from the upstream end and at the heights of @p levels. */
+    std::vector<Line>
+    make_lines(const std::vector<double> &corners, const std::vector<WaterLevels> &levels) const;
+
+    /** Points of a part of a line, from one position on it to another. */
+    std::vector<QuadraturePoint>
+    points_between(const Line &line, const double begin, const double end) const;
+
+    /** ∫ N u dA over all @p lines, with the access that makes reaches. */
+    std::vector<Vector>
+    integrate(const std::vector<Line> &lines,
+              const std::vector<WaterAccess> &access,
+              const std::vector<WaterLevels> &levels) const;
+
+    /** The reaches that a line meets. */
+    std::vector<WaterReach>
+    reaches(const std::vector<WaterAccess> &access,
+            const std::size_t way,
+            const double across) const;
+
+    /** Adds ∫ N u dA along one line. */
+    void
+    add_line(const Line &line,
+             const WaterLine &water,
+             const std::vector<WaterLevels> &levels,
+             std::vector<Vector> &forces) const;
+    void
+    add_points(const Line &line,
+               const std::vector<QuadraturePoint> &points,
+               const WaterLine &water,
+               const std::vector<WaterLevels> &levels,
+               std::vector<Vector> &forces) const;
+
+    /** Positions on a line where its integrand has a corner, with 0 and 1. */
+    std::vector<double>
+    cuts(const Line &line, const WaterLine &water, const std::vector<WaterLevels> &levels) const;
+
+    /** ∫ N u dA with u by the depth below a level. */
+    std::vector<Vector>
+    still_water(const std::vector<WaterLevels> &levels, double WaterLevels::*level) const;
+
+    /** Forces under a profile from end to end, with still water in all open elements. */
+    std::vector<Vector>
+    forces_by_elements(const std::vector<WaterAccess> &access,
+                       const std::vector<WaterLevels> &levels) const;
+
+    const LoadDefinition &load;
+    const Discretization<dim> &discretization;
+    const ContactBars<dim> &bars;
+    UpliftWay<dim> its_way;
+    std::vector<FaceMap<dim>> maps;
+    std::vector<Extent> extents;
+    /** Without corners: exact but for the faces in space that a corner meets obliquely. */
+    std::vector<Line> plain_lines;
+    /** Contact elements at the nodes of every face, with their weights. */
+    std::vector<std::vector<typename ContactBars<dim>::Shares>> elements;
+  };
+
+  /** One part of all patterns as columns of a matrix; an empty matrix if no pattern has it. */
+  DenseMatrix
+  columns_of(const std::vector<LoadPattern> &patterns, const Vector LoadPattern::*part);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_loads_water_line_h
+#define fuga_bodies_loads_water_line_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+#include <fuga/bodies/model_definition.h>
+#include <fuga/contact/water_in_joints.h>
+
+namespace fuga
+{
+  /** A part of the way of the water through a joint in which open elements are connected. */
+  struct WaterReach
+  {
+    /** Distances from the upstream end [m], and the heights there. */
+    double begin = 0., end = 0.;
+    double height_at_begin = 0., height_at_end = 0.;
+    /** WaterAccess::upstream or WaterAccess::downstream. */
+    WaterAccess source = WaterAccess::upstream;
+  };
+
+  /** Both levels at one time. */
+  struct WaterLevels
+  {
+    double reservoir = 0., tailwater = 0.;
+  };
+
+  /** The whole way: its length [m] and the heights of its two ends. */
+  struct WayOfWater
+  {
+    double length          = 0.;
+    double upstream_height = 0., downstream_height = 0.;
+  };
+
+  /**
+   * Pressure of the water along one line from the upstream end of a joint to the downstream one
+   * (doc/theory.md, section 12). In reaches it is that of still water below the reservoir, or the
+   * tailwater, with which they are connected; between them it falls from one to the next, by the
+   * profile and the drain of the uplift. Without reaches this is the pressure in the closed joint.
+   */
+  class WaterLine
+  {
+  public:
+    /** @p unit_weight [MN/m³]; all must outlive this object but the reaches, which may overlap and
+     * come in any order. */
+    WaterLine(const Uplift &uplift,
+              const double unit_weight,
+              const WayOfWater &way,
+              std::vector<WaterReach> reaches);
+
+    /** Distances from the upstream end between which, in a part of the joint that is straight, the
+     * pressure is linear, but for the water lines; increasing. */
+    std::vector<double>
+    corners() const;
+
+    /** @p s: distance from the upstream end [m]; @p height there [m]. */
+    double
+    pressure(const double s, const double height, const WaterLevels &levels) const;
+
+  private:
+    /** A closed part between two reaches or ends. */
+    struct Gap
+    {
+      double begin = 0., end = 0.;
+      /** Index of the reach before and behind it; none at the ends of the way. */
+      std::size_t before = none, behind = none;
+    };
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    void
+    unite_reaches();
+    void
+    find_gaps();
+
+    double
+    in_reach(const WaterReach &reach,
+             const double s,
+             const double height,
+             const WaterLevels &levels) const;
+    double
+    in_gap(const Gap &gap, const double s, const WaterLevels &levels) const;
+
+    /** Whether the drain lowers the pressure in a gap: between reservoir and tailwater. */
+    bool
+    has_drain(const Gap &gap) const;
+    double
+    upstream_end(const WaterLevels &levels) const;
+    double
+    downstream_end(const WaterLevels &levels) const;
+    double
+    still_water(const double level, const double height) const;
+
+    const Uplift &uplift;
+    const double unit_weight;
+    const WayOfWater &way;
+    std::vector<WaterReach> reaches;
+    std::vector<Gap> gaps;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_program_load_jump_h
+#define fuga_bodies_program_load_jump_h
+
+#include <fuga/bodies/program/load_patterns.h>
+
+namespace fuga
+{
+  /** Throws the InputError for a load that jumps: which load, by which factor, for which level of
+   * water or ground it is not zero there, and what to write. */
+  template <int dim>
+  [[noreturn]] void
+  throw_jump(const ModelDefinition &model,
+             const CondensedSystem<dim> &system,
+             const LoadFactors::Jump &jump);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_program_load_program_h
+#define fuga_bodies_program_load_program_h
+
+#include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/loads/temperature_field.h>
+#include <fuga/contact/load_history.h>
+
+namespace fuga
+{
+  /**
+   * The stages of the model as the contact layer needs them: load patterns fixed in space, and
+   * their factors, piecewise linear in the load time. A stage whose histories are linear in its
+   * fraction, and whose loads do not depend on time otherwise, is one segment and exact; any other
+   * is cut by LoadKnots into segments, between which the load is interpolated (report says so, and
+   * how well a load that changes with time is met half-way).
+   */
+  struct LoadProgram
+  {
+    /** Where a pattern comes from: a load at one load time. */
+    struct Source
+    {
+      unsigned int load;
+      double t;
+    };
+
+    std::vector<LoadPattern> patterns;
+    /** Of every pattern. */
+    std::vector<Source> sources;
+    LoadHistory history;
+    /** Load times to report at, the levels of all stages. */
+    std::vector<double> levels;
+    /** Lines for the log. */
+    std::vector<std::string> report;
+    /** Factor of every load at the corners of the history, whatever became of it as patterns. */
+    LoadHistory load_factors;
+    /** Load time at which the loads end and the searches for safety begin. */
+    double end_of_loading = 0.;
+
+    /** Factors of the loads at a load time, by name. */
+    std::map<std::string, double>
+    factors_by_name(const ModelDefinition &model, const double t) const;
+
+    /** The temperature at a load time, interpolated between knots as the loads are. */
+    template <int dim>
+    TemperatureField<dim>
+    temperature(const ModelDefinition &model,
+                const std::vector<std::string> &body_names,
+                const double t) const;
+  };
+
+  /**
+   * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
+   * beginning of a stage.
+   */
+  template <int dim>
+  LoadProgram
+  make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
+} // namespace fuga
+
+#endif

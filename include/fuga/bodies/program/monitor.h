@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_program_monitor_h
+#define fuga_bodies_program_monitor_h
+
+#include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/program/monitor_point.h>
+
+namespace fuga
+{
+  /**
+   * The displacement of one point, and on request its stress, as functions of interface coordinates
+   * and load factors: two back solutions per component (and per derivative) before the path begins,
+   * and as many products as there are coordinates whenever it is asked for. No field is recovered.
+   */
+  class Monitor
+  {
+  public:
+    /** @p model: the material of the body. */
+    template <int dim>
+    Monitor(const MonitorDefinition &definition,
+            const MonitorPoint<dim> &point,
+            const ModelDefinition &model,
+            const CondensedSystem<dim> &system);
+
+    const std::string &
+    name() const
+    {
+      return its_name;
+    }
+
+    const std::array<double, 3> &
+    position() const
+    {
+      return its_position;
+    }
+
+    /** u [length] for interface coordinates @p x and load factors @p a. */
+    std::array<double, 3>
+    displacement(const Vector &x, const Vector &a) const;
+
+    bool
+    has_stress() const
+    {
+      return !gradient.empty();
+    }
+
+    /** Index of the body of the point. */
+    unsigned int
+    body() const
+    {
+      return its_body;
+    }
+
+    /** σxx, σyy, σzz (across the plane; hoop stress), σxy, σxz, σyz [stress] at the thermal strain
+     * αΔT of the point; not a number unless has_stress(). */
+    std::array<double, 6>
+    stress(const Vector &x, const Vector &a, const double thermal_strain) const;
+
+  private:
+    template <int dim>
+    std::array<double, 6>
+    stress_in(const Vector &x, const Vector &a, const double thermal_strain) const;
+
+    std::string its_name;
+    std::array<double, 3> its_position{};
+    unsigned int its_body = 0;
+    Material material;
+    PlaneAssumption assumption = PlaneAssumption::plane_strain;
+    std::vector<LinearResponse> components;
+    /** ∂u_i/∂x_j, row by row; empty without stress. */
+    std::vector<LinearResponse> gradient;
+    /** Of the strain around the axis; empty but in axisymmetry. */
+    LinearResponse radial;
+  };
+} // namespace fuga
+
+#endif

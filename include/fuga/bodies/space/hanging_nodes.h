@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_space_hanging_nodes_h
+#define fuga_bodies_space_hanging_nodes_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class DoFHandler;
+}
+
+namespace fuga
+{
+  /**
+   * The nodes of small cells on the face of a larger neighbour. They move with the nodes of that
+   * face: u = Σ w_k u_k, the same for every direction. Forces on them go to these *masters* with
+   * the same weights. No master hangs itself. (doc/theory.md, section 1)
+   */
+  template <int dim>
+  class HangingNodes
+  {
+  public:
+    /** Nodes, with their weights. */
+    using Masters = std::vector<std::pair<unsigned int, double>>;
+
+    /** None. */
+    HangingNodes() = default;
+
+    /** @p node_of_dof: the node that this is the first degree of freedom of; of others, and of those
+     *  of no node, not below @p n_nodes. All processes put together what they have. */
+    HangingNodes(const dealii::DoFHandler<dim, dim> &dofs,
+                 const std::vector<unsigned int> &node_of_dof,
+                 const unsigned int n_nodes);
+
+    const std::map<unsigned int, Masters> &
+    masters() const
+    {
+      return all_masters;
+    }
+
+    bool
+    contain(const unsigned int node) const
+    {
+      return all_masters.count(node) > 0;
+    }
+
+    /** Moves forces (entry node * dim + component) from hanging nodes to their masters. */
+    void
+    move_to_masters(Vector &forces) const;
+
+  private:
+    std::map<unsigned int, Masters> all_masters;
+  };
+} // namespace fuga
+
+#endif

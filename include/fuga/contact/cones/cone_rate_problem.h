@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_cones_cone_rate_problem_h
+#define fuga_contact_cones_cone_rate_problem_h
+
+#include <fuga/contact/cones/cone_program.h>
+#include <fuga/contact/element/contact_boundary.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /** How a path with circular friction cones goes on. */
+  struct ConeContinuation
+  {
+    bool exists = false;
+    JointRates rates;
+    /** Of the elements of the boundary set, in their order. */
+    std::vector<ContactState> states;
+    /** Unit slip directions of the slipping ones among them. */
+    std::vector<TangentVector> directions;
+    unsigned int n_schemes = 0;
+    /** Set if nothing exists because a motion meets no resistance. */
+    bool has_mechanism = false;
+    JointRates mechanism;
+  };
+
+  /**
+   * The rate problem for elements with circular friction cones (doc/theory.md, section 17). With v
+   * the rates of dislocation and q = r - W v those of the bar forces:
+   *
+   *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ ρ̇ - (e·q_t + f q_n) ≥ 0,   v_n = γ tan ψ
+   *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
+   *                                 v_t = 0, or on it and v_t ∥ q_t
+   *
+   * with ρ̇ the rate of the strength at the present pressure. All other elements keep their rows in
+   * the working scheme.
+   *
+   * A semismooth Newton method on the states and slip directions. If it goes round in circles it
+   * starts again from the solution for a softer layer, from solutions for associated friction, and
+   * from block Gauss-Seidel sweeps from element to element. Accepted is only what satisfies every
+   * condition.
+   */
+  class ConeRateProblem
+  {
+  public:
+    ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    /**
+     * In @p background the elements of @p set are stuck, all others have their states. @p
+     * resticking: elements whose slip has just come to rest.
+     */
+    ConeContinuation
+    solve(const JointState &state,
+          const std::vector<BoundaryElement> &set,
+          WorkingScheme &background,
+          const Drive &drive,
+          const std::vector<std::size_t> &resticking);
+
+  private:
+    /** One element of the boundary set. */
+    struct Candidate
+    {
+      std::size_t element = 0;
+      /** First of its rows in the reduced system: n, then t1, t2 if it has friction. */
+      std::size_t row = 0;
+      double friction = 0.;
+      /** tan ψ */
+      double rise = 0.;
+      /** Rates of the strength at the present pressure, and of the tensile strength. */
+      double strength_rate = 0., tension_rate = 0.;
+      /** Rate of the shear that a broken bond still carries if the element is open. */
+      TangentVector shear_release = {{0., 0.}};
+      /** On the boundary of no strength: every direction of slip is free, or there is none. */
+      bool at_apex = false;
+      /** It may open. */
+      bool grazing = false;
+      /** Tangential rows: none without friction, one where only one bar is free. */
+      std::size_t n_tangents  = 0;
+      bool resting            = false;
+      ContactState state      = ContactState::stick;
+      TangentVector direction = {{1., 0.}};
+      /** Rate of slip, and f times the rate at which the element presses, at the apex. */
+      double slip = 0., strength = 0.;
+    };
+
+    /** What the present rates ask of a candidate. */
+    struct Demand
+    {
+      ContactState state      = ContactState::stick;
+      TangentVector direction = {{1., 0.}};
+      double slip = 0., strength = 0.;
+      /** By how much they contradict its present state. */
+      double violation = 0.;
+    };
+
+    enum class Outcome
+    {
+      solved,
+      singular,
+      cycled
+    };
+
+    /** Schemes that are tried, all violations changed at once and then the worst one alone. */
+    static constexpr unsigned int n_together = 25, n_iterations = 80;
+
+    /** r and W of the boundary set, and the size of the terms in W. */
+    struct ReducedSystem
+    {
+      DenseMatrix W;
+      Vector r, diagonal;
+    };
+
+    void
+    take_softened(const ReducedSystem &stiff, const double softness);
+    Outcome
+    approach_from_softer_layer(ConeContinuation &result);
+    DenseMatrix
+    associated_motions(std::vector<ConeBlock> &blocks) const;
+    Outcome
+    approach_by_associated_slip(ConeContinuation &result);
+    static void
+    take_from_program(const ConeProgram::Place place,
+                      const double strength,
+                      const Vector &rates,
+                      Candidate &candidate);
+    void
+    find_mechanism(WorkingScheme &background, ConeContinuation &result);
+    bool
+    is_admissible(const Vector &motion) const;
+    /** What loads that grow and strengths that fall do to a motion, per square of the path
+     * parameter; and the sum of the sizes of its terms. */
+    double
+    driving_power(const Vector &motion, double &size) const;
+    Outcome
+    iterate(const unsigned int max_iterations, ConeContinuation &result);
+    /** Rates of the present scheme; false if something moves freely in it, which is then held by
+     * weak springs. */
+    bool
+    solve_scheme();
+    bool
+    update_scheme(const bool one_by_one);
+    Demand
+    demand(const Candidate &candidate) const;
+    static void
+    follow(const Demand &demand, Candidate &candidate);
+    bool
+    is_settled() const;
+    void
+    slip_where_neutral();
+    void
+    sweep(const unsigned int n_sweeps);
+    double
+    own_stiffness(const std::size_t row) const;
+    void
+    relax(Candidate &candidate);
+    void
+    take_from_rates();
+    void
+    change_rate(const std::size_t row, const double change);
+    void
+    refresh_forces();
+    double
+    noise(const std::size_t row) const;
+    /** The tangential rows of a candidate in v, q or the diagonal; the second is zero if it has
+     * none. */
+    static TangentVector
+    tangential_rows(const Candidate &candidate, const Vector &values)
+    {
+      return {
+        {values[candidate.row + 1], candidate.n_tangents == 2 ? values[candidate.row + 2] : 0.}};
+    }
+    /** Mean stiffness along the tangents, and the noise of the tangential forces and the strength.
+     */
+    double
+    shear_stiffness(const Candidate &candidate) const;
+    double
+    shear_noise(const Candidate &candidate) const;
+    JointRates
+    full_rates(WorkingScheme &background, const Drive &drive, const Vector &reduced) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    /** The reduced system of the present boundary set. */
+    std::vector<Candidate> candidates;
+    std::vector<std::size_t> bars;
+    DenseMatrix W;
+    Vector r, v, q;
+    /** Diagonal of the stiffness before bars were released: the size of the terms in W. */
+    Vector diagonal;
+    /** Null vector of the last singular scheme. */
+    Vector free_motion;
+    /** What the last sweep of those that did not come to rest changed. */
+    Vector drift;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_element_mechanism_h
+#define fuga_contact_element_mechanism_h
+
+#include <fuga/contact/element/contact_boundary.h>
+
+namespace fuga
+{
+  /** The way in which equilibrium is lost. */
+  enum class MechanismKind
+  {
+    none,
+    /** The lips only slide along each other. */
+    sliding,
+    /** The lips only part. */
+    overturning,
+    /** Both. */
+    mixed
+  };
+
+  /** The motion changes no force: nothing resists it. */
+  bool
+  is_free_motion(const JointRates &motion, const LayeredSystem &system);
+
+  /** Jumps of a motion, scaled to a largest value of one. */
+  Vector
+  mechanism_jumps(const JointRates &motion, const LayeredSystem &system);
+
+  MechanismKind
+  classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
+
+  /**
+   * The state in which a mechanism with these jumps moves an element that is on a boundary in
+   * @p state. A bond that still carries shear keeps its state: it would have to break first.
+   */
+  ContactState
+  state_in_mechanism(const BoundaryElement &candidate,
+                     const ContactElement &element,
+                     const JointState &state,
+                     const Vector &jumps);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_judge_certificate_h
+#define fuga_contact_judge_certificate_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/contact_system.h>
+#include <fuga/contact/judge/mechanism_certificate.h>
+#include <fuga/contact/load_history.h>
+#include <fuga/contact/segments/path_segment.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace fuga
+{
+  /** @p value relative to @p scale; zero if both are. */
+  double
+  share(const double value, const double scale);
+
+  /** The part of a bar vector in the tangent plane of an element, zero without tangential bars. */
+  TangentVector
+  shear_part(const ContactElement &element, const Vector &of_bars);
+
+  /** The unit vector along @p v; zero if v is. */
+  TangentVector
+  direction(const TangentVector &v);
+
+  /**
+   * How far a state is from satisfying each condition of the contact problem. Every entry is
+   * relative: to the largest force, jump or energy of the scene so far.
+   */
+  struct Certificate
+  {
+    /** S x + Bᵀp = F a. */
+    double equilibrium = 0.;
+    /** Forces and moments on every floating body. */
+    double body_equilibrium = 0.;
+    /** gap ≥ 0 where there is no layer to close, or the element is open. */
+    double penetration = 0.;
+    /** N ≤ 0, or the tensile strength of a bond. */
+    double tension = 0.;
+    /** |T| ≤ f|N| + cA. */
+    double cone = 0.;
+    /** No force in open elements. */
+    double complementarity = 0.;
+    /** T·ṡ ≥ 0, slip only at the strength, and in 3D in the direction of T. */
+    double slip_direction = 0.;
+    /** N and T follow from closure and elastic shear by the laws of the layer, the rise of the lips
+     * from their slip. */
+    double layer_law = 0.;
+    /** External work = energy of bodies + energy of layer + dissipation. */
+    double energy = 0.;
+
+    double
+    worst() const;
+
+    /** Entries with their names, in the order above. */
+    std::array<std::pair<std::string_view, double>, 9>
+    entries() const;
+
+    /** Keeps the larger of each entry. */
+    void
+    absorb(const Certificate &other);
+  };
+
+  template <typename Entries, typename Visitor, only_for<Entries, Certificate> = 0>
+  void
+  for_each_field(Entries &certificate, Visitor &&visit)
+  {
+    auto &[equilibrium,
+           body_equilibrium,
+           penetration,
+           tension,
+           cone,
+           complementarity,
+           slip_direction,
+           layer_law,
+           energy] = certificate;
+    visit("equilibrium", equilibrium);
+    visit("body_equilibrium", body_equilibrium);
+    visit("penetration", penetration);
+    visit("tension", tension);
+    visit("cone", cone);
+    visit("complementarity", complementarity);
+    visit("slip_direction", slip_direction);
+    visit("layer_law", layer_law);
+    visit("energy", energy);
+  }
+
+  /** Energies since the start [MNm]. External work and bodies without the part that the loads would
+   * store in the fully bonded structure. */
+  struct EnergyLedger
+  {
+    double external_work = 0.;
+    double bodies        = 0.;
+    double layer         = 0.;
+    double dissipation   = 0.;
+  };
+
+  template <typename Ledger, typename Visitor, only_for<Ledger, EnergyLedger> = 0>
+  void
+  for_each_field(Ledger &ledger, Visitor &&visit)
+  {
+    auto &[external_work, bodies, layer, dissipation] = ledger;
+    visit("external_work", external_work);
+    visit("bodies", bodies);
+    visit("layer", layer);
+    visit("dissipation", dissipation);
+  }
+
+  /** What the judge remembers of the path that it followed. */
+  struct JudgeMemory
+  {
+    EnergyLedger ledger;
+    bool on_track = true;
+    Vector element_dissipation;
+    double largest_force     = 0.;
+    double largest_jump      = 0.;
+    double largest_energy    = 0.;
+    double largest_load      = 0.;
+    double wrong_slip_work   = 0.;
+    double largest_slip_work = 0.;
+    double wrong_rise        = 0.;
+    /** Of earlier phases of construction. */
+    double energy_of_bodies_before = 0.;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, JudgeMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[ledger,
+           on_track,
+           element_dissipation,
+           largest_force,
+           largest_jump,
+           largest_energy,
+           largest_load,
+           wrong_slip_work,
+           largest_slip_work,
+           wrong_rise,
+           energy_of_bodies_before] = memory;
+    visit("ledger", ledger);
+    visit("on_track", on_track);
+    visit("element_dissipation", element_dissipation);
+    visit("largest_force", largest_force);
+    visit("largest_jump", largest_jump);
+    visit("largest_energy", largest_energy);
+    visit("largest_load", largest_load);
+    visit("wrong_slip_work", wrong_slip_work);
+    visit("largest_slip_work", largest_slip_work);
+    visit("wrong_rise", wrong_rise);
+    visit("energy_of_bodies_before", energy_of_bodies_before);
+  }
+
+  /**
+   * The independent judge. It knows the bodies (S, F, B), the elements with their laws and the
+   * loads, and checks what the solver claims; it shares no operator, scheme or tolerance with the
+   * solver.
+   */
+  class Judge : private JudgeMemory
+  {
+  public:
+    /** Energies are judged by the largest load up to @p end_of_loading. */
+    Judge(const ContactSystem &system,
+          const std::vector<ContactElement> &elements,
+          const LoadHistory &history,
+          const double end_of_loading);
+
+    Judge(const ContactSystem &system,
+          const std::vector<ContactElement> &elements,
+          const LoadHistory &history);
+
+    /** Adds the work of a smooth piece of the path of parameter length @p length. */
+    void
+    follow(const PathPoint &from, const PathPoint &to, const double length);
+
+    /** The path was left: energies are unknown from now on and no longer judged. */
+    void
+    lose_track();
+
+    /** Judges a state that lies at the end of what was followed. */
+    Certificate
+    judge(const JointState &state);
+
+    /** Judges the motion of the joints with which a path ended in @p state. */
+    MechanismCertificate
+    judge_mechanism(const JointState &state, const Vector &motion) const;
+
+    /** Which rigid motions of the bodies are looked for. */
+    enum class Motions
+    {
+      /** Those that the contact allows. */
+      possible,
+      /** Those on which no change of the joints' forces that friction allows does positive work:
+       * sliding lips rise by the angle of friction. */
+      resisted_by_none
+    };
+
+    /** Of these motions in @p state the one on which the growing load does most work; jumps,
+     * largest one. Nothing if it does work on none. */
+    std::optional<Vector>
+    driven_motion(const JointState &state, const Motions motions = Motions::possible) const;
+
+    const EnergyLedger &
+    energies() const
+    {
+      return ledger;
+    }
+
+    /** Work done by friction in each element so far [MNm]. */
+    const Vector &
+    dissipation() const
+    {
+      return element_dissipation;
+    }
+
+    const JudgeMemory &
+    memory() const
+    {
+      return *this;
+    }
+
+    /** Goes on judging where another judge of the same problem was. */
+    void
+    restore(const JudgeMemory &memory)
+    {
+      static_cast<JudgeMemory &>(*this) = memory;
+    }
+
+    /** Goes on judging, in @p state, where the judge of an earlier phase of construction was. */
+    void
+    begin_phase(const JudgeMemory &memory, const JointState &state);
+
+    /** Interface coordinates x of the jumps at load time @p t. */
+    Vector
+    coordinates(const Vector &jumps, const double t) const;
+
+    /** The same where nothing is imposed: of a motion, or of rates. */
+    Vector
+    coordinates(const Vector &jumps) const;
+
+  private:
+    Vector
+    jumps(const Vector &dislocations, const Vector &forces) const;
+    /** Loads on the interface coordinates without those of water that came in. */
+    Vector
+    loads(const double t) const;
+    /** Forces of water in open elements, as the loads demand; empty without water. */
+    Vector
+    water(const JointState &state) const;
+    /** Adds Bᵀ ω. */
+    void
+    add_water(const JointState &state, Vector &loads) const;
+    /** Of the bodies, for coordinates x and the elastic forces S x. */
+    double
+    energy_of_bodies(const Vector &x, const Vector &elastic) const;
+    void
+    add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length);
+    Vector
+    resistance(const Vector &x) const;
+    double
+    body_equilibrium_error(const JointState &state) const;
+    void
+    check_element(const std::size_t k,
+                  const JointState &state,
+                  const Vector &jumps,
+                  Certificate &result) const;
+    Freedom
+    freedom(const std::size_t k, const JointState &state, const Vector &delta) const;
+    /** What of the jump @p w of an element contradicts its freedom. */
+    double
+    inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const;
+    /** Of the growing load, of falling strength and of what broken bonds let go, on the rigid
+     * motions of the bodies. */
+    Vector
+    powers_of_growth(const JointState &state) const;
+    /** The same on the jumps @p motion, beside the sum of its terms. */
+    double
+    drive(const JointState &state, const Vector &motion) const;
+    /** Shear that a broken bond has lost and still carries: of lips that slide, along the force. */
+    TangentVector
+    lost_shear(const std::size_t k, const JointState &state) const;
+    void
+    check_slip(const PathPoint &from, const PathPoint &to, const double length);
+    /** A stuck element must not slip. */
+    void
+    check_rest(const std::size_t k, const JointState &from, const JointState &to);
+    /** Work of shear force and rise [MNm] between two points of the path. */
+    double
+    work_of_slip(const std::size_t k,
+                 const PathPoint &from,
+                 const PathPoint &to,
+                 const double length);
+    /** The same of the normal force of open lips, which a broken bond still carries. */
+    double
+    work_of_unloading(const std::size_t k,
+                      const PathPoint &from,
+                      const PathPoint &to,
+                      const double length) const;
+    /** Rate of slip of an element that slips or is open. */
+    TangentVector
+    slip_rate(const std::size_t k, const PathPoint &point) const;
+    /** The part of a force, or of a rate of slip, in the direction in which a slipping element is
+     * said to slip: with one tangential bar the state tells it, with two it is that of the vector
+     * itself. */
+    double
+    along_slip(const std::size_t k, const JointState &state, const TangentVector &v) const;
+    /** @p way: how far the lips slid. */
+    void
+    check_rise(const std::size_t k, const JointState &from, const JointState &to, const double way);
+    /** The largest normal or tangential part of an element. */
+    double
+    largest_of_elements(const Vector &of_bars) const;
+    void
+    check_reduction(const JointState &state, Certificate &result) const;
+    void
+    check_strength(const std::size_t k, const Strength &left, Certificate &result) const;
+
+    /** Elastic jumps of an element's layer [m], or their rates. */
+    struct Layer
+    {
+      double normal       = 0.;
+      TangentVector shear = {{0., 0.}};
+    };
+
+    Layer
+    layer(const std::size_t k, const JointState &state) const;
+    Layer
+    layer_rates(const std::size_t k, const PathPoint &point) const;
+    /** [MNm] */
+    double
+    stored_energy(const std::size_t k, const JointState &state) const;
+
+    const ContactSystem &system;
+    const std::vector<ContactElement> &elements;
+    const LoadHistory &history;
+    const RigidBasis rigid_motions;
+    /** Gives coordinates from jumps if there are more bars than coordinates. */
+    DenseMatrix inverse_jump_operator;
+    /** 2-norms of the rows of S. */
+    Vector stiffness_row_norms;
+    double largest_load_of_history = 0.;
+  };
+} // namespace fuga
+
+#endif

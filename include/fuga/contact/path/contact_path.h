@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_contact_path_h
+#define fuga_contact_path_contact_path_h
+
+#include <fuga/contact/element/standstill.h>
+#include <fuga/contact/load_history.h>
+#include <fuga/contact/path/path_result.h>
+#include <fuga/contact/path/report_counter.h>
+
+namespace fuga
+{
+  /**
+   * The step-by-step analysis of the contact along a load history, from event to event: what
+   * EventPath, which knows S as a matrix, and MatrixFreePath have in common.
+   */
+  class ContactPath
+  {
+  public:
+    virtual ~ContactPath() = default;
+
+    /**
+     * Follows the whole history, reporting to @p observer at the load times @p levels (increasing).
+     * @throws NumericalFailure if a step cannot be completed.
+     */
+    PathResult
+    run(const std::vector<double> &levels, PathObserver &observer);
+
+    /**
+     * Follows the rest of a history from a cut of run() on the same problem; levels, events and the
+     * end are the same bit for bit. Reports only what comes after the cut and its reports. Stages
+     * behind the end of the history of the cut do not matter to it.
+     * @throws NumericalFailure also if the path is not the same.
+     */
+    PathResult
+    resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer);
+
+    /**
+     * Follows the loads from a state in which the path of another problem ended: the one before a
+     * change of construction. Of @p end, state, result, iterations and next level count.
+     * @throws NumericalFailure, as run().
+     */
+    PathResult
+    go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer);
+
+    /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
+    const PathCut &
+    last_cut() const
+    {
+      return cut;
+    }
+
+    /** Work of the steps along curves so far. */
+    IterationCount
+    iterations() const
+    {
+      return iteration_count;
+    }
+
+    /** Work on the matrices of the working schemes so far. */
+    virtual SchemeWork
+    work() const = 0;
+
+  protected:
+    ContactPath(const std::vector<ContactElement> &elements,
+                const LayeredSystem &system,
+                const LoadHistory &history);
+
+    /** The loop over the events, from the last cut on. */
+    virtual PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) = 0;
+
+    /** What the working schemes have to remember in a cut. */
+    virtual void
+    remember_schemes(PathCut & /*of_cut*/) const
+    {
+    }
+
+    virtual void
+    restore_schemes(const PathCut & /*from*/)
+    {
+    }
+
+    /** Keeps a place from which the path can be followed again, if the observer wants it. */
+    void
+    make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
+
+    /** What changes next: lost strength and water at a fixed load, or the load up to its next
+     *  corner. */
+    Course
+    next_course(const JointState &state) const;
+
+    /** The reactions of the stuck joint, and water in open elements, to loads at @p factor_rates. */
+    void
+    set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const;
+
+    /** Factor by which the tolerances of boundaries grow at a standstill. */
+    double
+    widening_of_tolerances() const;
+
+    /** PathSegment::find_end(); a failure reports what was reached before it. */
+    double
+    find_end(PathSegment &segment,
+             const Course &course,
+             const std::vector<double> &levels,
+             PathObserver &observer);
+
+    /** Counts a segment that ended in @p state, and tells progress from a step without length.
+     *  @throws NumericalFailure at a standstill without end. */
+    void
+    note_step(const PathSegment &segment,
+              const Course &course,
+              const double length,
+              const JointState &state,
+              PathResult &result);
+
+    void
+    note_zero_step(const JointState &state, PathResult &result);
+
+    /** Gives an element another state, with all that goes with it; the event. */
+    ContactEvent
+    change_element(const std::size_t k,
+                   const ContactState to,
+                   const TangentVector &direction,
+                   const double no_force,
+                   JointState &state) const;
+
+    /**
+     * Lets the water in joints follow the states of the elements, unless it stands still in this
+     * stage; see renew_water(). @p no_force: what counts as no force [MN], per bar. Whether
+     * anything changed: then the water changes at this load, before the load goes on.
+     */
+    bool
+    let_water_follow(const Vector &no_force,
+                     JointState &state,
+                     PathObserver &observer,
+                     PathResult &result);
+
+    /** Counts and reports events at one load. */
+    static void
+    report(const std::vector<ContactEvent> &events,
+           const JointState &state,
+           PathObserver &observer,
+           PathResult &result);
+
+    /** The limit load with the mechanism @p motion. */
+    void
+    take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const LoadHistory &history;
+    Standstill standstill;
+    std::size_t next_level = 0;
+    /** First guess of the next decision, see PathSegment::resticking(). */
+    std::vector<std::size_t> resticking;
+    IterationCount iteration_count;
+    PathCut cut;
+  };
+} // namespace fuga
+
+#endif

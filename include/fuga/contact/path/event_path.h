@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_event_path_h
+#define fuga_contact_path_event_path_h
+
+#include <fuga/contact/path/contact_path.h>
+#include <fuga/contact/rates/rate_problem.h>
+
+#include <memory>
+
+namespace fuga
+{
+  /**
+   * The paper's step-by-step analysis: find the load of the next event on the contact, advance to
+   * it exactly, change the working scheme, go on. Knows bars, laws and loads, and no mesh. Elements
+   * have one tangential bar, in the plane, or two, with Coulomb's circular cone (doc/theory.md,
+   * section 17), or none.
+   */
+  class EventPath : public ContactPath
+  {
+  public:
+    /** @throws InputError if an option is not available with two tangential bars. */
+    EventPath(const std::vector<ContactElement> &elements,
+              const LayeredSystem &system,
+              const LoadHistory &history,
+              const PathOptions &options);
+
+    SchemeWork
+    work() const override;
+
+  private:
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
+    void
+    remember_schemes(PathCut &of_cut) const override;
+    void
+    restore_schemes(const PathCut &from) override;
+    bool
+    jump_to_corner(JointState &state,
+                   const std::vector<double> &levels,
+                   PathObserver &observer,
+                   PathResult &result);
+    Continuation
+    decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
+    bool
+    break_exhausted_bonds(JointState &state, PathObserver &observer, PathResult &result) const;
+    void
+    choose_branch(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  const Drive &drive,
+                  Continuation &continuation,
+                  PathResult &result);
+    /** States and strengths of the working scheme become those of @p state. */
+    void
+    take_scheme(JointState &state);
+    /** Whether the scheme costs strength, so that its rates do not hold. */
+    bool
+    adopt_scheme(JointState &state,
+                 const std::vector<BoundaryElement> &set,
+                 const std::size_t n_branches,
+                 PathObserver &observer,
+                 PathResult &result) const;
+    void
+    go_beyond_limit(JointState &state, PathObserver &observer, PathResult &result);
+    struct ControlledStep
+    {
+      ControlledContinuation motion;
+      Course course;
+    };
+    ControlledStep
+    step_beyond(const JointState &state,
+                const std::vector<BoundaryElement> &set,
+                const double first_t,
+                const double last_t,
+                const double left);
+    bool
+    turns(const PathPoint &start, const bool is_curved) const;
+    void
+    find_critical_elements(JointState &state, PathResult &result);
+    std::unique_ptr<PathSegment>
+    make_segment(const Course &course, const PathPoint &start);
+    void
+    lose_equilibrium(JointState &state,
+                     const Continuation &continuation,
+                     PathObserver &observer,
+                     PathResult &result);
+
+    const PathOptions options;
+    const bool has_cones;
+    ContactBoundary boundary;
+    WorkingScheme scheme;
+    RateProblem rate_problem;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_matrix_free_path_h
+#define fuga_contact_path_matrix_free_path_h
+
+#include <fuga/contact/path/contact_path.h>
+#include <fuga/contact/system/tangent_solver.h>
+
+namespace fuga
+{
+  /** What an element has that MatrixFreePath cannot follow; empty if nothing. */
+  std::string
+  unavailable_without_stiffness(const ContactElement &element);
+
+  /**
+   * The path in implicit steps, from one corner of the loads or requested level to the next, for
+   * bodies whose stiffness S is not known as a matrix. Forces of closed linear layers are functions
+   * of the jumps (return mapping onto Coulomb's cone), so
+   *
+   *     S x + p(x) = F a(t)
+   *
+   * is solved by a semismooth Newton method, each step of it one solution of the bodies with the
+   * bars in their present scheme (doc/theory.md, section 18). Energies and events are not known.
+   */
+  class MatrixFreePath : public ContactPath
+  {
+  public:
+    /** Of @p system the bars are known only. */
+    MatrixFreePath(const std::vector<ContactElement> &elements,
+                   const LayeredSystem &system,
+                   const ContactSystem &bodies,
+                   const TangentSolver &solver,
+                   const LoadHistory &history);
+
+    SchemeWork
+    work() const override
+    {
+      return scheme_work;
+    }
+
+  private:
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
+
+    /** Bars of an element at given jumps: forces and their derivative. */
+    struct Response
+    {
+      std::array<double, 3> forces{};
+      ElementStiffness tangent{};
+      ContactState state = ContactState::open;
+    };
+
+    /** Jumps of the bodies with S x and the bars' response to them. */
+    struct Trial
+    {
+      Vector x, Sx, forces, residual;
+      std::vector<ContactState> states;
+      std::vector<ElementStiffness> tangents;
+    };
+
+    Response
+    respond(const std::size_t k, const Vector &jumps, const Vector &slips) const;
+    void
+    evaluate(const JointState &from, const double t, Trial &trial) const;
+    Trial
+    line_search(const JointState &from,
+                const double t,
+                const Trial &at,
+                const TangentSolver::Solution &step) const;
+    JointState
+    step_to(const JointState &from, const double t);
+    JointState
+    state_of(const JointState &from, const double t, const Trial &trial) const;
+    Vector
+    imposed_jumps(const double t) const;
+
+    const ContactSystem &bodies;
+    const TangentSolver &solver;
+    const std::size_t n_bars;
+    SchemeWork scheme_work;
+  };
+} // namespace fuga
+
+#endif

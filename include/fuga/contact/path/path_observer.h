@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_path_observer_h
+#define fuga_contact_path_path_observer_h
+
+#include <fuga/contact/segments/path_segment.h>
+
+#include <array>
+
+namespace fuga
+{
+  /** One change of the working scheme. */
+  struct ContactEvent
+  {
+    double t            = 0.;
+    std::size_t element = 0;
+    ContactState from   = ContactState::stick;
+    ContactState to     = ContactState::stick;
+    /** Continuations known at this load: 1 unless friction is beyond critical. */
+    std::size_t n_branches = 1;
+    /** Where the water came from and comes from, if this event is a connection of an open element
+     * with reservoir or tailwater that comes or goes; else the same twice. */
+    std::array<WaterAccess, 2> water = {{WaterAccess::seepage, WaterAccess::seepage}};
+
+    /** The words before and after it in every output. */
+    std::array<std::string_view, 2>
+    names() const
+    {
+      if (water[0] != water[1])
+        return {{access_name(water[0]), access_name(water[1])}};
+      return {{state_name(from), state_name(to)}};
+    }
+  };
+
+  /** Receives the path as it is found. All calls come in the order of the load time. */
+  class PathObserver
+  {
+  public:
+    virtual ~PathObserver() = default;
+
+    /** Whether EventPath::last_cut() is to be kept up to date. */
+    virtual bool
+    wants_cuts() const
+    {
+      return false;
+    }
+
+    /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
+    virtual void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;
+
+    /** The path went to @p to by an implicit step: what happened between is not known. */
+    virtual void
+    jumped(const JointState &to) = 0;
+
+    /** The scheme changed; @p state has the new states. */
+    virtual void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) = 0;
+
+    /** A requested load time was reached; @p index counts them. */
+    virtual void
+    reached(const std::size_t index, const JointState &state) = 0;
+
+    /** A state beyond the limit load, after the largest jump has grown by @p length: at the limit, and
+     * at the end of every step. Here the load time may stay or fall. */
+    virtual void
+    went_beyond(const double /*length*/, const JointState & /*state*/)
+    {
+    }
+  };
+
+  /**
+   * Reports a segment whose end has been found, from station to station, with a stop at every
+   * requested
+   * load time from number @p next_level on, which is counted up. Returns the state at the end.
+   */
+  JointState
+  report_piecewise(PathSegment &segment,
+                   const Course &course,
+                   const std::vector<double> &levels,
+                   std::size_t &next_level,
+                   PathObserver &observer);
+} // namespace fuga
+
+#endif

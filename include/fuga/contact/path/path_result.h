@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_path_result_h
+#define fuga_contact_path_path_result_h
+
+#include <fuga/contact/element/mechanism.h>
+#include <fuga/contact/segments/curved_segment.h>
+
+namespace fuga
+{
+  /** How a path ended. */
+  enum class Verdict
+  {
+    /** The requested end of the load history was reached. */
+    done,
+    /** The working scheme is a mechanism: the load cannot grow. */
+    limit_load,
+    /** No quasi-static continuation exists although nothing moves freely (friction beyond
+       critical). */
+    no_continuation,
+    /** Several continuations exist (friction beyond critical), and the path is not to choose. */
+    non_unique_continuation
+  };
+
+  /** What is known of the first place on a path where friction was seen beyond its critical value.
+   */
+  struct CriticalFriction
+  {
+    double t = 0.;
+    /** Elements on their strength that decide: no other ones differ between the continuations. */
+    std::vector<std::size_t> elements;
+    /** Number of continuations; a lower bound if not `all_counted`. */
+    std::size_t n_branches = 0;
+    bool all_counted       = false;
+    /** Signs of the determinants of their schemes; if there is no continuation, of the scheme in
+     * which all elements on their strength slip. */
+    std::vector<int> determinant_signs;
+  };
+
+  template <typename Place, typename Visitor, only_for<Place, CriticalFriction> = 0>
+  void
+  for_each_field(Place &place, Visitor &&visit)
+  {
+    auto &[t, elements, n_branches, all_counted, determinant_signs] = place;
+    visit("t", t);
+    visit("elements", elements);
+    visit("n_branches", n_branches);
+    visit("all_counted", all_counted);
+    visit("determinant_signs", determinant_signs);
+  }
+
+  /** What the path did beyond its limit load. */
+  struct BeyondLimit
+  {
+    enum class End
+    {
+      /** The path did not go there. */
+      none,
+      /** The largest jump has grown as far as asked for. */
+      largest_jump,
+      /** The load has fallen to where its stage, or the linear piece of it, began. */
+      load_removed,
+      /** The load has risen to the limit again. */
+      limit_regained,
+      /** No motion goes on at any load. */
+      no_continuation
+    };
+
+    End end = End::none;
+    /** Growth of the largest jump [m]. */
+    double length = 0.;
+    /** Load time at the end. */
+    double t            = 0.;
+    std::size_t n_steps = 0;
+  };
+
+  template <typename Way, typename Visitor, only_for<Way, BeyondLimit> = 0>
+  void
+  for_each_field(Way &way, Visitor &&visit)
+  {
+    auto &[end, length, t, n_steps] = way;
+    visit("end", end);
+    visit("length", length);
+    visit("t", t);
+    visit("n_steps", n_steps);
+  }
+
+  struct PathResult
+  {
+    Verdict verdict         = Verdict::done;
+    double t                = 0.;
+    MechanismKind mechanism = MechanismKind::none;
+    /** Jumps of the bars in the mechanism, largest 1. */
+    Vector mechanism_jumps;
+    std::size_t n_events     = 0;
+    std::size_t n_zero_steps = 0;
+    std::size_t n_steps      = 0;
+    /** Implicit steps that took the place of events. */
+    std::size_t n_jumps    = 0;
+    unsigned int n_schemes = 0;
+    /** Continuations found by each RateMethod. */
+    std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
+    /** Decisions with several continuations. */
+    std::size_t n_non_unique = 0;
+    CriticalFriction critical;
+    BeyondLimit beyond;
+    /** What was tried, where a path ends with `no_continuation` only because no way on was found:
+     * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
+    std::string tried;
+  };
+
+  template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
+  void
+  for_each_field(Result &result, Visitor &&visit)
+  {
+    auto &[verdict,
+           t,
+           mechanism,
+           mechanism_jumps,
+           n_events,
+           n_zero_steps,
+           n_steps,
+           n_jumps,
+           n_schemes,
+           n_decided_by,
+           n_non_unique,
+           critical,
+           beyond,
+           tried] = result;
+    visit("verdict", verdict);
+    visit("t", t);
+    visit("mechanism", mechanism);
+    visit("mechanism_jumps", mechanism_jumps);
+    visit("n_events", n_events);
+    visit("n_zero_steps", n_zero_steps);
+    visit("n_steps", n_steps);
+    visit("n_jumps", n_jumps);
+    visit("n_schemes", n_schemes);
+    visit("n_decided_by", n_decided_by);
+    visit("n_non_unique", n_non_unique);
+    visit("critical", critical);
+    visit("beyond", beyond);
+    visit("tried", tried);
+  }
+
+  /**
+   * A place between two segments, where the load goes on, from which a path can be followed again,
+   * bit for bit. Segments are
+   * never cut: where they are divided would change the steps along a curve. What the observer heard
+   * behind the cut, levels for instance, is counted instead and not reported again.
+   */
+  struct PathCut
+  {
+    JointState state;
+    /** What was found so far. */
+    PathResult result;
+    IterationCount iterations;
+    SchemeMemory scheme;
+    /** Of the elements off their boundaries, where some have two tangential bars. */
+    SchemeMemory background;
+    std::size_t next_level = 0;
+    /** First guess of the next decision, see PathSegment::resticking(). */
+    std::vector<std::size_t> resticking;
+    /** Reports to the observer since the cut. */
+    std::size_t n_reports = 0;
+  };
+
+  template <typename Cut, typename Visitor, only_for<Cut, PathCut> = 0>
+  void
+  for_each_field(Cut &cut, Visitor &&visit)
+  {
+    auto &[state, result, iterations, scheme, background, next_level, resticking, n_reports] = cut;
+    visit("state", state);
+    visit("result", result);
+    visit("iterations", iterations);
+    visit("scheme", scheme);
+    visit("background", background);
+    visit("next_level", next_level);
+    visit("resticking", resticking);
+    visit("n_reports", n_reports);
+  }
+} // namespace fuga
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_path_report_counter_h
+#define fuga_contact_path_report_counter_h
+
+#include <fuga/contact/path/path_observer.h>
+
+namespace fuga
+{
+  /**
+   * Hands the reports of a path on and counts them. A path that is followed again from a cut
+   * reports the same again; what its observer has heard already is not repeated. After each report
+   * the path can be left in good order: that is where it ends if the user wishes so.
+   */
+  class ReportCounter : public PathObserver
+  {
+  public:
+    /** @p n_reports: how many reports, the first ones, are not handed on; from now on it counts. */
+    ReportCounter(PathObserver &observer, std::size_t &n_reports);
+
+    /** Begins to count anew. @throws NumericalFailure if less was reported than had been heard. */
+    void
+    start();
+
+    bool
+    wants_cuts() const override;
+    void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) override;
+    void
+    jumped(const JointState &to) override;
+    void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) override;
+    void
+    reached(const std::size_t index, const JointState &state) override;
+    void
+    went_beyond(const double length, const JointState &state) override;
+
+  private:
+    /** Makes the report unless it was heard before. @throws Interrupted after it. */
+    template <typename Report>
+    void
+    hand_on(const Report &report);
+
+    PathObserver &observer;
+    std::size_t n_heard;
+    std::size_t &count;
+  };
+} // namespace fuga
+
+#endif

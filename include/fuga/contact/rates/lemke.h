@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_rates_lemke_h
+#define fuga_contact_rates_lemke_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+namespace fuga
+{
+  /** How Lemke's method ended. */
+  enum class LcpStatus
+  {
+    solved,
+    /** A ray: no solution is reached from this covering vector. */
+    ray,
+    /** Too many pivots; the method is finite, but its number of pivots may grow as 2ⁿ. */
+    undecided
+  };
+
+  struct LcpSolution
+  {
+    LcpStatus status = LcpStatus::undecided;
+    /** z ≥ 0 with q + M z ≥ 0 complementary to it; on a ray the direction of the ray. */
+    Vector z;
+    /** Where the ray begins. If the artificial variable is zero there but for rounding, this is the
+     * solution. */
+    Vector vertex;
+
+    bool
+    solved() const
+    {
+      return status == LcpStatus::solved;
+    }
+  };
+
+  /**
+   * Linear complementarity problem  z ≥ 0,  q + M z ≥ 0,  z·(q + M z) = 0  by Lemke's method with
+   * the lexicographic ratio test (Cottle, Pang & Stone, The Linear Complementarity Problem, 4.4
+   * and 4.9). All rows of (q, basis inverse) are lexicographically positive from the first pivot
+   * on, so no basis comes back: finite for every M, a solution or a ray. O(n²) per pivot. The
+   * diagonal of
+   * @p M should be of order one: ties are told by rounding errors relative to that. @p covering: the
+   * positive vector that multiplies the artificial variable.
+   */
+  LcpSolution
+  solve_lcp(const DenseMatrix &M, const Vector &q, const Vector &covering);
+} // namespace fuga
+
+#endif

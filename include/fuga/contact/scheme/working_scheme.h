@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_scheme_working_scheme_h
+#define fuga_contact_scheme_working_scheme_h
+
+#include <fuga/contact/element/scheme_row.h>
+#include <fuga/contact/system/updated_inverse.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /** Which stiffness stands for a nonlinear layer in the matrix of the working scheme. */
+  enum class LayerStiffness
+  {
+    /** dσ/dw at the present deformation: Newton, and the rates of the true path. */
+    tangent,
+    /** dσ/dw at zero deformation, A/ρ0: the constant matrix of the paper's iteration (3), (7). */
+    initial
+  };
+
+  /** A row of the active matrix that was removed (by its number) or, if `removed` is none,
+   * appended. */
+  struct RowExchange
+  {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    std::size_t removed = none;
+    SchemeRow appended;
+  };
+
+  /**
+   * All that the next solution of a working scheme depends on. The last bits of the updated inverse
+   * depend on its history. It is not kept itself: the matrix it was last factorised from and the
+   * rows exchanged since, repeated in their order, give it again bit for bit.
+   */
+  struct SchemeMemory
+  {
+    bool outdated = true;
+    bool singular = false;
+    /** The inverse belongs to an earlier stiffness of nonlinear layers. */
+    bool stale = false;
+    std::vector<ContactState> states;
+    /** Of slip, in space. */
+    std::vector<TangentVector> directions;
+    std::vector<Strength> strengths;
+    /** By element; empty if no layer is nonlinear. */
+    std::vector<LayerTangent> tangents;
+    std::vector<SchemeRow> rows;
+    /** Rows of the matrix that was factorised, capacity of its inverse, and what followed. */
+    std::vector<SchemeRow> factorised_rows;
+    std::size_t capacity = 0;
+    std::vector<RowExchange> exchanges;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, SchemeMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[outdated,
+           singular,
+           stale,
+           states,
+           directions,
+           strengths,
+           tangents,
+           rows,
+           factorised_rows,
+           capacity,
+           exchanges] = memory;
+    visit("outdated", outdated);
+    visit("singular", singular);
+    visit("stale", stale);
+    visit("states", states);
+    visit("directions", directions);
+    visit("strengths", strengths);
+    visit("tangents", tangents);
+    visit("rows", rows);
+    visit("factorised_rows", factorised_rows);
+    visit("capacity", capacity);
+    visit("exchanges", exchanges);
+  }
+
+  /** What was done with the active matrix so far, by this object. */
+  struct SchemeWork
+  {
+    /** Matrices factorised, and rows and columns inserted into or removed from an inverse. */
+    std::size_t n_factorisations = 0;
+    std::size_t n_updates        = 0;
+    /** Bars whose dislocation has ever been an unknown, in a scheme that was tried at least. */
+    std::size_t n_bars_ever_active = 0;
+  };
+
+  /**
+   * The paper's working scheme: the states of all contact elements, and the linear system they
+   * leave. A bar is *active* if its dislocation is unknown; its row then reads
+   *
+   *     open           N = 0            and   T = 0
+   *     slip           T + σ f N = σ c A; along two tangents e·T + f N = c A, with d_t along e
+   *     closed, nonlinear layer         N = N_law(g),   stuck:   T = T_law(jump - slip)
+   *     slip with dilatancy             g = 0 above the risen lips
+   *
+   * with p = R a - W d, linearised (SchemeRow). Closed and stuck bars of a rigid or linear layer
+   * are not active. The inverse of the active matrix is updated when states change.
+   */
+  class WorkingScheme : private SchemeMemory
+  {
+  public:
+    WorkingScheme(const std::vector<ContactElement> &elements, const LayeredSystem &system);
+
+    ContactState
+    state(const std::size_t element) const
+    {
+      return states[element];
+    }
+
+    const std::vector<ContactState> &
+    all_states() const
+    {
+      return states;
+    }
+
+    /** @p direction of slip counts where there are two tangential bars. */
+    void
+    set_state(const std::size_t element,
+              const ContactState state,
+              const TangentVector &direction = {{1., 0.}});
+
+    /** The direction in which an element slips; zero if it does not. */
+    TangentVector
+    slip_direction_of(const std::size_t element) const
+    {
+      return slip_direction(elements[element], states[element], directions[element]);
+    }
+
+    /** What is left of the strength of an element. */
+    void
+    set_strength(const std::size_t element, const Strength &strength);
+
+    /** Some layer is nonlinear: paths are curves and matrices depend on the state. */
+    bool
+    is_nonlinear() const
+    {
+      return nonlinear;
+    }
+
+    /** Takes the stiffness of nonlinear bars from @p at. Without effect on linear layers. */
+    void
+    linearise(const JointState &at, const LayerStiffness stiffness = LayerStiffness::tangent);
+
+    /**
+     * The rates under @p drive and, if it is not empty, with rates of dislocation @p imposed on all
+     * bars in addition; nothing if the scheme is a mechanism (or beyond critical friction).
+     */
+    std::optional<JointRates>
+    rates(const Drive &drive, const Vector &imposed = {});
+
+    /**
+     * The stiffness of the scheme against dislocations imposed in some bars: entry (i, j) is what
+     * bar i loses of its force per unit of bar j [MN/m]. Empty if the scheme is a mechanism.
+     */
+    std::optional<DenseMatrix>
+    stiffness_against(const std::vector<std::size_t> &bars);
+
+    /** Counts a bar as active that is so beside the scheme. */
+    void
+    note_active(const std::size_t bar)
+    {
+      its_work.n_bars_ever_active += ever_active[bar] ? 0 : 1;
+      ever_active[bar] = true;
+    }
+
+    /** The rates that a unit rate of imposed (additional) dislocation in one bar causes. */
+    std::optional<JointRates>
+    response(const std::size_t bar);
+
+    /** Residuals of the active rows at a state [MN], in the order of the active bars. */
+    Vector
+    residual(const JointState &at);
+
+    /**
+     * One Newton step: the change of dislocations and forces that annuls the linearised residual.
+     * The forces of the result are those of the linear relation p = R a - W d.
+     */
+    std::optional<JointRates>
+    correction(const Vector &residual);
+
+    /**
+     * How @p drive sets a singular scheme in motion: rates with a stiffness added to every active
+     * bar that is too small to matter where others resist. Only their signs mean something. Nothing
+     * if even that has no solution.
+     */
+    std::optional<JointRates>
+    driven_motion(const Drive &drive) const;
+
+    /** A direction of motion without resistance of a singular scheme (null vector, largest entry
+     * 1). */
+    JointRates
+    mechanism() const;
+
+    const SchemeWork &
+    work() const
+    {
+      return its_work;
+    }
+
+    const SchemeMemory &
+    memory() const
+    {
+      return *this;
+    }
+
+    /** Goes on where a scheme with the same bars and laws was.
+     * @throws NumericalFailure if its matrix cannot be built again. */
+    void
+    restore(const SchemeMemory &memory);
+
+    /**
+     * Sign of the determinant of the active matrix; 0 if it is singular. Without friction it is
+     * positive: W is positive definite wherever a scheme is no mechanism.
+     */
+    int
+    determinant_sign();
+
+    /**
+     * The determinant after the tangential bar of @p element has taken the equation of state @p to,
+     * over the present one; made dimensionless by W of that bar. Positive without friction.
+     */
+    double
+    determinant_ratio(const std::size_t element, const ContactState to);
+
+    /** An element on its strength, and the direction in which it slips or would slip. */
+    struct SlipDirection
+    {
+      std::size_t element;
+      double sign;
+    };
+
+    /**
+     * Whether the slips of these elements, the rest of the scheme given, answer their reserves of
+     * strength monotonically: xᵀMx > 0 for the matrix M of the rate problem (doc/theory.md, eq. 7).
+     * Then it has one solution for every load. Nothing if the slip of one of them is not the work
+     * of its tangential bar alone, or the inverse is not that of the present matrix.
+     */
+    std::optional<bool>
+    is_monotone(const std::vector<SlipDirection> &slips);
+
+  private:
+    static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
+    std::vector<SchemeRow>
+    wanted_rows() const;
+    bool
+    has_row(const SchemeRow &row) const
+    {
+      return position[row.bar] != no_row && rows[position[row.bar]] == row;
+    }
+
+    void
+    add_stuck_slips(const std::vector<SlipDirection> &slips,
+                    const std::vector<std::size_t> &active,
+                    const std::vector<std::size_t> &stuck,
+                    DenseMatrix &M) const;
+    std::optional<SchemeRow>
+    tangential_row(const std::size_t element, const ContactState in_state) const;
+    /** What a unit of the unknown of @p of does to the equation of @p row. */
+    double
+    entry(const SchemeRow &row, const SchemeRow &of) const;
+    /** own · p */
+    double
+    forces_in(const SchemeRow &row, const Vector &forces) const;
+    DenseMatrix
+    active_matrix() const;
+    bool
+    bring_up_to_date();
+    void
+    take_layer_stiffness(const std::vector<SchemeRow> &wanted);
+    bool
+    update_rows(const std::vector<SchemeRow> &wanted);
+    bool
+    remove_row(const std::size_t i);
+    bool
+    append_row(const SchemeRow &row);
+    void
+    set_rows(const std::vector<SchemeRow> &new_rows);
+    bool
+    rebuild();
+    void
+    note_position(const std::size_t row);
+    /** What an imposed unit dislocation in a bar does to the equation of a row, as an unknown
+     * would. */
+    double
+    imposed_entry(const SchemeRow &row, const std::size_t bar) const;
+    std::optional<JointRates>
+    solve(const Vector &rhs, Vector force_offset);
+    template <typename Number>
+    double
+    refine(const Vector &rhs,
+           const Vector &force_offset,
+           const double driving_force,
+           JointRates &result) const;
+    template <typename Number>
+    double
+    apply(const std::vector<Number> &active_dislocations,
+          const Vector &force_offset,
+          const Vector &rhs,
+          JointRates &result,
+          Vector &defect) const;
+
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    bool nonlinear = false;
+    UpdatedInverse inverse;
+    /** Element of each bar. */
+    std::vector<std::size_t> element_of_bar;
+    /** Row of each bar, or no_row. */
+    std::vector<std::size_t> position;
+    std::vector<bool> ever_active;
+    SchemeWork its_work;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_curved_segment_h
+#define fuga_contact_segments_curved_segment_h
+
+#include <fuga/contact/segments/scheme_equilibrium.h>
+
+namespace fuga
+{
+  /** A slip rate below this share of the largest jump rate is zero. */
+  constexpr double slip_rate_tolerance = 1e-10;
+
+  /**
+   * The path of a working scheme with nonlinear layers, or of one whose friction is being reduced:
+   * a smooth curve, followed by a tangent predictor and an iterated corrector. The end is located
+   * on the curve itself: the event function is interpolated by cubics between solved points, the
+   * bracket shrinks until the function vanishes at a solved point, and every other event function
+   * is watched at every point, so none is skipped. The loss of slip (re-stick) is one of these
+   * events.
+   */
+  class CurvedSegment : public PathSegment
+  {
+  public:
+    CurvedSegment(const PathContext &context,
+                  const Course &course,
+                  const PathPoint &start,
+                  const PathOptions &options,
+                  IterationCount &count);
+
+    double
+    find_end() override;
+    PathPoint
+    at(const double tau) override;
+    std::vector<double>
+    stations() const override;
+    bool
+    ends_at_limit() const override
+    {
+      return at_limit;
+    }
+    std::vector<std::size_t>
+    resticking() const override;
+
+  private:
+    /** Something that must stay positive: value and derivative along the path. */
+    struct EventFunction
+    {
+      double value        = 0.;
+      double rate         = 0.;
+      double tolerance    = 0.;
+      bool has_rate       = true;
+      std::size_t element = 0;
+    };
+
+    std::vector<EventFunction>
+    event_functions(const double tau, const PathPoint &point) const;
+    double
+    first_root(const std::size_t a, const std::size_t b) const;
+    double
+    locate_end(std::size_t a, std::size_t b);
+    std::optional<PathPoint>
+    solve(const double tau, const Vector &predicted_dislocations);
+    [[noreturn]] void
+    give_up() const;
+    Vector
+    interpolate(const std::size_t a, const double tau) const;
+    bool
+    is_reduction() const
+    {
+      return course.share_rate != 0.;
+    }
+    bool
+    is_behind_pole() const;
+    double
+    step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    double
+    reduction_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    std::size_t
+    insert(const double tau, PathPoint &&point);
+    double
+    jump_of(const PathPoint &point) const;
+    [[noreturn]] void
+    fail_behind(const std::size_t a, const char *what);
+    void
+    forget_behind(const std::size_t a);
+
+    PathContext context;
+    const Course course;
+    const PathOptions options;
+    IterationCount &count;
+    SchemeEquilibrium equilibrium;
+    std::vector<double> taus;
+    std::vector<PathPoint> points;
+    std::vector<std::vector<EventFunction>> functions;
+    /** Of any bar at the points so far: the scale of the iteration. All jumps may vanish at once,
+     * where all elements lift off or come down together, and would be no scale for themselves. */
+    double largest_jump = 0.;
+    std::vector<std::size_t> lost_slip;
+    /** Of the scheme at the start of a strength reduction. */
+    int determinant_sign = 0;
+    bool at_limit        = false;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_path_options_h
+#define fuga_contact_segments_path_options_h
+
+#include <fuga/base/fields.h>
+
+#include <cstddef>
+
+namespace fuga
+{
+  /** How nonlinear layers are iterated. */
+  struct PathOptions
+  {
+    enum class Iteration
+    {
+      /** Newton with the tangent stiffness of the layer. */
+      newton,
+      /** The paper's iteration (3), (7), (8) with a constant matrix; diverges where the layer
+         hardens too much. */
+      constant_stiffness
+    };
+
+    enum class Follow
+    {
+      /** From event to event. */
+      events,
+      /** From corner to corner of the loads by implicit steps where that is possible. */
+      stage_ends
+    };
+
+    /** What happens where the joints can go on in several ways. */
+    enum class NonUnique
+    {
+      /** The path ends with Verdict::non_unique_continuation. */
+      stop,
+      /** The first continuation found is followed. */
+      first,
+      /** The one that dissipates most. */
+      largest_dissipation
+    };
+
+    Follow follow        = Follow::events;
+    NonUnique non_unique = NonUnique::stop;
+    /** Goes on beyond a limit load, the load falling or constant. */
+    bool beyond_limit = false;
+    /** How far the largest jump grows there [m]; 0: ten times the largest jump at the limit. */
+    double beyond_jump  = 0.;
+    Iteration iteration = Iteration::newton;
+    /** Difference of two successive iterations that ends the iteration, relative to the largest
+     * jump. */
+    double tolerance            = 1e-13;
+    unsigned int max_iterations = 200;
+  };
+
+  /** Work done for nonlinear layers. */
+  struct IterationCount
+  {
+    std::size_t n_solutions  = 0;
+    std::size_t n_iterations = 0;
+    std::size_t max_in_one   = 0;
+    /** Largest energy the nonlinear layers stored: the scale of what a step may lose of it. */
+    double largest_energy = 0.;
+  };
+
+  template <typename Count, typename Visitor, only_for<Count, IterationCount> = 0>
+  void
+  for_each_field(Count &count, Visitor &&visit)
+  {
+    auto &[n_solutions, n_iterations, max_in_one, largest_energy] = count;
+    visit("n_solutions", n_solutions);
+    visit("n_iterations", n_iterations);
+    visit("max_in_one", max_in_one);
+    visit("largest_energy", largest_energy);
+  }
+} // namespace fuga
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_path_segment_h
+#define fuga_contact_segments_path_segment_h
+
+#include <fuga/contact/element/contact_boundary.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+#include <array>
+
+#include <optional>
+
+namespace fuga
+{
+  /**
+   * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
+   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
+   * beyond a limit load, the load that goes with the growth τ of the largest jump.
+   */
+  struct Course
+  {
+    enum class Kind
+    {
+      loading,
+      release,
+      beyond_limit
+    };
+
+    Kind kind    = Kind::loading;
+    double t     = 0.;
+    double t_end = 0.;
+    Vector factors;
+    Vector factor_rates;
+    /** At τ = 0; see drive_at() in strength_reduction.h. */
+    Drive drive;
+    /** Of a strength reduction: the share 1/F of strength that is left is share + τ share_rate. */
+    double share      = 1.;
+    double share_rate = 0.;
+    /** Range of τ. */
+    double length = 0.;
+  };
+
+  /** A state with its derivative along the path. */
+  struct PathPoint
+  {
+    JointState state;
+    JointRates rates;
+  };
+
+  /**
+   * The path in one working scheme, from one event to the next. Straight for rigid and linear
+   * layers, a curve for nonlinear ones.
+   */
+  class PathSegment
+  {
+  public:
+    virtual ~PathSegment() = default;
+
+    /** Follows the scheme until the first boundary is reached; the end of the course at the latest.
+     */
+    virtual double
+    find_end() = 0;
+
+    /** State and rates at 0 ≤ τ ≤ end. */
+    virtual PathPoint
+    at(const double tau) = 0;
+
+    /** Parameters, from 0 to the end, between which state and energies are smooth and resolved. */
+    virtual std::vector<double>
+    stations() const = 0;
+
+    /** The end is none of the scheme's boundaries: no equilibrium was found behind it. */
+    virtual bool
+    ends_at_limit() const
+    {
+      return false;
+    }
+
+    /** The motion without resistance there. */
+    virtual JointRates
+    motion_at_limit()
+    {
+      return at(stations().back()).rates;
+    }
+
+    /** Whether the load has a maximum at the end of a curve, which turns back there: as long as
+     * the load grows, the slips would have to jump. */
+    virtual bool
+    ends_at_turning_point() const
+    {
+      return false;
+    }
+
+    /** Slipping elements whose slip comes to rest at the end; the rates alone cannot tell (they
+     * vanish). */
+    virtual std::vector<std::size_t>
+    resticking() const
+    {
+      return {};
+    }
+  };
+
+  /** Everything the segments share, by reference. */
+  struct PathContext
+  {
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const ContactBoundary &boundary;
+    WorkingScheme &scheme;
+  };
+
+  /** The state of a scheme with linear layers on the straight line through @p start. */
+  class StraightSegment : public PathSegment
+  {
+  public:
+    StraightSegment(const PathContext &context, const Course &course, const PathPoint &start);
+
+    double
+    find_end() override;
+    PathPoint
+    at(const double tau) override;
+    std::vector<double>
+    stations() const override;
+
+  private:
+    double
+    distance(const JointRates &rates) const;
+    /** The corrected state; @p moved grows by the largest dislocations of the corrections. */
+    PathPoint
+    point(const double tau, double &moved) const;
+
+    PathContext context;
+    const Course course;
+    const PathPoint start;
+    double end;
+    /** The point at the end, once it has been found. */
+    std::optional<PathPoint> end_point;
+  };
+
+  /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
+  void
+  release(const Drive &drive, const double tau, JointState &state);
+
+  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, time,
+   * slips, water, reduced strengths. */
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state);
+
+  /**
+   * Corrects the dislocations of a state of a linear scheme until its equations hold to rounding.
+   * A residual that is less than @p negligible of the largest force is not worth the correction of
+   * that number. Returns the sum of the largest corrections [m].
+   */
+  double
+  polish(const PathContext &context,
+         const Course &course,
+         const double tau,
+         const std::array<double, 4> &negligible,
+         JointState &state);
+} // namespace fuga
+
+#endif

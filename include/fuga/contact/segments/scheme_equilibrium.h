@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_scheme_equilibrium_h
+#define fuga_contact_segments_scheme_equilibrium_h
+
+#include <fuga/contact/segments/path_options.h>
+#include <fuga/contact/segments/path_segment.h>
+
+namespace fuga
+{
+  /**
+   * Iterates a working scheme with nonlinear layers to equilibrium at given loads, with Newton's
+   * method or the constant matrix of the paper.
+   */
+  class SchemeEquilibrium
+  {
+  public:
+    SchemeEquilibrium(const PathContext &context,
+                      const Course &course,
+                      const PathOptions &options,
+                      IterationCount &count);
+
+    /** Corrects @p state, which complete_state() has completed, at @p tau. @p largest_jump: the scale of
+     * the iteration. Returns false if it does not converge. */
+    bool
+    solve(const double tau, const double largest_jump, JointState &state);
+
+    /** A closed layer is deformed by more than its law allows. */
+    bool
+    passes_closure_limit(const JointState &state) const;
+
+  private:
+    double
+    closure_safeguard(const JointState &state, const JointRates &change) const;
+
+    PathContext context;
+    const Course &course;
+    const PathOptions options;
+    IterationCount &count;
+  };
+} // namespace fuga
+
+#endif

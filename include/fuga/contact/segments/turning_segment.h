@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_turning_segment_h
+#define fuga_contact_segments_turning_segment_h
+
+#include <fuga/contact/segments/scheme_equilibrium.h>
+#include <fuga/contact/segments/turning_stage.h>
+
+namespace fuga
+{
+  /** Largest error of one step along a curve, relative to the largest force and jump. */
+  constexpr double turning_step_tolerance = 1e-11;
+
+  /** It slips along two tangents and carries shear, so that the direction of slip may turn. */
+  inline bool
+  may_turn(const ContactElement &element, const JointState &state, const std::size_t k)
+  {
+    return is_slipping(state.states[k]) && element.has_second_tangential_bar() &&
+           state.strengths[k].resists_shear();
+  }
+
+  /**
+   * The path in one working scheme with slips whose directions turn. All elements but those are the
+   * *background*, a working scheme in which the turning elements stick; it answers their slips s
+   * and the rise of their lips, if need be as a nonlinear one that is linearised at every stage.
+   * With it
+   *
+   *     T_i + (f_i N_i - c_i) e_i = 0,   ṡ_i = γ_i e_i      for all turning elements i
+   *
+   * is integrated by a singly diagonally implicit Runge-Kutta pair of order 5(4): its stages are
+   * return mappings, its results are on the cones exactly, and slips that are long beside f N/k,
+   * with forces that follow them at once, do not shorten its steps. Nonlinear layers are algebraic
+   * equations of every stage. Events are located on the steps themselves: a step that passes one is
+   * repeated, shorter, until it ends there.
+   */
+  class TurningSegment : public PathSegment
+  {
+  public:
+    /** The scheme of @p context becomes that of the background. @p directions of all elements; those
+     * of the turning ones count. */
+    TurningSegment(const PathContext &context,
+                   const Course &course,
+                   const PathPoint &start,
+                   const std::vector<TangentVector> &directions,
+                   IterationCount &count);
+
+    double
+    find_end() override;
+    PathPoint
+    at(const double tau) override;
+    std::vector<double>
+    stations() const override;
+    bool
+    ends_at_limit() const override
+    {
+      return at_limit;
+    }
+
+    bool
+    ends_at_turning_point() const override
+    {
+      return at_turning_point;
+    }
+
+    JointRates
+    motion_at_limit() override;
+    std::vector<std::size_t>
+    resticking() const override;
+
+  private:
+    /** A point of the curve with all that steps and events need. */
+    struct Station
+    {
+      double tau = 0.;
+      PathPoint point;
+      TurningStage stage;
+      /** Rates of slip along the directions: of the turning elements, then of those that slip along
+       * one tangent. */
+      Vector slip_rates;
+      std::vector<Reserve> reserves;
+    };
+
+    TurningStage
+    stage_at_start(const std::vector<TangentVector> &directions) const;
+    void
+    take_background();
+    void
+    take_strengths(const double tau, const JointState &state);
+    bool
+    take_response(const double tau, const TurningStage &stage, const JointState &state);
+    void
+    set_slips(const TurningStage &stage, JointState &state) const;
+    bool
+    settle(const double tau, const TurningStage &stage, JointState &state);
+    bool
+    solve_stage(const TurningStageSolver::Demand demand,
+                const double tau,
+                const double advance,
+                const TurningStage &base,
+                const double slip_noise,
+                Vector &xi,
+                TurningStage &stage,
+                JointState &state);
+    double
+    force_noise(const JointState &state) const;
+    bool
+    complete(Station &station);
+    bool
+    find_rates(Station &station);
+    double
+    driving_force() const;
+    double
+    error_of_rounding(const double shortest);
+    bool
+    step(const Station &from, const double length, Station &to, double &error);
+    double
+    work_defect(const Station &from,
+                const Station &to,
+                const double length,
+                const double work) const;
+    double
+    first_event(const Station &a, const Station &b) const;
+    bool
+    grows_beyond_bounds() const;
+    bool
+    is_passed(const Station &station) const;
+    bool
+    is_reached(const Station &station) const;
+    std::optional<Station>
+    locate(const Station &from, const Station &passed);
+    bool
+    turns_back() const;
+    /** Rates of slip grow like (τ* - τ)^(-1/@p exponent), and τ* is no further than @p within. */
+    bool
+    rates_diverge(const int exponent, const double within) const;
+    double
+    rate_tolerance(const Station &station) const;
+
+    PathContext context;
+    const Course course;
+    const PathPoint start;
+    /** Numbers of the turning elements, and of all that slip: these first. */
+    std::vector<std::size_t> turning, slipping;
+    /** The start as the background sees it: turning elements stick. */
+    JointState stuck;
+    /** The background answers linearly, everywhere along the segment in the same way. */
+    const bool linear;
+    IterationCount &count;
+    TurningStageSolver solver;
+    SchemeEquilibrium equilibrium;
+    /** Largest force and jump, what errors are relative to. */
+    double force_scale = 0., jump_scale = 0.;
+    bool at_limit = false, at_turning_point = false;
+    double end = 0.;
+    std::vector<Station> curve;
+    std::vector<std::size_t> lost_slip;
+  };
+} // namespace fuga
+
+#endif

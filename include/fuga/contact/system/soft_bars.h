@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_system_soft_bars_h
+#define fuga_contact_system_soft_bars_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+namespace fuga
+{
+  /** Rigid motions of floating bodies: jumps of all bars (columns), and the work of the loads on
+   * them. */
+  struct RigidMotions
+  {
+    DenseMatrix jumps;
+    DenseMatrix load_work;
+  };
+
+  /**
+   * Inserts springs between the bodies: the bars @p soft get the relation p = C (δ - d) instead of δ = d,
+   * the bars @p others keep theirs. W and R (on entry S and F of the bodies) are overwritten.
+   *
+   * A body that only soft bars hold moves by far more than it deforms, and W is then a small
+   * difference of large numbers: with S/C = 1e9 nine digits would be lost. The motions that only
+   * soft bars resist are therefore explicit unknowns q, δ = G q + y, and W comes out right relative
+   * to C; equilibrium of the floating bodies holds to rounding. Derivation: doc/theory.md,
+   * section 3.
+   *
+   * @throws NumericalFailure if the bodies are not held even with all bars closed and sticking.
+   */
+  void
+  insert_soft_bars(DenseMatrix &W,
+                   DenseMatrix &R,
+                   const std::vector<std::size_t> &soft,
+                   const std::vector<std::size_t> &others,
+                   const Vector &C,
+                   const RigidMotions &motions);
+
+  /**
+   * Inserts a bar of the compliance D between the bodies along every coordinate. The bars are split
+   * at the bodies' own stiffness: each half uses the formula that does not cancel. W and R (on
+   * entry S and F of the bodies) are overwritten.
+   * @throws NumericalFailure, see insert_soft_bars().
+   */
+  void
+  insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions);
+
+  /** Rows @p rows and columns @p columns of A. */
+  DenseMatrix
+  submatrix(const DenseMatrix &A,
+            const std::vector<std::size_t> &rows,
+            const std::vector<std::size_t> &columns);
+
+  DenseMatrix
+  transposed(const DenseMatrix &A);
+
+  /** All column numbers of A. */
+  std::vector<std::size_t>
+  all_columns(const DenseMatrix &A);
+
+  /** Multiplies row i by factors[i]. */
+  void
+  scale_rows(DenseMatrix &A, const Vector &factors);
+
+  [[noreturn]] void
+  throw_unheld();
+} // namespace fuga
+
+#endif

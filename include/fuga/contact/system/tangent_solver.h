@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_system_tangent_solver_h
+#define fuga_contact_system_tangent_solver_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+#include <array>
+
+namespace fuga
+{
+  /** Stiffness of one element's bars, in the order normal, first tangent, second tangent; need not
+   * be symmetric [MN/m]. */
+  using ElementStiffness = std::array<std::array<double, 3>, 3>;
+
+  /** Solves the bodies together with linear bars where the stiffness S of the bodies is not known
+   * as a matrix. */
+  class TangentSolver
+  {
+  public:
+    struct Solution
+    {
+      Vector jumps;
+      /** S times jumps, to the accuracy of the solution. */
+      Vector resistance;
+    };
+
+    virtual ~TangentSolver() = default;
+
+    /**
+     * Solves (S + C) δ = r with C of @p bars, one per contact element, to the relative residual @p
+     * tolerance.
+     * @throws NumericalFailure
+     */
+    virtual Solution
+    solve_with_bars(const std::vector<ElementStiffness> &bars,
+                    const Vector &r,
+                    const double tolerance) const = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_input_joints_joint_readers_h
+#define fuga_input_joints_joint_readers_h
+
+#include <fuga/input/layer_law.h>
+#include <fuga/input/values/parameter_values.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** What reading the layer of a joint depends on besides its own section. */
+  struct LayerSurroundings
+  {
+    const std::map<std::string, double> &constants;
+    /** Stress up to which laws are checked [MPa]. */
+    double largest_stress;
+    /** Laws that section Sweep gives the joint: the section of the joint has the entries of all of
+     * them. */
+    std::vector<LayerLaw> swept_normal_laws, swept_shear_laws;
+    /** The joint has shear strength, so that it needs a shear law. */
+    bool has_shear;
+  };
+
+  /**
+   * Reads compliance and curve of one direction into @p joint, whose law is known, and checks the
+   * law.
+   * @throws InputError for entries that are missing or belong to another law, and for laws that
+   * check_law() refuses.
+   */
+  void
+  read_layer(const ParameterSection &section,
+             const LayerDirection direction,
+             const LayerSurroundings &surroundings,
+             JointParameters &joint);
+
+  /** Friction, bond and dilatancy of one joint. @throws InputError */
+  FrictionLaw
+  read_strength(const ParameterSection &section);
+
+  /** How the shear stiffness of a joint grows. @throws InputError */
+  ShearGrowth
+  read_shear_growth(const ParameterSection &section);
+
+  /** That it goes together with the joint's laws and friction. @throws InputError */
+  void
+  check_shear_growth(const ParameterSection &section, const JointParameters &joint);
+
+  /** Section Joints. @throws InputError */
+  std::vector<JointParameters>
+  read_joints(const ParameterValues &values, const ModelDefinition &model);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_input_read_parameter_readers_h
+#define fuga_input_read_parameter_readers_h
+
+#include <fuga/input/parameters.h>
+#include <fuga/input/values/parameter_values.h>
+#include <fuga/input/values/sweep_plan.h>
+
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** Section Boundaries of a plane problem. @throws InputError */
+  std::vector<BoundaryCondition>
+  read_boundaries(const ParameterValues &values, const unsigned int dimension);
+
+  /** Section Monitors. @throws InputError */
+  std::vector<MonitorDefinition>
+  read_monitors(const ParameterValues &values, const unsigned int dimension);
+
+  /** A file, or a variant of it. Errors go to @p errors and are thrown. */
+  Parameters
+  read_scan(const ParameterScan &scan, InputErrors &errors);
+
+  /** All variants of a sweep. @throws InputError with the errors of all of them. */
+  Parameters
+  read_sweep(const SweepPlan &plan);
+
+  /**
+   * Section Safety: appends the stages that look for a factor of safety and marks the joints whose
+   * strength is reduced. @throws InputError
+   */
+  void
+  read_safety(const ParameterValues &values, Parameters &parameters);
+
+  /** Section Target accuracy. @throws InputError */
+  void
+  read_accuracy(const ParameterValues &values, Parameters &parameters);
+
+  /** What several sections together can get wrong. @throws InputError naming both culprits. */
+  void
+  check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);
+} // namespace fuga
+
+#endif

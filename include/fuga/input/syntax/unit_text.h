@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_input_syntax_unit_text_h
+#define fuga_input_syntax_unit_text_h
+
+#include <fuga/input/units.h>
+
+namespace fuga
+{
+  /** @p text, whose brackets name units of MN and m, as in "[MPa]", with the units of the user. */
+  std::string
+  in_units(const std::string &text, const Units &units);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_files_table_h
+#define fuga_output_files_table_h
+
+#include <fuga/output/files/output_files.h>
+
+#include <functional>
+#include <variant>
+
+namespace fuga
+{
+  /** What stands in one field of a table. */
+  using TableField = std::variant<double, std::size_t, std::string>;
+
+  /** A line of CSV (RFC 4180): numbers with 17 digits, words quoted where they have to be. */
+  std::string
+  csv_line(const std::vector<TableField> &fields);
+
+  /** A column of a table: header and fields come from one place and cannot disagree. */
+  template <typename Row>
+  struct Column
+  {
+    std::string name;
+    /** Stands behind the name in brackets; empty for words, counts and ratios. */
+    std::string unit;
+    /** The field of this column in a row. */
+    std::function<TableField(const Row &)> field;
+  };
+
+  template <typename Row>
+  using Columns = std::vector<Column<Row>>;
+
+  /** A file of rows that all have the same columns. */
+  template <typename Row>
+  class Table : public TextFile
+  {
+  public:
+    /** The header is not yet published. */
+    Table(std::string file_path, Columns<Row> table_columns)
+      : TextFile(std::move(file_path)), columns(std::move(table_columns))
+    {
+      std::vector<TableField> header;
+      for (const Column<Row> &column : columns)
+        header.emplace_back(column.name + (column.unit.empty() ? "" : "[" + column.unit + "]"));
+      append(csv_line(header));
+    }
+
+    void
+    add(const Row &row)
+    {
+      std::vector<TableField> fields;
+      for (const Column<Row> &column : columns)
+        fields.push_back(column.field(row));
+      append(csv_line(fields));
+    }
+
+  private:
+    const Columns<Row> columns;
+  };
+
+  /** Appends @p more to @p columns. */
+  template <typename Row>
+  void
+  append(Columns<Row> &columns, const Columns<Row> &more)
+  {
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
+} // namespace fuga
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_files_threads_h
+#define fuga_output_files_threads_h
+
+namespace fuga
+{
+  /** Threads that deal.II and the BLAS may use. */
+  void
+  set_threads(const unsigned int n);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_restart_checkpoint_h
+#define fuga_output_restart_checkpoint_h
+
+#include <fuga/bodies/construction.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/input/parameters.h>
+#include <fuga/output/fields/field_writer.h>
+#include <fuga/output/tables/history_writer.h>
+#include <fuga/output/tables/run_log.h>
+
+#include <map>
+
+namespace fuga
+{
+  /** What a run notes on its way, for its summary. */
+  struct RunRecord
+  {
+    JointState last_state;
+    std::size_t levels_written = 0;
+    Certificate worst;
+    std::map<std::string, std::size_t> events_by_kind;
+    std::size_t n_events = 0;
+  };
+
+  template <typename Record, typename Visitor, only_for<Record, RunRecord> = 0>
+  void
+  for_each_field(Record &record, Visitor &&visit)
+  {
+    auto &[last_state, levels_written, worst, events_by_kind, n_events] = record;
+    visit("last_state", last_state);
+    visit("levels_written", levels_written);
+    visit("worst", worst);
+    visit("events_by_kind", events_by_kind);
+    visit("n_events", n_events);
+  }
+
+  /**
+   * Everything from which a run can be continued so that its results are those of an unbroken one,
+   * bit for bit: the path up to a cut, judge, tables, fields and log. The problem itself is not
+   * kept but what it was given by, so that no other one is continued.
+   */
+  struct Checkpoint
+  {
+    /** Parameters::echo, and the mesh file. */
+    std::vector<std::pair<std::string, std::string>> parameters;
+    FileIdentity mesh;
+    /** The run had come to its end, with this verdict and exit code. */
+    bool finished = false;
+    std::string verdict;
+    int exit_code = 0;
+
+    ConstructionState construction;
+    PathCut cut;
+    JudgeMemory judge;
+    RunRecord record;
+    HistoryMemory tables;
+    FieldCollections fields;
+    LogMemory log;
+  };
+
+  template <typename Point, typename Visitor, only_for<Point, Checkpoint> = 0>
+  void
+  for_each_field(Point &checkpoint, Visitor &&visit)
+  {
+    auto &[parameters,
+           mesh,
+           finished,
+           verdict,
+           exit_code,
+           construction,
+           cut,
+           judge,
+           record,
+           tables,
+           fields,
+           log] = checkpoint;
+    visit("parameters", parameters);
+    visit("mesh", mesh);
+    visit("finished", finished);
+    visit("verdict", verdict);
+    visit("exit_code", exit_code);
+    visit("construction", construction);
+    visit("cut", cut);
+    visit("judge", judge);
+    visit("record", record);
+    visit("tables", tables);
+    visit("fields", fields);
+    visit("log", log);
+  }
+
+  /** Writes checkpoint.cbor, complete whenever it can be seen. @throws NumericalFailure */
+  void
+  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
+
+  /**
+   * Reads checkpoint.cbor and sees to it that the results it refers to are there.
+   * @throws InputError if there is none, if it or a result is damaged, or if it was written by
+   * another version of the program.
+   */
+  Checkpoint
+  read_checkpoint(const std::string &directory);
+
+  /**
+   * @throws InputError that names every difference unless @p parameters give the same problem, but
+   * for entries that the path does not depend on and stages added at the end.
+   */
+  void
+  check_same_problem(const Checkpoint &checkpoint, const Parameters &parameters);
+
+  /** Whether nothing is left to compute. */
+  bool
+  is_complete(const Checkpoint &checkpoint, const Parameters &parameters);
+} // namespace fuga
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_results_mechanism_text_h
+#define fuga_output_results_mechanism_text_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/output/results/joint_resultant.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /** How the faces of one joint move against each other in a mechanism. */
+  struct JointMotion
+  {
+    bool slides = false;
+    bool opens  = false;
+    /** They turn against each other. */
+    bool turns = false;
+    /** In the plane, if they turn as two rigid bodies: the point about which. */
+    std::optional<std::array<double, 2>> centre;
+  };
+
+  /**
+   * The motion of every joint. @p jumps: of the bars, the largest 1; @p frames: one per element. A
+   * motion below a thousandth of the largest of the whole model is none; opening below a thousandth
+   * of the sliding in the same joint is none, and the other way round.
+   */
+  std::vector<JointMotion>
+  joint_motions(const std::size_t n_joints,
+                const std::vector<ContactElement> &elements,
+                const std::vector<ElementFrame> &frames,
+                const Vector &jumps,
+                const bool in_space);
+
+  /** A sentence such as "slides on 'seam'; 'heel crack' opens"; empty if nothing moves. */
+  std::string
+  mechanism_text(const std::vector<JointMotion> &motions,
+                 const std::vector<std::string> &joint_names);
+} // namespace fuga
+
+#endif

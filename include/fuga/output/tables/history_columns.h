@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_tables_history_columns_h
+#define fuga_output_tables_history_columns_h
+
+#include <fuga/bodies/program/driving_quantity.h>
+#include <fuga/bodies/program/monitor.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/path/path_observer.h>
+#include <fuga/input/units.h>
+#include <fuga/output/files/table.h>
+#include <fuga/output/results/joint_resultant.h>
+
+namespace fuga
+{
+  /** What the rows of all tables say of the moment that they belong to. */
+  struct Moment
+  {
+    double t;
+    DrivingQuantity drive;
+    double certificate;
+    /** Growth of the largest jump beyond the limit load. */
+    double path_length;
+  };
+
+  struct EventRow
+  {
+    const Moment &moment;
+    std::size_t number;
+    const ContactEvent &event;
+    const ContactElement &element;
+    const std::string &joint, &stage;
+    double stage_fraction;
+  };
+
+  struct ElementRow
+  {
+    const Moment &moment;
+    const std::string &joint;
+    const ContactElement &element;
+    const ElementResult &result;
+  };
+
+  struct ResultantRow
+  {
+    const Moment &moment;
+    const std::string &joint;
+    const JointResultant &resultant;
+    const EnergyLedger &energies;
+  };
+
+  struct MonitorRow
+  {
+    const Moment &moment;
+    const std::string &occasion;
+    const Monitor &monitor;
+    std::array<double, 3> displacement;
+    /** xx, yy, zz, xy, xz, yz. */
+    std::array<double, 6> stress;
+  };
+
+  /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water: with those that
+   * only models in space, or with water in joints, have. */
+  Columns<EventRow>
+  event_columns(const Units &units);
+  Columns<ElementRow>
+  history_columns(const Units &units, const bool has_water);
+  Columns<ResultantRow>
+  resultant_columns(const Units &units, const bool has_water, const bool in_space);
+  Columns<MonitorRow>
+  monitor_columns(const Units &units, const bool in_space);
+} // namespace fuga
+
+#endif

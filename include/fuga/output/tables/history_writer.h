@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_tables_history_writer_h
+#define fuga_output_tables_history_writer_h
+
+#include <fuga/contact/path/event_path.h>
+#include <fuga/output/tables/history_columns.h>
+
+#include <memory>
+
+namespace fuga
+{
+  /** Fixed data that every row refers to. */
+  struct HistoryContext
+  {
+    const std::vector<ContactElement> &elements;
+    const std::vector<std::string> &joint_names;
+    /** Whether a joint has bodies on both sides. */
+    const std::vector<bool> &joints_there;
+    const std::vector<std::string> &stage_names;
+    const std::vector<Monitor> &monitors;
+    Units units;
+    /** Tables have columns of the water in joints. */
+    bool has_water = false;
+    /** Tables have columns of the third dimension. */
+    bool in_space = false;
+    DrivingQuantities driving;
+  };
+
+  /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.
+   */
+  std::pair<std::size_t, double>
+  stage_of(const double t, const std::size_t n_stages);
+
+  /** The same of an event: at a whole number it is the loads of the next stage that cause it. */
+  std::pair<std::size_t, double>
+  stage_of_event(const double t, const std::size_t n_stages);
+
+  /** What a checkpoint keeps of the tables. */
+  struct HistoryMemory
+  {
+    TextMemory events, history, resultants, monitors;
+    std::size_t n_events = 0;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, HistoryMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[events, history, resultants, monitors, n_events] = memory;
+    visit("events", events);
+    visit("history", history);
+    visit("resultants", resultants);
+    visit("monitors", monitors);
+    visit("n_events", n_events);
+  }
+
+  /**
+   * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
+   * element and level), resultants.csv (one row per joint and level) and, if there are monitors,
+   * monitors.csv (one row per monitor and level, or event). Columns: doc/results.md.
+   */
+  class HistoryWriter
+  {
+  public:
+    /** Nothing is published yet. */
+    HistoryWriter(const std::string &directory, const HistoryContext &context);
+
+    HistoryMemory
+    memory() const;
+
+    void
+    restore(const HistoryMemory &memory);
+
+    void
+    add_events(const std::vector<ContactEvent> &events, const double certificate);
+
+    void
+    add_level(const double t,
+              const std::vector<ElementResult> &results,
+              const std::vector<JointResultant> &joint_resultants,
+              const EnergyLedger &energies,
+              const double certificate);
+
+    /** Growth of the largest jump beyond the limit load, for all rows that follow; 0 before it. */
+    void
+    set_path_length(const double length)
+    {
+      length_beyond = length;
+    }
+
+    double
+    path_length() const
+    {
+      return length_beyond;
+    }
+
+    /** Displacements and stresses of the monitors; @p occasion: "level" or "event"; @p
+     * thermal_strains: one per monitor. */
+    void
+    add_monitors(const double t,
+                 const std::string &occasion,
+                 const Vector &coordinates,
+                 const Vector &factors,
+                 const Vector &thermal_strains);
+
+    /** Brings the files on disk up to date. */
+    void
+    publish(const bool now);
+
+  private:
+    Moment
+    moment(const double t, const std::size_t stage, const double certificate) const;
+
+    const HistoryContext context;
+    Table<EventRow> events;
+    Table<ElementRow> history;
+    Table<ResultantRow> resultants;
+    /** Only if there are monitors. */
+    std::unique_ptr<Table<MonitorRow>> monitors;
+    std::size_t n_events = 0;
+    double length_beyond = 0.;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_output_tables_run_log_h
+#define fuga_output_tables_run_log_h
+
+#include <fuga/contact/path/event_path.h>
+#include <fuga/input/parameters.h>
+#include <fuga/output/files/output_files.h>
+#include <fuga/output/tables/history_writer.h>
+
+#include <string>
+
+namespace fuga
+{
+  /** What a checkpoint keeps of the log. */
+  struct LogMemory
+  {
+    TextMemory text;
+    std::vector<std::string> warnings;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, LogMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[text, warnings] = memory;
+    visit("text", text);
+    visit("warnings", warnings);
+  }
+
+  /**
+   * What a run says on the screen, and keeps in log.txt: a header, one line per event or per level,
+   * warnings (repeated at the end) and a closing table. On a terminal a progress bar shows the load
+   * time.
+   */
+  class RunLog
+  {
+  public:
+    /** @p file is where publish() keeps what was said. */
+    RunLog(const LogDetail detail, const HistoryContext &context, const std::string &file);
+
+    /** A line, unless the run is quiet. */
+    void
+    line(const std::string &text);
+
+    /** A line that was on the screen before this log began. */
+    void
+    earlier_line(const std::string &text)
+    {
+      record.append(text + "\n");
+    }
+
+    /** A line that is also repeated before the closing table. */
+    void
+    warning(const std::string &text);
+
+    void
+    events(const std::vector<ContactEvent> &events, const double certificate);
+
+    void
+    level(const double t, const std::vector<ElementResult> &results, const double certificate);
+
+    /** Redraws the progress bar; without effect unless the screen is a terminal. */
+    void
+    progress(const double t, const double t_end);
+
+    /** Repeats the warnings. */
+    void
+    close();
+
+    /** Brings the file up to date. */
+    void
+    publish(const bool now)
+    {
+      record.publish(now);
+    }
+
+    LogMemory
+    memory() const
+    {
+      return {record.memory(), warnings};
+    }
+
+    /** What was said in this run before is forgotten. */
+    void
+    restore(const LogMemory &memory);
+
+    const std::vector<std::string> &
+    all_warnings() const
+    {
+      return warnings;
+    }
+
+  private:
+    void
+    clear_progress();
+
+    const LogDetail detail;
+    const HistoryContext context;
+    const bool terminal;
+    bool bar_shown = false;
+    TextFile record;
+    std::vector<std::string> warnings;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_study_model_check_h
+#define fuga_study_model_check_h
+
+#include <fuga/input/parameters.h>
+
+namespace fuga
+{
+  /** What a check of the input found. */
+  struct CheckedModel
+  {
+    /** What the model adds up to, for every phase of construction: ModelEcho. */
+    std::vector<std::string> echo;
+    /** model_warnings() of all phases. */
+    std::vector<std::string> warnings;
+  };
+
+  /**
+   * Reads the mesh and checks the whole input, of all phases of construction, without computing
+   * anything. @throws InputError
+   */
+  template <int dim>
+  CheckedModel
+  check_model(const Parameters &parameters);
+} // namespace fuga
+
+#endif

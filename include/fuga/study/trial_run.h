@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_study_trial_run_h
+#define fuga_study_trial_run_h
+
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/output/results/joint_resultant.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
+
+namespace fuga
+{
+  /** A run of a model that writes nothing and keeps what its load levels were like. */
+  template <int dim>
+  class TrialRun : private PathObserver
+  {
+  public:
+    struct Level
+    {
+      double t = 0.;
+      std::vector<ElementResult> results;
+      std::vector<JointResultant> resultants;
+      /** Interface coordinates and load factors. */
+      Vector x, a;
+    };
+
+    /** Follows the loads to their end, or as far as it goes. @throws InputError, NumericalFailure
+     */
+    explicit TrialRun(const Model<dim> &model);
+
+    const Model<dim> &
+    model() const
+    {
+      return its_model;
+    }
+
+    /** Those that were reached; then the last state, if the run ended between levels. */
+    const std::vector<Level> &
+    levels() const
+    {
+      return all_levels;
+    }
+
+    /** Whether the run ended between levels. */
+    bool
+    ended_early() const
+    {
+      return all_levels.size() > n_reached;
+    }
+
+    /** The displacement at a level, but for rigid motions. */
+    dealii::Vector<double>
+    deformation(const Level &level) const;
+
+    /** Of a bar [length/force], where it has no load. */
+    double
+    compliance(const unsigned int bar) const
+    {
+      return layered.compliance(bar);
+    }
+
+  private:
+    void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) override;
+    void
+    jumped(const JointState &to) override;
+    void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) override;
+    void
+    reached(const std::size_t index, const JointState &state) override;
+    void
+    add_level(const JointState &state);
+
+    const Model<dim> &its_model;
+    const JointModel joint;
+    const LayeredSystem layered;
+    const Judge judge;
+    JointState last_state;
+    std::vector<Level> all_levels;
+    std::size_t n_reached = 0;
+  };
+
+  /** The levels that both runs reached; and how they ended, if one of them or both ended early. */
+  template <int dim>
+  std::vector<
+    std::pair<const typename TrialRun<dim>::Level *, const typename TrialRun<dim>::Level *>>
+  common_levels(const TrialRun<dim> &one, const TrialRun<dim> &other);
+} // namespace fuga
+
+#endif

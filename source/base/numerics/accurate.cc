@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/accurate.h>
+#include <fuga/base/work_counter.h>
+
+#include <cmath>
+#include <numeric>
+
+// Error-free products take one instruction more where the processor multiplies and adds with one
+// rounding (on x86-64 all but the oldest); the functions below are then compiled for it, whatever
+// the rest of the program is compiled for.
+#if defined(__x86_64__) && defined(__GNUC__)
+#  define FUGA_FUSED __attribute__((target("avx2,fma")))
+#else
+#  define FUGA_FUSED
+#endif
+
+namespace fuga
+{
+  namespace
+  {
+    bool
+    is_fused()
+    {
+#if defined(__x86_64__) && defined(__GNUC__)
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#elif defined(FP_FAST_FMA)
+      return true;
+#else
+      return false;
+#endif
+    }
+
+    /** high + low += (a + a_low) x for n numbers, each operation without an error but those on
+     * low (Dekker's and Knuth's transformations): twice the digits of double, and, unlike long
+     * double, several numbers at a time. */
+    FUGA_FUSED void
+    add_scaled_in_pairs(const std::size_t n,
+                        const double a,
+                        const double a_low,
+                        const double *__restrict x,
+                        double *__restrict high,
+                        double *__restrict low)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const double product = a * x[i];
+          const double rest    = __builtin_fma(a, x[i], -product);
+          const double sum     = high[i] + product;
+          const double part    = sum - high[i];
+          const double lost    = (high[i] - (sum - part)) + (product - part);
+          high[i]              = sum;
+          low[i] += lost + __builtin_fma(a_low, x[i], rest);
+        }
+    }
+  } // namespace
+
+  void
+  add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y)
+  {
+    work::now().accurate_operations += A.n_rows() * A.n_columns();
+    static const bool fused = is_fused();
+    if (!fused)
+      {
+        for (std::size_t j = 0; j < A.n_columns(); ++j)
+          add_scaled(A.n_rows(), sign * x[j], A.column(j), y.data());
+        return;
+      }
+    Vector high(A.n_rows(), 0.), low(A.n_rows(), 0.);
+    for (std::size_t j = 0; j < A.n_columns(); ++j)
+      {
+        const long double a     = sign * x[j];
+        const double a_high     = static_cast<double>(a);
+        const long double a_low = a - a_high;
+        if (a != 0.L)
+          add_scaled_in_pairs(
+            A.n_rows(), a_high, static_cast<double>(a_low), A.column(j), high.data(), low.data());
+      }
+    for (std::size_t i = 0; i < high.size(); ++i)
+      y[i] += static_cast<long double>(high[i]) + low[i];
+  }
+
+  void
+  add_transposed_product(const long double sign,
+                         const DenseMatrix &A,
+                         const Accurate &x,
+                         Accurate &y)
+  {
+    work::now().accurate_operations += A.n_rows() * A.n_columns();
+    for (std::size_t j = 0; j < A.n_columns(); ++j)
+      {
+        long double sum = 0.L;
+        for (std::size_t i = 0; i < A.n_rows(); ++i)
+          sum += A(i, j) * x[i];
+        y[j] += sign * sum;
+      }
+  }
+
+  long double
+  dot(const Accurate &x, const Accurate &y)
+  {
+    return std::inner_product(x.begin(), x.end(), y.begin(), 0.L);
+  }
+} // namespace fuga

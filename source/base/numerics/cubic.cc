@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/cubic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  CubicOnUnitInterval::CubicOnUnitInterval(const double value_0,
+                                           const double slope_0,
+                                           const double value_1,
+                                           const double slope_1)
+    : c0(value_0)
+    , c1(slope_0)
+    , c2(3. * (value_1 - value_0) - 2. * slope_0 - slope_1)
+    , c3(2. * (value_0 - value_1) + slope_0 + slope_1)
+  {
+  }
+
+  double
+  CubicOnUnitInterval::value(const double x) const
+  {
+    return c0 + x * (c1 + x * (c2 + x * c3));
+  }
+
+  double
+  CubicOnUnitInterval::slope(const double x) const
+  {
+    return c1 + x * (2. * c2 + x * 3. * c3);
+  }
+
+  // The x with zero slope and positive curvature; 1 if it is not inside.
+  double
+  CubicOnUnitInterval::inner_minimiser() const
+  {
+    const double discriminant = c2 * c2 - 3. * c1 * c3;
+    if (discriminant <= 0.)
+      return 1.;
+    // The root of c1 + 2 c2 x + 3 c3 x² with positive second derivative, without cancellation.
+    const double root = std::sqrt(discriminant);
+    const double x    = c2 > 0. ? -c1 / (c2 + root) : (root - c2) / (3. * c3);
+    return x > 0. && x < 1. ? x : 1.;
+  }
+
+  double
+  CubicOnUnitInterval::minimum() const
+  {
+    return std::min({value(0.), value(inner_minimiser()), value(1.)});
+  }
+
+  // Up to its inner minimum the cubic falls through zero at most once: bisection with secants, as
+  // safe as it is short.
+  double
+  CubicOnUnitInterval::first_descending_root() const
+  {
+    if (value(0.) < 0.)
+      return 0.;
+    double low = 0., high = inner_minimiser();
+    if (value(high) >= 0.)
+      high = 1.;
+    if (value(high) >= 0.)
+      return 1.;
+    for (int i = 0; i < 200 && high - low > std::numeric_limits<double>::epsilon() * high; ++i)
+      {
+        const double v_low = value(low), v_high = value(high);
+        double x = low + (high - low) * v_low / (v_low - v_high);
+        if (i % 2 == 1 || !(x > low && x < high))
+          x = 0.5 * (low + high);
+        (value(x) >= 0. ? low : high) = x;
+      }
+    return high;
+  }
+} // namespace fuga

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fmt/format.h>
+#include <fuga/base/errors.h>
+#include <fuga/bodies/elasticity/boundary_conditions.h>
+#include <fuga/bodies/loads/load_assembly.h>
+#include <fuga/bodies/loads/uplift_way.h>
+#include <fuga/bodies/point_matcher.h>
+#include <fuga/bodies/space/face_map.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Part of the size of a way that counts as no distance. */
+    constexpr double same_place = 1e-6;
+  } // namespace
+
+  template <int dim>
+  UpliftWay<dim>::UpliftWay(const LoadDefinition &its_load,
+                            const Discretization<dim> &discretization,
+                            const JointGeometry<dim> &geometry,
+                            const JointedMesh &jointed)
+    : load(its_load), mesh(jointed)
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      flow[c] = load.uplift.flow[c];
+    for (const auto &face : geometry.faces())
+      if (index_of(load.targets, mesh.joints[face.joint].name) < load.targets.size())
+        {
+          all_faces.push_back({&face, 0, {}, {}});
+          corners.push_back(FaceMap<dim>(discretization, face.boundary).corners());
+        }
+    // Copies of one node lie at one place: it is known by the first corner there.
+    std::vector<dealii::Point<dim>> points;
+    double size = 0.;
+    for (const auto &of_face : corners)
+      for (const auto &corner : of_face)
+        {
+          points.push_back(corner);
+          size = std::max(size, corner.distance(points.front()));
+        }
+    const PointMatcher<dim> matcher(points);
+    std::vector<std::vector<std::size_t>> places;
+    for (const auto &of_face : corners)
+      {
+        places.emplace_back();
+        for (const auto &corner : of_face)
+          places.back().push_back(matcher.find(corner, one_node * size));
+      }
+    find_ways(places);
+    for (std::size_t way = 0; way < all_ways.size(); ++way)
+      {
+        if constexpr (dim == 2)
+          measure_chain(way, places, points);
+        else
+          measure_in_space(way);
+        check_drain(way);
+      }
+  }
+
+
+  template <int dim>
+  void
+  UpliftWay<dim>::find_ways(const std::vector<std::vector<std::size_t>> &places)
+  {
+    std::vector<std::vector<std::size_t>> faces_at_place;
+    for (std::size_t f = 0; f < places.size(); ++f)
+      for (const std::size_t place : places[f])
+        {
+          faces_at_place.resize(std::max(faces_at_place.size(), place + 1));
+          faces_at_place[place].push_back(f);
+        }
+    std::vector<bool> seen(places.size(), false);
+    for (std::size_t first = 0; first < places.size(); ++first)
+      {
+        if (seen[first])
+          continue;
+        std::vector<std::size_t> front = {first};
+        seen[first]                    = true;
+        all_ways.emplace_back();
+        std::vector<unsigned int> &joints = all_ways.back().joints;
+        while (!front.empty())
+          {
+            const std::size_t f = front.back();
+            front.pop_back();
+            all_faces[f].way = all_ways.size() - 1;
+            joints.push_back(all_faces[f].face->joint);
+            for (const std::size_t place : places[f])
+              for (const std::size_t other : faces_at_place[place])
+                if (!seen[other])
+                  {
+                    seen[other] = true;
+                    front.push_back(other);
+                  }
+          }
+        std::sort(joints.begin(), joints.end());
+        joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+      }
+  }
+
+
+  // The chain of faces is walked from the end that lies against the direction of flow.
+  template <int dim>
+  void
+  UpliftWay<dim>::measure_chain(const std::size_t way,
+                                const std::vector<std::vector<std::size_t>> &places,
+                                const std::vector<dealii::Point<dim>> &positions)
+  {
+    std::vector<std::vector<std::size_t>> faces_at_place(positions.size());
+    for (std::size_t f = 0; f < places.size(); ++f)
+      if (all_faces[f].way == way)
+        for (const std::size_t place : places[f])
+          faces_at_place[place].push_back(f);
+    std::vector<std::size_t> ends;
+    for (std::size_t place = 0; place < positions.size(); ++place)
+      {
+        if (faces_at_place[place].size() == 1)
+          ends.push_back(place);
+        if (faces_at_place[place].size() > 2)
+          throw InputError(fmt::format("{}: the joints {} branch at ({:g}, {:g}), so that they are "
+                                       "no way from one end to another. Give each branch a load of "
+                                       "its own.",
+                                       load_title(load),
+                                       joints_of(way),
+                                       positions[place][0],
+                                       positions[place][1]));
+      }
+    if (ends.size() != 2)
+      throw InputError(fmt::format("{}: the joints {} form a ring, so that they have no upstream "
+                                   "end. Divide them into joints with two ends.",
+                                   load_title(load),
+                                   joints_of(way)));
+    if ((positions[ends[1]] - positions[ends[0]]) * flow < 0.)
+      std::swap(ends[0], ends[1]);
+
+    Way &its            = all_ways[way];
+    its.upstream_height = positions[ends[0]][1], its.downstream_height = positions[ends[1]][1];
+    std::size_t place = ends[0], last = places.size();
+    while (place != ends[1])
+      {
+        const auto &here    = faces_at_place[place];
+        const std::size_t f = here.front() == last ? here.back() : here.front();
+        const bool forwards = places[f][0] == place;
+        const double length = corners[f][0].distance(corners[f][1]);
+        all_faces[f].along  = forwards ? Vector{its.length, its.length + length}
+                                       : Vector{its.length + length, its.length};
+        all_faces[f].across = {0., 0.};
+        its.length += length;
+        place = places[f][forwards ? 1 : 0];
+        last  = f;
+      }
+    require_extent(way, (positions[ends[1]] - positions[ends[0]]) * flow, its.length);
+  }
+
+
+  template <int dim>
+  void
+  UpliftWay<dim>::measure_in_space(const std::size_t way)
+  {
+    if constexpr (dim == 3)
+      {
+        Way &its = all_ways[way];
+        dealii::Tensor<1, dim> across;
+        std::vector<std::size_t> faces;
+        for (std::size_t f = 0; f < all_faces.size(); ++f)
+          if (all_faces[f].way == way)
+            faces.push_back(f);
+        const auto &first = corners[faces.front()];
+        across            = dealii::cross_product_3d(
+          flow, dealii::cross_product_3d(first[1] - first[0], first[2] - first[0]));
+        if (across.norm() > 0.)
+          across /= across.norm();
+        double begin = first[0] * flow, end = begin, size = 0.;
+        for (const std::size_t f : faces)
+          for (const auto &corner : corners[f])
+            {
+              begin = std::min(begin, corner * flow);
+              end   = std::max(end, corner * flow);
+              size  = std::max(size, corner.distance(first[0]));
+            }
+        its.length = end - begin;
+        require_extent(way, its.length, size);
+        for (const std::size_t f : faces)
+          for (const auto &corner : corners[f])
+            {
+              const double s = corner * flow - begin;
+              all_faces[f].along.push_back(s);
+              all_faces[f].across.push_back(corner * across);
+              if (s <= same_place * its.length)
+                its.upstream_height = corner[dim - 1];
+              if (s >= (1. - same_place) * its.length)
+                its.downstream_height = corner[dim - 1];
+            }
+        require_level_end(way, 0., its.upstream_height);
+        require_level_end(way, its.length, its.downstream_height);
+      }
+  }
+
+
+  // The pressure at an end of the joint is that of one depth.
+  template <int dim>
+  void
+  UpliftWay<dim>::require_level_end(const std::size_t way,
+                                    const double along,
+                                    const double height) const
+  {
+    const double tolerance = same_place * all_ways[way].length;
+    for (std::size_t f = 0; f < all_faces.size(); ++f)
+      for (std::size_t v = 0; all_faces[f].way == way && v < corners[f].size(); ++v)
+        if (std::abs(all_faces[f].along[v] - along) <= tolerance &&
+            std::abs(corners[f][v][dim - 1] - height) > tolerance)
+          throw InputError(
+            fmt::format("{}: the {} end of {} is not horizontal: it has nodes at the heights {:g} "
+                        "and {:g}. In space uplift needs horizontal upstream and downstream ends; "
+                        "divide the joint into several with such ends.",
+                        load_title(load),
+                        along == 0. ? "upstream" : "downstream",
+                        joints_of(way),
+                        height,
+                        corners[f][v][dim - 1]));
+  }
+
+
+  template <int dim>
+  void
+  UpliftWay<dim>::require_extent(const std::size_t way,
+                                 const double extent,
+                                 const double size) const
+  {
+    if (extent <= same_place * size)
+      throw InputError(fmt::format("{}: joint {} does not extend in the direction of flow ({}), so "
+                                   "that it has no upstream end there. Name another upstream end.",
+                                   load_title(load),
+                                   joints_of(way),
+                                   fmt::join(&flow[0], &flow[0] + dim, ", ")));
+  }
+
+
+  template <int dim>
+  void
+  UpliftWay<dim>::check_drain(const std::size_t way) const
+  {
+    if (load.uplift.drain_distance >= all_ways[way].length)
+      throw InputError(
+        fmt::format("{}: the drain at the distance {:g} lies outside the joint {}, whose ends are "
+                    "{:g} apart. Correct the distance.",
+                    load_title(load),
+                    load.uplift.drain_distance,
+                    joints_of(way),
+                    all_ways[way].length));
+  }
+
+
+  template <int dim>
+  std::string
+  UpliftWay<dim>::joints_of(const std::size_t way) const
+  {
+    std::string text;
+    for (const unsigned int joint : all_ways[way].joints)
+      text += fmt::format("{}'{}'", text.empty() ? "" : ", ", mesh.joints[joint].name);
+    return text;
+  }
+
+
+  template <int dim>
+  std::vector<std::string>
+  UpliftWay<dim>::report() const
+  {
+    const Uplift &uplift    = load.uplift;
+    const std::string rule  = !uplift.fills_cracks ? "the same in cracks"
+                              : uplift.profile_from == Uplift::ProfileFrom::joint
+                                ? "over the whole joint, with full pressure in connected cracks"
+                                : "from the tip of connected cracks, with full pressure in them";
+    const std::string drain = uplift.drain_distance == 0. || !uplift.fills_cracks ? ""
+                              : uplift.drains_after_crack == Uplift::Drains::kept
+                                ? "; the drain is kept in the crack"
+                                : "; the drain is lost in the crack";
+    std::vector<std::string> lines;
+    for (std::size_t way = 0; way < all_ways.size(); ++way)
+      lines.push_back(fmt::format("load '{}': uplift {}{}; {:g} of way through {}",
+                                  load.name,
+                                  rule,
+                                  drain,
+                                  all_ways[way].length,
+                                  joints_of(way)));
+    return lines;
+  }
+
+
+  template class UpliftWay<2>;
+  template class UpliftWay<3>;
+} // namespace fuga

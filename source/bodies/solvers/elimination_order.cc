@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/bodies/solvers/elimination_order.h>
+
+#include <algorithm>
+#include <metis.h>
+#include <numeric>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Lists of different lengths, one after the other. */
+    struct Lists
+    {
+      std::vector<unsigned int> start = {0}, entries;
+
+      void
+      finish_list()
+      {
+        start.push_back(static_cast<unsigned int>(entries.size()));
+      }
+    };
+
+    /** For each of @p n numbers the lists in which it occurs. */
+    Lists
+    transposed(const Lists &lists, const std::size_t n)
+    {
+      Lists result;
+      result.start.assign(n + 1, 0);
+      for (const unsigned int entry : lists.entries)
+        ++result.start[entry + 1];
+      std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+      result.entries.resize(lists.entries.size());
+      std::vector<unsigned int> next = result.start;
+      for (unsigned int list = 0; list + 1 < lists.start.size(); ++list)
+        for (unsigned int k = lists.start[list]; k < lists.start[list + 1]; ++k)
+          result.entries[next[lists.entries[k]]++] = list;
+      return result;
+    }
+
+
+    /** Which nodes share a cell, in the form that METIS reads. */
+    struct Graph
+    {
+      std::vector<idx_t> start = {0}, neighbours;
+    };
+
+    Graph
+    neighbours(const Lists &cells, const std::size_t n_nodes)
+    {
+      const Lists cells_of = transposed(cells, n_nodes);
+      Graph graph;
+      std::vector<unsigned int> seen(n_nodes, static_cast<unsigned int>(-1));
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        {
+          seen[node] = node;
+          for (unsigned int c = cells_of.start[node]; c < cells_of.start[node + 1]; ++c)
+            for (unsigned int k = cells.start[cells_of.entries[c]];
+                 k < cells.start[cells_of.entries[c] + 1];
+                 ++k)
+              if (const unsigned int other = cells.entries[k]; seen[other] != node)
+                {
+                  seen[other] = node;
+                  graph.neighbours.push_back(static_cast<idx_t>(other));
+                }
+          graph.start.push_back(static_cast<idx_t>(graph.neighbours.size()));
+        }
+      return graph;
+    }
+
+
+    /** The nodes in the order of elimination. The seed is fixed: every run has the same order. */
+    std::vector<idx_t>
+    nested_dissection(Graph graph)
+    {
+      idx_t n = static_cast<idx_t>(graph.start.size()) - 1;
+      std::vector<idx_t> node_at(graph.start.size() - 1), place_of(node_at.size());
+      if (n == 0)
+        return node_at;
+      idx_t options[METIS_NOPTIONS];
+      METIS_SetDefaultOptions(options);
+      options[METIS_OPTION_SEED] = 1;
+      if (METIS_NodeND(&n,
+                       graph.start.data(),
+                       graph.neighbours.data(),
+                       nullptr,
+                       options,
+                       node_at.data(),
+                       place_of.data()) != METIS_OK)
+        throw NumericalFailure("METIS found no order of elimination for the bodies.");
+      return node_at;
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<dim> &discretization,
+                        const InterfaceCoordinates<dim> &coordinates)
+  {
+    using Term                      = typename InterfaceCoordinates<dim>::Term;
+    constexpr unsigned int none     = static_cast<unsigned int>(-1);
+    const unsigned int n_eliminated = coordinates.first_interface_coordinate();
+    std::vector<unsigned int> owner(n_eliminated, none);
+    std::vector<Term> terms;
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            coordinates.terms_of(node * dim + c, terms);
+            for (const Term &term : terms)
+              if (term.coordinate < n_eliminated && owner[term.coordinate] == none &&
+                  (terms.size() == 1 || pass == 1))
+                owner[term.coordinate] = node;
+          }
+    return owner;
+  }
+
+
+  template <int dim>
+  std::vector<int>
+  elimination_order(const Discretization<dim> &discretization,
+                    const InterfaceCoordinates<dim> &coordinates)
+  {
+    using Term                            = typename InterfaceCoordinates<dim>::Term;
+    const unsigned int n_eliminated       = coordinates.first_interface_coordinate();
+    const std::vector<unsigned int> owner = owners_of_coordinates(discretization, coordinates);
+    std::vector<bool> is_plain(discretization.n_nodes());
+    for (unsigned int node = 0; node < discretization.n_nodes(); ++node)
+      is_plain[node] = coordinates.is_plain(node);
+    std::vector<Term> terms;
+
+    Lists cells;
+    const std::size_t n_local = discretization.reference_element().n_nodes();
+    cells.start.reserve(discretization.n_cells() + 1);
+    cells.entries.reserve(discretization.n_cells() * n_local);
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      {
+        for (std::size_t i = 0; i < n_local; ++i)
+          if (const unsigned int node = discretization.cell_nodes(cell)[i]; is_plain[node])
+            cells.entries.push_back(node);
+          else
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                coordinates.terms_of(node * dim + c, terms);
+                for (const Term &term : terms)
+                  if (term.coordinate < n_eliminated)
+                    cells.entries.push_back(owner[term.coordinate]);
+              }
+        const auto begin = cells.entries.begin() + static_cast<std::ptrdiff_t>(cells.start.back());
+        std::sort(begin, cells.entries.end());
+        cells.entries.erase(std::unique(begin, cells.entries.end()), cells.entries.end());
+        cells.finish_list();
+      }
+
+    const std::vector<idx_t> nodes = nested_dissection(neighbours(cells, discretization.n_nodes()));
+    std::vector<unsigned int> first(discretization.n_nodes() + 1, 0);
+    for (const unsigned int node : owner)
+      ++first[node + 1];
+    std::vector<unsigned int> count(first.begin() + 1, first.end());
+    unsigned int place = 0;
+    for (const idx_t node : nodes)
+      {
+        first[static_cast<std::size_t>(node)] = place;
+        place += count[static_cast<std::size_t>(node)];
+      }
+    std::vector<int> order(coordinates.size());
+    for (unsigned int i = 0; i < order.size(); ++i)
+      order[i] = static_cast<int>(i < n_eliminated ? first[owner[i]]++ : i) + 1;
+    return order;
+  }
+
+
+  template std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<2> &, const InterfaceCoordinates<2> &);
+  template std::vector<unsigned int>
+  owners_of_coordinates(const Discretization<3> &, const InterfaceCoordinates<3> &);
+  template std::vector<int>
+  elimination_order(const Discretization<2> &, const InterfaceCoordinates<2> &);
+  template std::vector<int>
+  elimination_order(const Discretization<3> &, const InterfaceCoordinates<3> &);
+} // namespace fuga

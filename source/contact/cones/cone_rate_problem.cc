@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/cones/cone_rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Sweeps of Gauss-Seidel before Newton is tried again, and again. */
+    constexpr std::array<unsigned int, 2> n_sweeps = {{400, 4000}};
+  } // namespace
+
+  ConeRateProblem::ConeRateProblem(const std::vector<ContactElement> &contact_elements,
+                                   const LayeredSystem &layered_system)
+    : elements(contact_elements), system(layered_system)
+  {
+  }
+
+  ConeContinuation
+  ConeRateProblem::solve(const JointState &state,
+                         const std::vector<BoundaryElement> &set,
+                         WorkingScheme &background,
+                         const Drive &drive,
+                         const std::vector<std::size_t> &resticking)
+  {
+    ConeContinuation result;
+    const std::optional<JointRates> stuck = background.rates(drive);
+    if (!stuck)
+      {
+        result.has_mechanism = true;
+        result.mechanism     = background.mechanism();
+        return result;
+      }
+    candidates.clear();
+    bars.clear();
+    free_motion.clear();
+    drift.clear();
+    for (const BoundaryElement &member : set)
+      {
+        const ContactElement &element = elements[member.element];
+        Candidate candidate;
+        candidate.element    = member.element;
+        candidate.row        = bars.size();
+        candidate.at_apex    = member.shear != ShearPosition::at_strength;
+        candidate.grazing    = member.grazing;
+        candidate.n_tangents = member.shear == ShearPosition::inside ? 0 : element.n_bars() - 1;
+        candidate.resting =
+          std::find(resticking.begin(), resticking.end(), member.element) != resticking.end();
+        candidate.state = candidate.resting ? ContactState::stick : state.states[member.element];
+        candidate.tension_rate = tensile_strength_rate(element, drive);
+        bars.push_back(element.normal_bar);
+        if (candidate.n_tangents > 0)
+          {
+            candidate.friction      = state.strengths[member.element].friction;
+            candidate.rise          = state.strengths[member.element].dilatancy;
+            candidate.strength_rate = shear_strength_rate(element, drive);
+            if (!drive.release.empty())
+              candidate.shear_release = tangential(element, drive.release);
+            bars.push_back(element.tangential_bar);
+            if (candidate.n_tangents == 2)
+              bars.push_back(element.second_tangential_bar);
+            candidate.direction = direction_of(tangential(element, state.forces));
+          }
+        candidates.push_back(candidate);
+      }
+    std::optional<DenseMatrix> stiffness = background.stiffness_against(bars);
+    if (!stiffness)
+      return result;
+    W = std::move(*stiffness);
+    r.clear();
+    for (const std::size_t bar : bars)
+      r.push_back(stuck->forces[bar]);
+    v.assign(bars.size(), 0.);
+    q = r;
+    diagonal.clear();
+    for (const std::size_t bar : bars)
+      diagonal.push_back(system.stiffness()(bar, bar));
+
+    const std::vector<Candidate> at_first = candidates;
+    Outcome outcome                       = iterate(n_iterations, result);
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_from_softer_layer(result);
+      }
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_by_associated_slip(result);
+      }
+    for (const unsigned int n : n_sweeps)
+      {
+        if (outcome == Outcome::solved)
+          break;
+        sweep(n);
+        take_from_rates();
+        outcome = iterate(n_iterations, result);
+      }
+    if (outcome != Outcome::solved)
+      {
+        find_mechanism(background, result);
+        return result;
+      }
+    slip_where_neutral();
+    result.exists = true;
+    result.rates  = full_rates(background, drive, v);
+    for (const Candidate &candidate : candidates)
+      {
+        // Along a single bar slip has a sign, as in the plane.
+        const bool backward =
+          is_slipping(candidate.state) && candidate.n_tangents == 1 && candidate.direction[0] < 0.;
+        result.states.push_back(backward ? ContactState::slip_backward : candidate.state);
+        result.directions.push_back(candidate.direction);
+      }
+    return result;
+  }
+
+  JointRates
+  ConeRateProblem::full_rates(WorkingScheme &background,
+                              const Drive &drive,
+                              const Vector &reduced) const
+  {
+    Vector imposed(system.n_bars(), 0.);
+    for (std::size_t i = 0; i < bars.size(); ++i)
+      imposed[bars[i]] = reduced[i];
+    const std::optional<JointRates> rates = background.rates(drive, imposed);
+    return rates ? *rates : JointRates();
+  }
+
+  ConeRateProblem::Outcome
+  ConeRateProblem::iterate(const unsigned int max_iterations, ConeContinuation &result)
+  {
+    for (unsigned int i = 0; i < max_iterations + candidates.size(); ++i)
+      {
+        ++result.n_schemes;
+        const bool regular = solve_scheme();
+        if (!update_scheme(i >= n_together) && (!regular || is_settled()))
+          return regular ? Outcome::solved : Outcome::singular;
+        free_motion.clear(); // of a scheme that the next one replaces
+      }
+    return Outcome::cycled;
+  }
+
+  void
+  ConeRateProblem::refresh_forces()
+  {
+    q = r;
+    for (std::size_t j = 0; j < v.size(); ++j)
+      if (v[j] != 0.)
+        blas::axpy(q.size(), -v[j], W.column(j), q.data());
+  }
+
+  double
+  ConeRateProblem::noise(const std::size_t row) const
+  {
+    constexpr double rate_tolerance = 1e-10;
+    return rate_tolerance * (std::abs(r[row]) + diagonal[row] * max_abs(v));
+  }
+
+  double
+  ConeRateProblem::shear_stiffness(const Candidate &candidate) const
+  {
+    const TangentVector stiffnesses = tangential_rows(candidate, diagonal);
+    return (stiffnesses[0] + stiffnesses[1]) / static_cast<double>(candidate.n_tangents);
+  }
+
+  double
+  ConeRateProblem::shear_noise(const Candidate &candidate) const
+  {
+    double largest = 0.;
+    for (std::size_t i = 1; i <= candidate.n_tangents; ++i)
+      largest = std::max(largest, noise(candidate.row + i));
+    return largest + candidate.friction * noise(candidate.row);
+  }
+
+  // At the apex the force of Alart and Curnier's projection, the present one and the stiffness of
+  // each bar times its rate, tells the state; slip and strength such that Newton starts from it.
+  ConeRateProblem::Demand
+  ConeRateProblem::demand(const Candidate &candidate) const
+  {
+    const std::size_t n      = candidate.row;
+    const double f           = candidate.friction;
+    const bool open          = candidate.state == ContactState::open;
+    const double no_force    = noise(n);
+    const double no_velocity = no_force / diagonal[n];
+    Demand demand{candidate.state, candidate.direction, candidate.slip, candidate.strength, 0.};
+    if (candidate.at_apex || candidate.grazing)
+      {
+        const double tension = q[n] - candidate.tension_rate;
+        if (!open && tension > no_force)
+          {
+            demand.violation = tension;
+            demand.state     = ContactState::open;
+            return demand;
+          }
+        if (open && v[n] >= -no_velocity)
+          return demand;
+        if (open)
+          demand.violation = -v[n] * diagonal[n];
+      }
+    const auto change_to = [&](const ContactState state) {
+      demand.state = state;
+      demand.slip = demand.strength = 0.;
+      return demand;
+    };
+    if (candidate.n_tangents == 0)
+      return change_to(ContactState::stick);
+
+    const TangentVector q_t = tangential_rows(candidate, q), v_t = tangential_rows(candidate, v);
+    const double stiffness = shear_stiffness(candidate);
+    const double no_shear  = shear_noise(candidate);
+    if (is_slipping(candidate.state))
+      {
+        if (candidate.slip >= -no_shear / stiffness)
+          return demand;
+        demand.violation = -candidate.slip * stiffness;
+        return change_to(ContactState::stick);
+      }
+    if (!candidate.at_apex)
+      {
+        demand.violation =
+          std::max(0., dot(candidate.direction, q_t) + f * q[n] - candidate.strength_rate);
+        return change_to(demand.violation > no_shear ? ContactState::slip_forward
+                                                     : ContactState::stick);
+      }
+    const double strength = f * std::max(open ? -v[n] * diagonal[n] : -q[n], 0.);
+    const TangentVector shear =
+      open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
+    const double excess = length(shear) - strength;
+    if (excess <= no_shear)
+      return change_to(ContactState::stick);
+    return {ContactState::slip_forward,
+            {{shear[0] / length(shear), shear[1] / length(shear)}},
+            excess / stiffness,
+            strength,
+            std::max(demand.violation, excess)};
+  }
+
+  void
+  ConeRateProblem::follow(const Demand &demand, Candidate &candidate)
+  {
+    candidate.state     = demand.state;
+    candidate.direction = demand.direction;
+    candidate.slip      = demand.slip;
+    candidate.strength  = demand.strength;
+  }
+
+  bool
+  ConeRateProblem::update_scheme(const bool one_by_one)
+  {
+    Demand worst;
+    Candidate *worst_of_all = nullptr;
+    bool changed            = false;
+    for (Candidate &candidate : candidates)
+      {
+        const Demand wanted = demand(candidate);
+        if (wanted.state == candidate.state)
+          continue;
+        changed = true;
+        if (!one_by_one)
+          follow(wanted, candidate);
+        else if (worst_of_all == nullptr || wanted.violation > worst.violation)
+          {
+            worst        = wanted;
+            worst_of_all = &candidate;
+          }
+      }
+    if (worst_of_all != nullptr)
+      follow(worst, *worst_of_all);
+    return changed;
+  }
+
+  // Directions at the apex have come to rest as well.
+  bool
+  ConeRateProblem::is_settled() const
+  {
+    for (const Candidate &candidate : candidates)
+      if (candidate.at_apex && is_slipping(candidate.state))
+        {
+          const std::size_t n = candidate.row;
+          for (std::size_t i = 0; i < candidate.n_tangents; ++i)
+            if (std::abs(q[n + 1 + i] + candidate.friction * q[n] * candidate.direction[i]) >
+                noise(n + 1 + i) + candidate.friction * noise(n))
+              return false;
+        }
+    return true;
+  }
+
+  // A stuck element on its cone whose force moves along the tangent plane would leave the cone at
+  // second order: it begins to slip with the rate zero.
+  void
+  ConeRateProblem::slip_where_neutral()
+  {
+    const std::vector<Candidate> before = candidates;
+    const Vector v_before = v, q_before = q;
+    bool any = false;
+    for (Candidate &candidate : candidates)
+      {
+        if (candidate.at_apex || candidate.resting || candidate.state != ContactState::stick)
+          continue;
+        const std::size_t n     = candidate.row;
+        const double f          = candidate.friction;
+        const TangentVector q_t = tangential_rows(candidate, q);
+        const double no_shear   = shear_noise(candidate);
+        const double reserve = candidate.strength_rate - dot(candidate.direction, q_t) - f * q[n];
+        const double turning = dot(normal_to(candidate.direction), q_t);
+        if (reserve <= no_shear && std::abs(turning) > std::sqrt(no_shear * length(q_t)))
+          {
+            candidate.state = ContactState::slip_forward;
+            any             = true;
+          }
+      }
+    if (!any)
+      return;
+    bool settled = solve_scheme() && is_settled();
+    for (const Candidate &candidate : candidates)
+      settled = settled && demand(candidate).state == candidate.state;
+    if (settled)
+      return;
+    candidates = before;
+    v          = v_before;
+    q          = q_before;
+  }
+} // namespace fuga

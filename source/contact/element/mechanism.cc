@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/mechanism.h>
+#include <fuga/contact/tangent_vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** A force below this share of what the stuck joint would answer does not resist. */
+    constexpr double free_force = 1e-7;
+    /** Nor does one that does less than this share of the work: the force in a contact that has
+     * shrunk to a point, about which a body turns. */
+    constexpr double free_work = 1e-7;
+    /** A jump below this share of the largest is none. */
+    constexpr double no_jump = 1e-6;
+  } // namespace
+
+  bool
+  is_free_motion(const JointRates &motion, const LayeredSystem &system)
+  {
+    const double size = system.scaled_size(motion.dislocations);
+    double resistance = 0., work = 0.;
+    for (std::size_t i = 0; i < motion.forces.size(); ++i)
+      {
+        resistance = std::max(resistance, std::abs(motion.forces[i]) / system.scale(i));
+        work += motion.forces[i] * motion.dislocations[i];
+      }
+    return size > 0. &&
+           (resistance <= free_force * size || std::abs(work) <= free_work * size * size);
+  }
+
+  Vector
+  mechanism_jumps(const JointRates &motion, const LayeredSystem &system)
+  {
+    Vector jumps         = system.jumps(motion.dislocations, motion.forces);
+    const double largest = max_abs(jumps);
+    for (double &jump : jumps)
+      jump /= largest;
+    return jumps;
+  }
+
+  MechanismKind
+  classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements)
+  {
+    double opening = 0., sliding = 0.;
+    for (const ContactElement &element : elements)
+      {
+        opening = std::max(opening, std::abs(jumps[element.normal_bar]));
+        if (element.has_tangential_bar())
+          sliding = std::max(sliding, std::abs(jumps[element.tangential_bar]));
+        if (element.has_second_tangential_bar())
+          sliding = std::max(sliding, std::abs(jumps[element.second_tangential_bar]));
+      }
+    if (opening <= no_jump * sliding)
+      return MechanismKind::sliding;
+    return sliding <= no_jump * opening ? MechanismKind::overturning : MechanismKind::mixed;
+  }
+
+  ContactState
+  state_in_mechanism(const BoundaryElement &candidate,
+                     const ContactElement &element,
+                     const JointState &state,
+                     const Vector &jumps)
+  {
+    const ContactState now = state.states[candidate.element];
+    if (now == ContactState::open)
+      return now;
+    if (candidate.grazing && candidate.shear != ShearPosition::at_strength &&
+        jumps[element.normal_bar] > no_jump)
+      return ContactState::open;
+    if (candidate.shear != ShearPosition::at_strength || now != ContactState::stick)
+      return now;
+    const TangentVector T = tangential(element, state.forces);
+    if (dot(T, tangential(element, jumps)) <= no_jump * length(T))
+      return now;
+    return element.has_second_tangential_bar() || T[0] > 0. ? ContactState::slip_forward
+                                                            : ContactState::slip_backward;
+  }
+} // namespace fuga

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/scheme_row.h>
+
+namespace fuga
+{
+  namespace
+  {
+    using Demand = SchemeRow::Demand;
+
+    /** Unknown and equation p = 0 of bar number @p i. */
+    SchemeRow
+    free_row(const ContactElement &element, const std::size_t k, const std::size_t i)
+    {
+      SchemeRow row;
+      row.element = k;
+      row.bar     = element.bar(i);
+      row.own[i] = row.column[i] = 1.;
+      return row;
+    }
+
+    /** p_i = Σ C_ij (d_j + D_j p_j), the elastic deformations of the layer; see LayerTangent. */
+    SchemeRow
+    stuck_layer_row(const ContactElement &element,
+                    const std::size_t k,
+                    const std::size_t i,
+                    const LayerTangent &C,
+                    const LayeredSystem &system)
+    {
+      SchemeRow row = free_row(element, k, i);
+      row.demand    = Demand::layer;
+      for (std::size_t j = 0; j < element.n_bars(); ++j)
+        {
+          row.stiffness[j] = C(i, j);
+          row.own[j] -= C(i, j) * system.compliance(element.bar(j));
+        }
+      return row;
+    }
+
+    /**
+     * While the element slides along e, T is given by N and the elastic shear follows it. The layer
+     * then answers N - (C_nt/C_tt) T = C g, C = C_nn - C_nt²/C_tt, and g is reckoned from lips that
+     * rise by tan ψ per slip, ṡ = ḋ_t + (D_t - 1/C_tt) Ṫ along e. A rigid or linear layer keeps
+     * g + ... = 0 with C standing for any stiffness.
+     */
+    SchemeRow
+    sliding_normal_row(const ContactElement &element,
+                       const std::size_t k,
+                       const TangentVector &e,
+                       const double rise,
+                       const LayerTangent &tangent,
+                       const LayeredSystem &system)
+    {
+      const bool shear_layer = has_nonlinear_shear(element);
+      const double ratio     = element.coupling != nullptr ? tangent.mixed / tangent.shear : 0.;
+      const double excess =
+        shear_layer ? system.compliance(element.tangential_bar) - 1. / tangent.shear : 0.;
+      SchemeRow row = free_row(element, k, 0);
+      double C      = system.stiffness()(row.bar, row.bar);
+      row.demand    = Demand::riding;
+      row.own[0]    = 0.;
+      if (has_nonlinear_closure(element))
+        {
+          C          = tangent.normal - ratio * tangent.mixed;
+          row.demand = Demand::layer;
+          row.own[0] = 1. - C * system.compliance(row.bar);
+        }
+      row.stiffness[0] = C;
+      for (std::size_t a = 0; a < 2; ++a)
+        {
+          row.own[1 + a]       = -ratio * tangent.direction[a] + C * rise * excess * e[a];
+          row.stiffness[1 + a] = -C * rise * e[a];
+        }
+      return row;
+    }
+
+    /** Along a single bar the unknown is its dislocation, whatever the sign of the slip. */
+    SchemeRow
+    sliding_row(const ContactElement &element,
+                const std::size_t k,
+                const TangentVector &e,
+                const double friction)
+    {
+      SchemeRow row = free_row(element, k, 1);
+      row.demand    = Demand::sliding;
+      if (element.has_second_tangential_bar())
+        {
+          row.own    = {{friction, e[0], e[1]}};
+          row.column = {{0., e[0], e[1]}};
+        }
+      else
+        row.own[0] = e[0] * friction;
+      return row;
+    }
+
+    /** T·n = k_s (d + D T)·n across the slip, n ⟂ e, with the secant stiffness of the layer. */
+    SchemeRow
+    across_row(const ContactElement &element,
+               const std::size_t k,
+               const TangentVector &e,
+               const LayerTangent &tangent,
+               const LayeredSystem &system)
+    {
+      SchemeRow row           = free_row(element, k, 2);
+      row.demand              = Demand::layer_across;
+      const TangentVector n   = normal_to(e);
+      const double compliance = system.compliance(element.second_tangential_bar);
+      row.column              = {{0., n[0], n[1]}};
+      for (std::size_t a = 0; a < 2; ++a)
+        {
+          row.stiffness[1 + a] = tangent.across * n[a];
+          row.own[1 + a]       = (1. - tangent.across * compliance) * n[a];
+        }
+      return row;
+    }
+  } // namespace
+
+  void
+  append_rows(const ContactElement &element,
+              const std::size_t k,
+              const ContactState state,
+              const TangentVector &direction,
+              const Strength &strength,
+              const LayerTangent &tangent,
+              const LayeredSystem &system,
+              std::vector<SchemeRow> &rows)
+  {
+    if (state == ContactState::open)
+      {
+        for (std::size_t i = 0; i < element.n_bars(); ++i)
+          rows.push_back(free_row(element, k, i));
+        return;
+      }
+    const bool no_shear = element.has_second_tangential_bar() && !strength.resists_shear();
+    if (is_slipping(state) && !no_shear)
+      {
+        const TangentVector e = slip_direction(element, state, direction);
+        if (has_nonlinear_closure(element) || strength.dilatancy != 0.)
+          rows.push_back(sliding_normal_row(element, k, e, strength.dilatancy, tangent, system));
+        rows.push_back(sliding_row(element, k, e, strength.friction));
+        if (element.has_second_tangential_bar() && has_nonlinear_shear(element))
+          rows.push_back(across_row(element, k, e, tangent, system));
+        return;
+      }
+    if (has_nonlinear_closure(element))
+      rows.push_back(stuck_layer_row(element, k, 0, tangent, system));
+    for (std::size_t i = 1; i < element.n_bars(); ++i)
+      if (no_shear)
+        rows.push_back(free_row(element, k, i));
+      else if (has_nonlinear_shear(element))
+        rows.push_back(stuck_layer_row(element, k, i, tangent, system));
+  }
+
+  double
+  row_residual(const SchemeRow &row, const ContactElement &element, const JointState &at)
+  {
+    const std::size_t k = row.element;
+    switch (row.demand)
+      {
+        case Demand::no_force:
+          return at.forces[row.bar] - at.unreleased[row.bar];
+        case Demand::sliding:
+          {
+            double value = 0.;
+            for (std::size_t i = element.n_bars(); i-- > 0;)
+              value += row.own[i] * at.forces[element.bar(i)];
+            return value - slip_sign(at.states[k]) * cohesive_strength(element, at, k);
+          }
+        case Demand::layer:
+          {
+            const LayerForces law = layer_forces(element, at, k);
+            return at.forces[row.bar] - (row.bar == element.normal_bar       ? law.normal
+                                         : row.bar == element.tangential_bar ? law.shear[0]
+                                                                             : law.shear[1]);
+          }
+        case Demand::layer_across:
+          {
+            const TangentVector T = tangential(element, at.forces);
+            const TangentVector d = sum(tangential(element, at.dislocations), -1., at.slips[k]);
+            double value          = 0.;
+            for (std::size_t a = 0; a < 2; ++a)
+              value += row.own[1 + a] * T[a] - row.stiffness[1 + a] * d[a];
+            return value;
+          }
+        case Demand::riding:
+          return -row.stiffness[0] *
+                 (at.dislocations[row.bar] + element.initial_gap - at.dilations[k]);
+      }
+    return 0.;
+  }
+
+  double
+  row_drive(const SchemeRow &row,
+            const ContactElement &element,
+            const ContactState state,
+            const Drive &drive)
+  {
+    switch (row.demand)
+      {
+        case Demand::no_force:
+          return drive.release.empty() ? 0. : drive.release[row.bar];
+        case Demand::sliding:
+          return slip_sign(state) * shear_strength_rate(element, drive);
+        case Demand::layer:
+        case Demand::layer_across:
+        case Demand::riding:
+          return 0.;
+      }
+    return 0.;
+  }
+} // namespace fuga

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/judge/certificate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <lapacke.h>
+#include <limits>
+
+namespace fuga
+{
+  double
+  Certificate::worst() const
+  {
+    double largest = 0.;
+    for (const auto &entry : entries())
+      largest = std::isnan(entry.second) ? entry.second : std::max(largest, entry.second);
+    return largest;
+  }
+
+  std::array<std::pair<std::string_view, double>, 9>
+  Certificate::entries() const
+  {
+    return {{{"equilibrium", equilibrium},
+             {"body equilibrium", body_equilibrium},
+             {"penetration", penetration},
+             {"tension", tension},
+             {"cone", cone},
+             {"complementarity", complementarity},
+             {"slip direction", slip_direction},
+             {"layer law", layer_law},
+             {"energy", energy}}};
+  }
+
+  void
+  Certificate::absorb(const Certificate &other)
+  {
+    for (double Certificate::*entry : {&Certificate::equilibrium,
+                                       &Certificate::body_equilibrium,
+                                       &Certificate::penetration,
+                                       &Certificate::tension,
+                                       &Certificate::cone,
+                                       &Certificate::complementarity,
+                                       &Certificate::slip_direction,
+                                       &Certificate::layer_law,
+                                       &Certificate::energy})
+      this->*entry = this->*entry >= other.*entry ? this->*entry : other.*entry;
+  }
+
+  namespace
+  {
+    /** How well the jump d + D p of a bar is known beside that of a rigid one: the rounding of p,
+     * of the size of the bodies' stiffness, counts D times. */
+    Vector
+    jump_weights(const std::vector<ContactElement> &elements, const DenseMatrix &S)
+    {
+      constexpr double smallest = 1e-4;
+      const double stiffness    = largest_diagonal(S);
+      Vector weights;
+      for (const ContactElement &element : elements)
+        element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+          weights.resize(std::max<std::size_t>(weights.size(), bar + 1), 1.);
+          weights[bar] =
+            std::max(smallest, 1. / (1. + stiffness * law.initial_compliance() / element.area));
+        });
+      return weights;
+    }
+
+    /** (w B)⁺ w: least squares with weights. */
+    DenseMatrix
+    weighted_inverse(const DenseMatrix &B, const Vector &weights)
+    {
+      const int n_bars = static_cast<int>(B.n_rows()), n_x = static_cast<int>(B.n_columns());
+      DenseMatrix scaled = B, rhs(B.n_rows(), B.n_rows());
+      for (std::size_t i = 0; i < B.n_rows(); ++i)
+        {
+          rhs(i, i) = weights[i];
+          for (std::size_t j = 0; j < B.n_columns(); ++j)
+            scaled(i, j) *= weights[i];
+        }
+      if (LAPACKE_dgels(LAPACK_COL_MAJOR,
+                        'N',
+                        n_bars,
+                        n_x,
+                        n_bars,
+                        scaled.data(),
+                        n_bars,
+                        rhs.data(),
+                        n_bars) != 0)
+        throw NumericalFailure(
+          "The jumps of the joints do not determine the motion of the bodies.");
+      DenseMatrix result(B.n_columns(), B.n_rows());
+      for (std::size_t j = 0; j < result.n_columns(); ++j)
+        std::copy_n(rhs.column(j), result.n_rows(), result.column(j));
+      return result;
+    }
+  } // namespace
+
+  Judge::Judge(const ContactSystem &contact_system,
+               const std::vector<ContactElement> &contact_elements,
+               const LoadHistory &load_history,
+               const double end_of_loading)
+    : system(contact_system)
+    , elements(contact_elements)
+    , history(load_history)
+    , rigid_motions(contact_system)
+  {
+    element_dissipation.assign(elements.size(), 0.);
+    for (double t = 0.; t < end_of_loading;)
+      {
+        t                       = history.next_corner(t);
+        largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
+      }
+    const DenseMatrix &S = system.stiffness();
+    stiffness_row_norms.assign(system.load_patterns().n_rows(), 0.);
+    for (std::size_t j = 0; j < S.n_columns(); ++j)
+      stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
+    const DenseMatrix &B = system.jump_operator();
+    if (B.empty())
+      return;
+    inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
+  }
+
+  Judge::Judge(const ContactSystem &contact_system,
+               const std::vector<ContactElement> &contact_elements,
+               const LoadHistory &load_history)
+    : Judge(contact_system, contact_elements, load_history, load_history.end())
+  {
+  }
+
+  double
+  share(const double value, const double scale)
+  {
+    return value == 0. ? 0. : value / scale;
+  }
+
+  TangentVector
+  shear_part(const ContactElement &element, const Vector &of_bars)
+  {
+    return element.has_tangential_bar() ? tangential(element, of_bars) : TangentVector{{0., 0.}};
+  }
+
+  TangentVector
+  direction(const TangentVector &v)
+  {
+    const double size = length(v);
+    return {{share(v[0], size), share(v[1], size)}};
+  }
+
+  double
+  Judge::largest_of_elements(const Vector &of_bars) const
+  {
+    double result = 0.;
+    for (const ContactElement &element : elements)
+      result = std::max(
+        {result, std::abs(of_bars[element.normal_bar]), length(shear_part(element, of_bars))});
+    return result;
+  }
+
+  Vector
+  Judge::jumps(const Vector &dislocations, const Vector &forces) const
+  {
+    Vector result = dislocations;
+    for (const ContactElement &element : elements)
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        result[bar] += law.initial_compliance() / element.area * forces[bar];
+      });
+    return result;
+  }
+
+  Vector
+  Judge::coordinates(const Vector &bar_jumps) const
+  {
+    return inverse_jump_operator.empty() ? bar_jumps : multiply(inverse_jump_operator, bar_jumps);
+  }
+
+  Vector
+  Judge::coordinates(const Vector &bar_jumps, const double t) const
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    if (E.empty())
+      return coordinates(bar_jumps);
+    Vector of_bodies     = bar_jumps;
+    const Vector imposed = multiply(E, history.factors(t));
+    for (std::size_t i = 0; i < of_bodies.size(); ++i)
+      of_bodies[i] -= imposed[i];
+    return coordinates(of_bodies);
+  }
+
+  Vector
+  Judge::loads(const double t) const
+  {
+    return multiply(system.load_patterns(), history.factors(t));
+  }
+
+  Vector
+  Judge::water(const JointState &state) const
+  {
+    const WaterInJoints *joints = system.water_in_joints();
+    if (joints == nullptr)
+      return {};
+    Vector result = joints->forces(state.access, history.factors(state.t));
+    for (std::size_t bar = 0; bar < result.size(); ++bar)
+      result[bar] += state.kept_water[bar] - state.missing_water[bar];
+    return result;
+  }
+
+  void
+  Judge::add_water(const JointState &state, Vector &loads) const
+  {
+    const Vector omega = water(state);
+    if (omega.empty())
+      return;
+    const Vector on_coordinates =
+      system.jump_operator().empty() ? omega : multiply_transposed(system.jump_operator(), omega);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      loads[i] += on_coordinates[i];
+  }
+
+  // A body that a soft joint holds moves by far more than it deforms: what of x is rigid motion is
+  // taken out, for its resistance is nothing but the rounding of S. Only this difference needs
+  // extended precision. The product that follows does not: in double precision it is wrong by at
+  // most n ε |S_i| |deformation|, and judge() concedes n ε |S_i| |x| to the rounding of x anyway.
+  Vector
+  Judge::resistance(const Vector &x) const
+  {
+    if (!system.has_stiffness())
+      return system.resistance(x);
+    Accurate deformation = accurate(x);
+    rigid_motions.remove(deformation);
+    const Vector rounded(deformation.begin(), deformation.end());
+    const DenseMatrix &S = system.stiffness();
+    Vector product(S.n_rows());
+    if (!S.empty())
+      blas::symv(S.n_rows(), S.data(), S.n_rows(), rounded.data(), product.data());
+    Accurate result = accurate(product);
+    rigid_motions.remove(result);
+    return {result.begin(), result.end()};
+  }
+
+  // Forces and moments on every floating body, relative to what the largest force would cause.
+  double
+  Judge::body_equilibrium_error(const JointState &state) const
+  {
+    const DenseMatrix &G = system.rigid_motions();
+    if (G.empty())
+      return 0.;
+    Vector carried     = multiply_transposed(G, state.forces);
+    const Vector omega = water(state);
+    if (!omega.empty())
+      {
+        const Vector pressed = multiply_transposed(G, omega);
+        for (std::size_t i = 0; i < carried.size(); ++i)
+          carried[i] -= pressed[i];
+      }
+    const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
+    double worst         = 0.;
+    for (std::size_t i = 0; i < applied.size(); ++i)
+      {
+        const double arm = largest_of_elements(Vector(G.column(i), G.column(i) + G.n_rows()));
+        worst = std::max(worst, share(std::abs(carried[i] - applied[i]), arm * largest_force));
+      }
+    return worst;
+  }
+
+  Certificate
+  Judge::judge(const JointState &state)
+  {
+    const work::Scope phase(work::Phase::judge);
+    const Vector delta = jumps(state.dislocations, state.forces);
+    const Vector x     = coordinates(delta, state.t);
+    Vector f           = loads(state.t);
+    add_water(state, f);
+    const Vector Sx = resistance(x);
+    largest_force =
+      std::max({largest_force, max_abs(f), largest_of_elements(state.forces), max_abs(Sx)});
+    largest_jump = std::max(largest_jump, largest_of_elements(delta));
+
+    Certificate result;
+    const Vector p = system.jump_operator().empty()
+                       ? state.forces
+                       : multiply_transposed(system.jump_operator(), state.forces);
+    // A body that soft joints hold moves by far more than it deforms: then S x, a sum of n terms in
+    // double precision, is uncertain by more than the forces allow, and only what exceeds this
+    // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which
+    // knows no S.)
+    const double n_terms  = std::max(4., static_cast<double>(x.size()));
+    const double rounding = n_terms * std::numeric_limits<double>::epsilon() * std::sqrt(dot(x, x));
+    Vector elastic(f.size());
+    for (std::size_t i = 0; i < f.size(); ++i)
+      {
+        elastic[i]         = f[i] - p[i];
+        const double error = std::abs(Sx[i] - elastic[i]) - rounding * stiffness_row_norms[i];
+        result.equilibrium =
+          std::max(result.equilibrium, share(std::max(error, 0.), largest_force));
+      }
+    result.body_equilibrium = body_equilibrium_error(state);
+
+    // ½ x·S x by the elastic forces just checked, for the same reason.
+    ledger.bodies = energy_of_bodies(x, elastic);
+    ledger.layer  = 0.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        check_element(k, state, delta, result);
+        ledger.layer += stored_energy(k, state);
+      }
+    check_reduction(state, result);
+    result.layer_law = std::max(result.layer_law, share(wrong_rise, largest_jump));
+    if (on_track)
+      {
+        largest_energy = std::max({largest_energy,
+                                   std::abs(ledger.external_work),
+                                   std::abs(ledger.bodies),
+                                   ledger.layer,
+                                   ledger.dissipation});
+        // Early in a run energies are small, and so would be the scale: the load still to come is
+        // known.
+        largest_load = std::max(largest_load, max_abs(f));
+        const double ratio =
+          largest_load > 0. ? std::max(1., largest_load_of_history / largest_load) : 1.;
+        const double scale = largest_energy * ratio * ratio;
+        result.energy =
+          share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
+                scale);
+        result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, scale));
+      }
+    return result;
+  }
+} // namespace fuga

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/work_counter.h>
+#include <fuga/contact/judge/certificate.h>
+
+#include <limits>
+
+namespace fuga
+{
+  // The loads are linear along a piece and the jumps are cubics (exact for straight pieces), so
+  // ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
+  void
+  Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const work::Scope phase(work::Phase::judge);
+    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces), from.state.t);
+    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), to.state.t);
+    // Imposed jumps have one rate along the piece, which the difference of both rates does not
+    // know.
+    const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
+    const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
+    Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
+    add_water(from.state, f0);
+    add_water(to.state, f1);
+    for (std::size_t i = 0; i < system.carried_load().size(); ++i)
+      {
+        f0[i] -= system.carried_load()[i];
+        f1[i] -= system.carried_load()[i];
+      }
+    for (std::size_t i = 0; i < x0.size(); ++i)
+      {
+        const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
+        ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
+      }
+    add_work_of_imposed_jumps(from, to, length);
+    check_slip(from, to, length);
+  }
+
+  // ∫p·E da: what the forces of the bars do when the lips are put apart, or are taken off.
+  void
+  Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    if (E.empty())
+      return;
+    const Vector e0 = multiply(E, history.factors(from.state.t)),
+                 e1 = multiply(E, history.factors(to.state.t));
+    for (std::size_t i = 0; i < e0.size(); ++i)
+      ledger.external_work +=
+        (e1[i] - e0[i]) * (0.5 * (from.state.forces[i] + to.state.forces[i]) +
+                           length / 12. * (from.rates.forces[i] - to.rates.forces[i]));
+  }
+
+  void
+  Judge::lose_track()
+  {
+    on_track             = false;
+    ledger.external_work = ledger.dissipation = std::numeric_limits<double>::quiet_NaN();
+    element_dissipation.assign(elements.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  double
+  Judge::energy_of_bodies(const Vector &x, const Vector &elastic) const
+  {
+    double energy = energy_of_bodies_before + 0.5 * dot(x, elastic);
+    if (!system.carried_load().empty())
+      energy -= dot(x, system.carried_load());
+    return energy;
+  }
+
+  // The energy of layers that are removed with their bodies is taken out from outside.
+  void
+  Judge::begin_phase(const JudgeMemory &memory, const JointState &state)
+  {
+    restore(memory);
+    ledger.external_work -= ledger.layer;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      ledger.external_work += stored_energy(k, state);
+    const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
+    energy_of_bodies_before = 0.;
+    energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system.stiffness(), x));
+  }
+} // namespace fuga

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/judge/certificate.h>
+
+#include <algorithm>
+#include <cmath>
+
+// What the judge asks of slip between two points of a path.
+namespace fuga
+{
+  namespace
+  {
+    /** Σ weight f(x) by Gauss's rule with three points on [0, 1], exact for polynomials of degree
+     * five. */
+    template <typename Function>
+    double
+    integral(const Function &f)
+    {
+      const double r           = std::sqrt(0.15);
+      const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
+      const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
+      double sum               = 0.;
+      for (int i = 0; i < 3; ++i)
+        sum += weights[i] * f(abscissae[i]);
+      return sum;
+    }
+
+    double
+    work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump)
+    {
+      return integral([&](const double x) { return force.value(x) * jump.slope(x); });
+    }
+
+    /** Along a piece of the path, by the two tangents. */
+    using CubicsInPlane = std::array<CubicOnUnitInterval, 2>;
+
+    /** An element slips along its force: the part of the slip across it, times the force, at both
+     * ends and in the middle of the piece, where the slopes of the cubics are best. */
+    double
+    work_across(const CubicsInPlane &T, const CubicsInPlane &slip)
+    {
+      double result = 0.;
+      for (const double x : {0., 0.5, 1.})
+        result = std::max(
+          result, std::abs(T[0].value(x) * slip[1].slope(x) - T[1].value(x) * slip[0].slope(x)));
+      return result;
+    }
+
+    /** Length of the way along two cubics: the chord, and by how much the way is longer. Without a
+     * turn this is the chord itself, whatever rounding says. */
+    double
+    length_of_way(const CubicsInPlane &slip, const TangentVector &chord)
+    {
+      const TangentVector along_chord = direction(chord);
+      return length(chord) + integral([&](const double x) {
+               const TangentVector slope = {{slip[0].slope(x), slip[1].slope(x)}};
+               return length(slope) - dot(along_chord, slope);
+             });
+    }
+
+    /** A smooth piece of the path; quantities along it are cubics of x ∈ [0, 1]. */
+    struct Piece
+    {
+      const PathPoint &from;
+      const PathPoint &to;
+      const double length;
+
+      CubicOnUnitInterval
+      cubic(const double value0, const double rate0, const double value1, const double rate1) const
+      {
+        return {value0, rate0 * length, value1, rate1 * length};
+      }
+
+      CubicOnUnitInterval
+      force(const std::size_t bar) const
+      {
+        return cubic(from.state.forces[bar],
+                     from.rates.forces[bar],
+                     to.state.forces[bar],
+                     to.rates.forces[bar]);
+      }
+    };
+  } // namespace
+
+  void
+  Judge::check_slip(const PathPoint &from, const PathPoint &to, const double length_of_piece)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        double work = 0.;
+        if (!elements[k].has_tangential_bar() || from.state.states[k] == ContactState::stick)
+          check_rest(k, from.state, to.state);
+        else
+          work = work_of_slip(k, from, to, length_of_piece);
+        if (from.state.states[k] == ContactState::open)
+          work += work_of_unloading(k, from, to, length_of_piece);
+        ledger.dissipation += work;
+        element_dissipation[k] += work;
+        largest_slip_work = std::max(largest_slip_work, std::abs(work));
+        wrong_slip_work   = std::max(wrong_slip_work, -work);
+      }
+  }
+
+  // Where nothing resists the shear a closed element slides, whatever its state is called.
+  void
+  Judge::check_rest(const std::size_t k, const JointState &from, const JointState &to)
+  {
+    if (elements[k].has_tangential_bar() && from.strengths[k].resists_shear())
+      wrong_rise = std::max(wrong_rise, length(sum(to.slips[k], -1., from.slips[k])));
+    check_rise(k, from, to, 0.);
+  }
+
+  double
+  Judge::along_slip(const std::size_t k, const JointState &state, const TangentVector &v) const
+  {
+    return elements[k].has_second_tangential_bar() ? length(v) : slip_sign(state.states[k]) * v[0];
+  }
+
+  // ∫T·ds + ∫N dω
+  double
+  Judge::work_of_slip(const std::size_t k,
+                      const PathPoint &from,
+                      const PathPoint &to,
+                      const double length_of_piece)
+  {
+    const ContactElement &element = elements[k];
+    const Strength &strength      = from.state.strengths[k];
+    const bool slipping           = is_slipping(from.state.states[k]);
+    const TangentVector slid      = sum(to.state.slips[k], -1., from.state.slips[k]);
+    const TangentVector rate0 = slip_rate(k, from), rate1 = slip_rate(k, to);
+    const Piece piece{from, to, length_of_piece};
+    const auto slip_along = [&](const std::size_t i) {
+      return piece.cubic(from.state.slips[k][i], rate0[i], to.state.slips[k][i], rate1[i]);
+    };
+    const CubicsInPlane slip = {{slip_along(0), slip_along(1)}};
+    double result            = work_of(piece.force(element.tangential_bar), slip[0]);
+    if (element.has_second_tangential_bar())
+      {
+        const CubicsInPlane T = {
+          {piece.force(element.tangential_bar), piece.force(element.second_tangential_bar)}};
+        result += work_of(T[1], slip[1]);
+        if (slipping)
+          wrong_slip_work = std::max(wrong_slip_work, work_across(T, slip));
+      }
+    if (slipping && strength.dilatancy > 0.)
+      result += work_of(piece.force(element.normal_bar),
+                        piece.cubic(from.state.dilations[k],
+                                    strength.dilatancy * along_slip(k, from.state, rate0),
+                                    to.state.dilations[k],
+                                    strength.dilatancy * along_slip(k, from.state, rate1)));
+    check_rise(k, from.state, to.state, slipping ? length_of_way(slip, slid) : 0.);
+    return result;
+  }
+
+  TangentVector
+  Judge::slip_rate(const std::size_t k, const PathPoint &point) const
+  {
+    const ContactElement &element = elements[k];
+    const TangentVector jump_rate = sum(tangential(element, point.rates.dislocations),
+                                        element.shear_law->initial_compliance() / element.area,
+                                        tangential(element, point.rates.forces));
+    return sum(jump_rate, -1., layer_rates(k, point).shear);
+  }
+
+  // The lips rise by tan ψ per slip as long as they may, and never sink.
+  void
+  Judge::check_rise(const std::size_t k,
+                    const JointState &from,
+                    const JointState &to,
+                    const double way)
+  {
+    const FrictionLaw &law = elements[k].friction;
+    const double rise      = from.strengths[k].dilatancy > 0. ? law.dilatancy * way : 0.;
+    wrong_rise             = std::max({wrong_rise,
+                                       std::abs(to.dilations[k] - from.dilations[k] - rise),
+                                       to.dilations[k] - law.dilation_limit});
+  }
+
+  // ∫N do of lips that open while their bond gives up what it still carries; o is the jump that the
+  // layer does not account for.
+  double
+  Judge::work_of_unloading(const std::size_t k,
+                           const PathPoint &from,
+                           const PathPoint &to,
+                           const double length_of_piece) const
+  {
+    const ContactElement &element = elements[k];
+    const std::size_t n           = element.normal_bar;
+    if (from.state.unreleased[n] == 0. && to.state.unreleased[n] == 0.)
+      return 0.;
+    const double D     = element.normal_law->initial_compliance() / element.area;
+    const auto opening = [&](const PathPoint &point) {
+      return point.state.dislocations[n] + D * point.state.forces[n] - layer(k, point.state).normal;
+    };
+    const auto rate = [&](const PathPoint &point) {
+      return point.rates.dislocations[n] + D * point.rates.forces[n] - layer_rates(k, point).normal;
+    };
+    const Piece piece{from, to, length_of_piece};
+    return work_of(piece.force(n), piece.cubic(opening(from), rate(from), opening(to), rate(to)));
+  }
+} // namespace fuga

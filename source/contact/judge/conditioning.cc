@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/judge/conditioning.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** One unit in the fourth last binary digit, and multiples of it. */
+    constexpr double last_digits = 0x1p-50;
+    constexpr int n_changes      = 2;
+
+    /** The same loads times @p factor. */
+    LoadHistory
+    scaled(const LoadHistory &history, const double factor)
+    {
+      std::vector<double> corners = {0.};
+      while (corners.back() < history.end())
+        corners.push_back(history.next_corner(corners.back()));
+      std::vector<Vector> factors;
+      Vector shares;
+      for (const double corner : corners)
+        {
+          factors.push_back(history.factors(corner));
+          for (double &value : factors.back())
+            value *= factor;
+          shares.push_back(history.strength_share(corner));
+        }
+      LoadHistory result(corners, factors, shares);
+      for (std::size_t i = 1; i < corners.size(); ++i)
+        if (history.water_stands_still(corners[i - 1]))
+          result.keep_water_still(corners[i - 1], corners[i]);
+      return result;
+    }
+
+    /** States at the levels, the last of all behind them. */
+    class LevelRecord : public PathObserver
+    {
+    public:
+      explicit LevelRecord(const LayeredSystem &layered_system) : system(layered_system)
+      {
+      }
+
+      void
+      advanced(const PathPoint &, const PathPoint &to, const double) override
+      {
+        end = to.state;
+      }
+
+      void
+      jumped(const JointState &to) override
+      {
+        end = to;
+      }
+
+      void
+      changed(const std::vector<ContactEvent> &, const JointState &state) override
+      {
+        end = state;
+      }
+
+      void
+      reached(const std::size_t, const JointState &state) override
+      {
+        note(state);
+      }
+
+      void
+      note(const JointState &state)
+      {
+        if (state.states.empty())
+          return;
+        forces.push_back(state.forces);
+        jumps.push_back(system.jumps(state.dislocations, state.forces));
+      }
+
+      const LayeredSystem &system;
+      JointState end;
+      std::vector<Vector> forces, jumps;
+    };
+
+    /** Largest difference beside the largest value. */
+    double
+    difference(const std::vector<Vector> &a, const std::vector<Vector> &b)
+    {
+      double size = 0., result = 0.;
+      for (std::size_t level = 0; level < std::min(a.size(), b.size()); ++level)
+        for (std::size_t i = 0; i < a[level].size(); ++i)
+          {
+            size   = std::max(size, std::abs(a[level][i]));
+            result = std::max(result, std::abs(a[level][i] - b[level][i]));
+          }
+      return size > 0. ? result / size : 0.;
+    }
+  } // namespace
+
+  bool
+  Conditioning::explains(const double error) const
+  {
+    // Every operation rounds by as much as the loads were changed: a few of them may add up. A
+    // larger error than any rounding is a wrong path, however delicate the data.
+    constexpr double same_size = 0.1, largest_of_rounding = 1e-6;
+    return error <= largest_of_rounding &&
+           (other_end || std::max(forces, jumps) >= same_size * error);
+  }
+
+  Conditioning
+  conditioning(const std::function<std::unique_ptr<ContactPath>(const LoadHistory &)> &make_path,
+               const LayeredSystem &system,
+               const LoadHistory &history,
+               const std::vector<double> &levels)
+  {
+    const auto follow = [&](const LoadHistory &loads, LevelRecord &record) {
+      const PathResult result = make_path(loads)->run(levels, record);
+      record.note(record.end);
+      return result;
+    };
+    LevelRecord record(system);
+    const PathResult result = follow(history, record);
+    Conditioning worst;
+    for (int k = 1; k <= n_changes; ++k)
+      {
+        LevelRecord other(system);
+        worst.change             = k * last_digits;
+        const PathResult changed = follow(scaled(history, 1. + worst.change), other);
+        worst.forces             = std::max(worst.forces, difference(record.forces, other.forces));
+        worst.jumps              = std::max(worst.jumps, difference(record.jumps, other.jumps));
+        worst.other_end |= changed.verdict != result.verdict ||
+                           record.forces.size() != other.forces.size() ||
+                           std::abs(changed.t - result.t) > 1e-6 * std::max(1., result.t);
+      }
+    return worst;
+  }
+} // namespace fuga

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/virgin_state.h>
+
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    std::string
+    figures(const MechanismCertificate &proof)
+    {
+      return fmt::format(
+        "resistance {:.2g}, inadmissible part {:.2g}, balance of power {:.2g} (all "
+        "should vanish), drive {:.2g} (should be positive)",
+        proof.resistance,
+        proof.inadmissible,
+        proof.balance,
+        proof.drive);
+    }
+  } // namespace
+
+  MechanismCertificate
+  prove_limit(const Judge &judge,
+              const std::vector<ContactElement> &elements,
+              const LayeredSystem &system,
+              const JointState &last_state,
+              PathResult &result)
+  {
+    const bool is_limit = result.verdict == Verdict::limit_load;
+    if ((!is_limit && result.verdict != Verdict::no_continuation) ||
+        result.beyond.end != BeyondLimit::End::none)
+      return {};
+    const JointState state =
+      last_state.states.empty()
+        ? virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr)
+        : last_state;
+    MechanismCertificate of_path;
+    if (is_limit)
+      of_path = judge.judge_mechanism(state, result.mechanism_jumps);
+    if (is_limit && of_path.proves())
+      return of_path;
+
+    const std::optional<Vector> motion = judge.driven_motion(state);
+    const MechanismCertificate of_judge =
+      motion ? judge.judge_mechanism(state, *motion) : MechanismCertificate();
+    if (motion && of_judge.proves())
+      {
+        result.verdict         = Verdict::limit_load;
+        result.mechanism_jumps = *motion;
+        result.mechanism       = classify_mechanism(*motion, elements);
+        result.critical        = {};
+        result.tried.clear();
+        return of_judge;
+      }
+    if (!is_limit && result.tried.empty())
+      return {};
+    throw NumericalFailure(fmt::format(
+      "No equilibrium was found behind load time {:.12g}, and no motion proves that there is none. "
+      "{}. {}. The structure may stand; try softer joints.",
+      state.t,
+      is_limit ? "The motion found: " + figures(of_path) : result.tried,
+      motion ? "The rigid motion of the bodies that the load drives most: " + figures(of_judge)
+             : "The load drives no rigid motion of the bodies that their joints allow"));
+  }
+} // namespace fuga

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/work_counter.h>
+#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/joint_water.h>
+#include <fuga/contact/path/contact_path.h>
+#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/virgin_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** How often contact configurations may come back at one load before water that leaves waits.
+     */
+    constexpr std::size_t returns_before_water_waits = 3;
+
+    Vector
+    negative(const Vector &x)
+    {
+      Vector result(x.size());
+      std::transform(x.begin(), x.end(), result.begin(), std::negate<>());
+      return result;
+    }
+  } // namespace
+
+  ContactPath::ContactPath(const std::vector<ContactElement> &contact_elements,
+                           const LayeredSystem &layered_system,
+                           const LoadHistory &load_history)
+    : elements(contact_elements), system(layered_system), history(load_history)
+  {
+  }
+
+  PathResult
+  ContactPath::run(const std::vector<double> &levels, PathObserver &observer)
+  {
+    PathCut start;
+    start.state = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
+    remember_schemes(start);
+    return resume(start, levels, observer);
+  }
+
+  PathResult
+  ContactPath::resume(const PathCut &from,
+                      const std::vector<double> &levels,
+                      PathObserver &observer)
+  {
+    const work::Scope phase(work::Phase::path);
+    cut = from;
+    restore_schemes(cut);
+    next_level      = cut.next_level;
+    resticking      = cut.resticking;
+    iteration_count = cut.iterations;
+    standstill      = Standstill();
+    ReportCounter reports(observer, cut.n_reports);
+    return follow(levels, reports);
+  }
+
+  PathResult
+  ContactPath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
+  {
+    PathCut start = end;
+    remember_schemes(start);
+    start.resticking = {};
+    start.n_reports  = 0;
+    return resume(start, levels, observer);
+  }
+
+  void
+  ContactPath::make_cut(const JointState &state, const PathResult &result, ReportCounter &observer)
+  {
+    if (standstill.n_steps() > 0)
+      return; // what is known at this load is not kept
+    observer.start();
+    if (!observer.wants_cuts())
+      return;
+    cut.state      = state;
+    cut.result     = result;
+    cut.iterations = iteration_count;
+    remember_schemes(cut);
+    cut.next_level = next_level;
+    cut.resticking = resticking;
+  }
+
+  Course
+  ContactPath::next_course(const JointState &state) const
+  {
+    Course course;
+    course.t       = state.t;
+    course.t_end   = state.t;
+    course.factors = history.factors(state.t);
+    if (state.is_unsettled())
+      {
+        course.kind                = Course::Kind::release;
+        course.factor_rates        = Vector(course.factors.size(), 0.);
+        course.drive.release       = negative(state.unreleased);
+        course.drive.missing_water = negative(state.missing_water);
+        course.length              = 1.;
+      }
+    else
+      {
+        course.factor_rates = history.rates(state.t);
+        course.t_end        = history.next_corner(state.t);
+        course.length       = course.t_end - state.t;
+        course.share        = history.strength_share(state.t);
+        course.share_rate   = history.strength_share_rate(state.t);
+      }
+    set_reactions(state, course.factor_rates, course.drive);
+    course.drive = drive_at(elements, course, state);
+    return course;
+  }
+
+  void
+  ContactPath::set_reactions(const JointState &state,
+                             const Vector &factor_rates,
+                             Drive &drive) const
+  {
+    drive.reactions = multiply(system.reactions(), factor_rates);
+    add_water_rates(system, state, factor_rates, drive);
+  }
+
+  // Steps without length come from elements that reach their boundary together but for rounding:
+  // what counts as being on it is widened step by step, at once where a scheme comes back.
+  double
+  ContactPath::widening_of_tolerances() const
+  {
+    const std::size_t n = standstill.n_steps() / 4 + standstill.n_repetitions();
+    return std::pow(10., static_cast<double>(std::min<std::size_t>(3, n)));
+  }
+
+  // A failure on the way must not take along what was reached before it.
+  double
+  ContactPath::find_end(PathSegment &segment,
+                        const Course &course,
+                        const std::vector<double> &levels,
+                        PathObserver &observer)
+  {
+    try
+      {
+        return segment.find_end();
+      }
+    catch (const NumericalFailure &)
+      {
+        report_piecewise(segment, course, levels, next_level, observer);
+        throw;
+      }
+  }
+
+  void
+  ContactPath::note_step(const PathSegment &segment,
+                         const Course &course,
+                         const double length,
+                         const JointState &state,
+                         PathResult &result)
+  {
+    resticking = segment.resticking();
+    result.t   = state.t;
+    ++result.n_steps;
+    // Shorter steps, relative to the load time, are no progress.
+    constexpr double shortest_step = 1e-13;
+    if (length > shortest_step * std::max(1., course.t))
+      standstill.forget();
+    else
+      note_zero_step(state, result);
+  }
+
+  void
+  ContactPath::note_zero_step(const JointState &state, PathResult &result)
+  {
+    ++result.n_zero_steps;
+    standstill.note(state.states);
+    if (standstill.n_steps() > 20 + 4 * elements.size())
+      throw NumericalFailure(fmt::format(
+        "The contact goes on changing at load time {} without any load being added ({} "
+        "changes, {} of them to a scheme that was there before). The forces there are too "
+        "small against their rounding errors to decide.",
+        state.t,
+        standstill.n_steps(),
+        standstill.n_repetitions()));
+  }
+
+  ContactEvent
+  ContactPath::change_element(const std::size_t k,
+                              const ContactState to,
+                              const TangentVector &direction,
+                              const double no_force,
+                              JointState &state) const
+  {
+    ContactEvent event;
+    event.t       = state.t;
+    event.element = k;
+    event.from    = state.states[k];
+    change_state(elements[k], k, to, direction, no_force, state);
+    event.to = state.states[k];
+    return event;
+  }
+
+  // A connection that comes or goes without any element changing its state is an event as well.
+  // Where water that leaves a crack closes it, and the water of the closed crack opens it again, no
+  // state of both is consistent: such a change waits until the load has gone on. Water of the
+  // reservoir never waits.
+  bool
+  ContactPath::let_water_follow(const Vector &no_force,
+                                JointState &state,
+                                PathObserver &observer,
+                                PathResult &result)
+  {
+    if (system.water_in_joints() == nullptr || history.water_stands_still(state.t))
+      return false;
+    const auto relief =
+      standstill.n_repetitions() == 0 ? WaterRelief::allowed : WaterRelief::refused;
+    const std::vector<WaterAccess> before = state.access;
+    JointState next                       = state;
+    const std::vector<std::size_t> changed =
+      renew_water(elements, system, history.factors(state.t), no_force, relief, next);
+    const auto is_filled = [&next](const std::size_t k) {
+      return next.access[k] == WaterAccess::upstream;
+    };
+    if (changed.empty() || (standstill.n_repetitions() > returns_before_water_waits &&
+                            std::none_of(changed.begin(), changed.end(), is_filled)))
+      return false;
+    state = std::move(next);
+    std::vector<ContactEvent> events;
+    for (const std::size_t k : changed)
+      if (before[k] != WaterAccess::seepage && state.access[k] != WaterAccess::seepage)
+        {
+          ContactEvent event;
+          event.t       = state.t;
+          event.element = k;
+          event.from = event.to = state.states[k];
+          event.water           = {{before[k], state.access[k]}};
+          events.push_back(event);
+        }
+    report(events, state, observer, result);
+    note_zero_step(state, result);
+    return true;
+  }
+
+  void
+  ContactPath::report(const std::vector<ContactEvent> &events,
+                      const JointState &state,
+                      PathObserver &observer,
+                      PathResult &result)
+  {
+    result.n_events += events.size();
+    if (!events.empty())
+      observer.changed(events, state);
+  }
+
+  void
+  ContactPath::take_limit(const JointState &state,
+                          const JointRates &motion,
+                          PathResult &result) const
+  {
+    result.t               = state.t;
+    result.verdict         = Verdict::limit_load;
+    result.mechanism_jumps = mechanism_jumps(motion, system);
+    result.mechanism       = classify_mechanism(result.mechanism_jumps, elements);
+  }
+} // namespace fuga

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/contact/path/implicit_step.h>
+#include <fuga/contact/segments/curved_segment.h>
+#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/segments/turning_segment.h>
+
+namespace fuga
+{
+  EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
+                       const LayeredSystem &layered_system,
+                       const LoadHistory &load_history,
+                       const PathOptions &path_options)
+    : ContactPath(contact_elements, layered_system, load_history)
+    , options(path_options)
+    , has_cones(have_two_tangents(elements))
+    , boundary(elements, system)
+    , scheme(elements, system)
+    , rate_problem(elements, system, scheme)
+  {
+    if (has_cones && options.beyond_limit)
+      throw InputError(
+        "A path beyond the limit load is not available for friction with two directions of slip.");
+  }
+
+  SchemeWork
+  EventPath::work() const
+  {
+    SchemeWork work = scheme.work();
+    if (has_cones)
+      {
+        work.n_factorisations += rate_problem.background().work().n_factorisations;
+        work.n_updates += rate_problem.background().work().n_updates;
+      }
+    return work;
+  }
+
+  void
+  EventPath::remember_schemes(PathCut &of_cut) const
+  {
+    of_cut.scheme = scheme.memory();
+    if (has_cones)
+      of_cut.background = rate_problem.background().memory();
+  }
+
+  void
+  EventPath::restore_schemes(const PathCut &from)
+  {
+    scheme.restore(from.scheme);
+    if (has_cones)
+      rate_problem.background().restore(from.background);
+  }
+
+  PathResult
+  EventPath::follow(const std::vector<double> &levels, ReportCounter &observer)
+  {
+    JointState state  = cut.state;
+    PathResult result = cut.result;
+    standstill        = Standstill();
+    while (state.t < history.end() || state.is_unsettled())
+      {
+        make_cut(state, result, observer);
+        if (jump_to_corner(state, levels, observer, result))
+          continue;
+        const Course course = next_course(state);
+
+        // How does the contact go on from here? The rates of all elements on a boundary decide
+        // together.
+        boundary.set_scales(state, course.factors, widening_of_tolerances());
+        const Continuation continuation = decide(state, course, observer, result);
+        if (!continuation.exists)
+          {
+            if (result.verdict != Verdict::non_unique_continuation &&
+                break_exhausted_bonds(state, observer, result))
+              {
+                standstill.forget();
+                continue;
+              }
+            lose_equilibrium(state, continuation, observer, result);
+            if (options.beyond_limit && result.verdict != Verdict::non_unique_continuation)
+              go_beyond_limit(state, observer, result);
+            return result;
+          }
+        if (continuation.costs_strength)
+          {
+            standstill.forget();
+            continue; // what was lost is given up, and the rates decided anew, at this load
+          }
+        if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
+          continue; // water comes in or is squeezed out before the load goes on
+
+        // At which load does the next event occur? Advance to it.
+        const std::unique_ptr<PathSegment> segment =
+          make_segment(course, {state, continuation.rates});
+        const double length = find_end(*segment, course, levels, observer);
+        state               = report_piecewise(*segment, course, levels, next_level, observer);
+        note_step(*segment, course, length, state, result);
+        if (segment->ends_at_turning_point())
+          {
+            result.verdict = Verdict::no_continuation;
+            find_critical_elements(state, result);
+            return result;
+          }
+        if (segment->ends_at_limit())
+          {
+            take_limit(state, segment->motion_at_limit(), result);
+            return result;
+          }
+      }
+    standstill.forget();
+    make_cut(state, result, observer);
+    return result;
+  }
+
+  // Only on request, and only where nothing between matters to the end: a straight path without
+  // strength that could be lost, or water that could come in. Whatever the step cannot solve is
+  // left to the events.
+  bool
+  EventPath::jump_to_corner(JointState &state,
+                            const std::vector<double> &levels,
+                            PathObserver &observer,
+                            PathResult &result)
+  {
+    if (options.follow == PathOptions::Follow::events || has_cones || scheme.is_nonlinear() ||
+        system.water_in_joints() != nullptr || state.is_unsettled() ||
+        history.strength_share_rate(state.t) != 0.)
+      return false;
+    for (const ContactElement &element : elements)
+      if (!element.friction.is_plain())
+        return false;
+    const double corner = history.next_corner(state.t);
+    if (next_level < levels.size() && levels[next_level] < corner)
+      return false;
+    ImplicitStep step(elements, system, scheme);
+    const std::optional<JointState> end = step.solve(state, corner, history.factors(corner));
+    result.n_schemes += static_cast<unsigned int>(step.n_schemes);
+    if (!end)
+      return false;
+    state = *end;
+    observer.jumped(state);
+    result.t = state.t;
+    ++result.n_jumps;
+    for (; next_level < levels.size() && levels[next_level] <= corner; ++next_level)
+      observer.reached(next_level, state);
+    return true;
+  }
+
+  std::unique_ptr<PathSegment>
+  EventPath::make_segment(const Course &course, const PathPoint &start)
+  {
+    const PathContext context{elements, system, boundary, scheme};
+    const bool is_curved =
+      scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state);
+    if (turns(start, is_curved))
+      {
+        std::vector<TangentVector> directions;
+        for (std::size_t k = 0; k < elements.size(); ++k)
+          directions.push_back(scheme.slip_direction_of(k));
+        return std::make_unique<TurningSegment>(
+          PathContext{elements, system, boundary, rate_problem.background()},
+          course,
+          start,
+          directions,
+          iteration_count);
+      }
+    if (is_curved)
+      return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
+    return std::make_unique<StraightSegment>(context, course, start);
+  }
+
+  // The force of an element that slips moves across its slip, now or, along a curve, perhaps later.
+  bool
+  EventPath::turns(const PathPoint &start, const bool is_curved) const
+  {
+    constexpr double no_turn = 1e-11; // of the largest force rate
+    const double size        = max_abs(start.rates.forces);
+    for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
+      if (may_turn(elements[k], start.state, k))
+        if (const TangentVector across = normal_to(scheme.slip_direction_of(k));
+            is_curved ||
+            std::abs(dot(across, tangential(elements[k], start.rates.forces))) > no_turn * size)
+          return true;
+    return false;
+  }
+} // namespace fuga

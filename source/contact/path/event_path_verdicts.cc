@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/path/event_path.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Elements whose state is not the same in all branches. */
+    std::vector<std::size_t>
+    differing_elements(const std::vector<BoundaryElement> &set, const std::vector<Branch> &branches)
+    {
+      std::vector<std::size_t> result;
+      for (std::size_t i = 0; i < set.size(); ++i)
+        if (std::any_of(branches.begin(), branches.end(), [&](const Branch &branch) {
+              return branch.states[i] != branches.front().states[i];
+            }))
+          result.push_back(set[i].element);
+      return result;
+    }
+
+    /** The branch that dissipates most; where nothing is dissipated yet, the one whose dissipation
+     * grows fastest. The first of equal ones. */
+    const Branch &
+    most_dissipating(const std::vector<Branch> &branches)
+    {
+      constexpr double rounding = 1e-9;
+      double size               = 0.;
+      for (const Branch &branch : branches)
+        size = std::max(size, std::abs(branch.dissipation));
+      const auto less = [&](const Branch &a, const Branch &b) {
+        if (std::abs(a.dissipation - b.dissipation) > rounding * size)
+          return a.dissipation < b.dissipation;
+        return a.dissipation_growth < b.dissipation_growth;
+      };
+      return *std::max_element(branches.begin(), branches.end(), less);
+    }
+  } // namespace
+
+  // Further continuations are looked for only where the present one is not known to be the only
+  // one.
+  void
+  EventPath::choose_branch(const JointState &state,
+                           const std::vector<BoundaryElement> &set,
+                           const Drive &drive,
+                           Continuation &continuation,
+                           PathResult &result)
+  {
+    if (!rate_problem.may_have_others(set, continuation))
+      return;
+    const std::vector<Branch> branches = rate_problem.branches(state, set, drive);
+    if (branches.size() < 2)
+      return;
+    continuation.n_branches = branches.size();
+    if (result.n_non_unique++ == 0)
+      {
+        result.critical             = {};
+        result.critical.t           = state.t;
+        result.critical.elements    = differing_elements(set, branches);
+        result.critical.n_branches  = branches.size();
+        result.critical.all_counted = RateProblem::can_be_enumerated(set);
+        for (const Branch &branch : branches)
+          result.critical.determinant_signs.push_back(branch.determinant_sign);
+      }
+    if (options.non_unique == PathOptions::NonUnique::stop)
+      {
+        continuation.exists = false;
+        result.verdict      = Verdict::non_unique_continuation;
+      }
+    else if (options.non_unique == PathOptions::NonUnique::largest_dissipation)
+      {
+        const Branch &branch = most_dissipating(branches);
+        rate_problem.take(set, branch);
+        continuation.rates = branch.rates;
+      }
+  }
+
+  // No continuation although nothing moves freely: the elements whose slip would take the
+  // determinant through zero, or all on their strength if none does so alone.
+  void
+  EventPath::find_critical_elements(JointState &state, PathResult &result)
+  {
+    const std::vector<BoundaryElement> set = boundary.elements_on_boundary(state);
+    take_scheme(state);
+    CriticalFriction &critical = result.critical;
+    critical                   = {};
+    critical.t                 = state.t;
+    if (has_cones)
+      {
+        result.t = state.t;
+        for (std::size_t k = 0; k < elements.size(); ++k)
+          if (is_slipping(state.states[k]) && carries_shear(elements[k], state.strengths[k]))
+            critical.elements.push_back(k);
+        return;
+      }
+    critical.elements     = rate_problem.critical_elements(set);
+    critical.all_counted  = RateProblem::can_be_enumerated(set);
+    const bool none_alone = critical.elements.empty();
+    for (const BoundaryElement &candidate : set)
+      if (candidate.shear == ShearPosition::at_strength &&
+          scheme.state(candidate.element) != ContactState::open)
+        {
+          scheme.set_state(candidate.element,
+                           candidate.sign > 0. ? ContactState::slip_forward
+                                               : ContactState::slip_backward);
+          if (none_alone)
+            critical.elements.push_back(candidate.element);
+        }
+    critical.determinant_signs = {scheme.determinant_sign()};
+  }
+
+  void
+  EventPath::lose_equilibrium(JointState &state,
+                              const Continuation &continuation,
+                              PathObserver &observer,
+                              PathResult &result)
+  {
+    result.t = state.t;
+    if (result.verdict == Verdict::non_unique_continuation)
+      return;
+    result.verdict = Verdict::no_continuation;
+    if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
+      {
+        find_critical_elements(state, result);
+        if (has_cones)
+          result.tried = fmt::format(
+            "Newton's method tried {} sets of states of {} elements on the boundary of their "
+            "contact "
+            "conditions, also from a softer layer, from associated friction and with sweeps from "
+            "element to element",
+            continuation.n_schemes,
+            boundary.elements_on_boundary(state).size());
+        return;
+      }
+    take_limit(state, continuation.mechanism, result);
+
+    // The elements that reach their boundary at the limit take the state in which the mechanism
+    // moves.
+    std::vector<ContactEvent> events;
+    for (const BoundaryElement &candidate : boundary.elements_on_boundary(state))
+      {
+        const std::size_t k = candidate.element;
+        const ContactState to =
+          state_in_mechanism(candidate, elements[k], state, result.mechanism_jumps);
+        if (to != state.states[k])
+          events.push_back(change_element(k,
+                                          to,
+                                          slip_direction(elements[k], to, candidate.direction),
+                                          boundary.force_tolerance(elements[k].normal_bar),
+                                          state));
+      }
+    report(events, state, observer, result);
+  }
+} // namespace fuga

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/element/mechanism.h>
+#include <fuga/contact/rates/rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
+    constexpr double max_combinations = 4096.;
+    /** Mechanisms that one attempt to switch states one by one may pass through. */
+    constexpr std::size_t most_mechanisms = 12;
+  } // namespace
+
+  RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
+                           const LayeredSystem &layered_system,
+                           WorkingScheme &working_scheme)
+    : elements(contact_elements)
+    , system(layered_system)
+    , scheme(working_scheme)
+    , off_boundary(contact_elements, layered_system)
+    , has_cones(have_two_tangents(contact_elements))
+    , cones(contact_elements, layered_system)
+  {
+  }
+
+  std::vector<ContactState>
+  admissible_states(const BoundaryElement &element)
+  {
+    std::vector<ContactState> states = {ContactState::stick};
+    if (element.shear == ShearPosition::at_apex ||
+        (element.shear == ShearPosition::at_strength && element.sign > 0.))
+      states.push_back(ContactState::slip_forward);
+    if (element.shear == ShearPosition::at_apex ||
+        (element.shear == ShearPosition::at_strength && element.sign < 0.))
+      states.push_back(ContactState::slip_backward);
+    if (element.grazing)
+      states.push_back(ContactState::open);
+    return states;
+  }
+
+  Continuation
+  RateProblem::solve(const JointState &state,
+                     const std::vector<BoundaryElement> &set,
+                     const Drive &drive,
+                     const std::vector<std::size_t> &resticking)
+  {
+    if (has_cones)
+      return solve_cones(state, set, drive, resticking);
+    Continuation result;
+    if (switch_states(state, set, drive, Stride::all_at_once, result))
+      return result;
+    result.method = RateMethod::single_switching;
+    if (switch_states(state, set, drive, Stride::one_at_a_time, result))
+      return result;
+    if (set.size() <= max_enumerated)
+      {
+        result.method = RateMethod::enumeration;
+        if (enumerate(state, set, drive, result, [] { return true; }))
+          return result;
+      }
+    result.method = RateMethod::lemke;
+    if (complementarity(state, set, drive, result) || set.size() <= max_enumerated)
+      return result;
+    // A free motion proves that there is no continuation, unless elements at the apex of the cone
+    // are free to choose their direction: then, as where nothing moves freely and friction is
+    // beyond its critical value, all that can be done is to try.
+    const bool any_apex = std::any_of(set.begin(), set.end(), [](const BoundaryElement &candidate) {
+      return candidate.shear == ShearPosition::at_apex;
+    });
+    if (!any_apex && result.has_mechanism && is_free_motion(result.mechanism, system))
+      return result;
+    result.method = RateMethod::search;
+    if (can_be_enumerated(set))
+      {
+        enumerate(state, set, drive, result, [] { return true; });
+        return result;
+      }
+    const std::vector<Branch> found = search_branches(state, set, drive, {}, 1);
+    if (!found.empty())
+      {
+        take(set, found.front());
+        result.exists = true;
+        result.rates  = found.front().rates;
+      }
+    return result;
+  }
+
+  Continuation
+  RateProblem::solve_cones(const JointState &state,
+                           const std::vector<BoundaryElement> &set,
+                           const Drive &drive,
+                           const std::vector<std::size_t> &resticking)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        off_boundary.set_strength(k, state.strengths[k]);
+        off_boundary.set_state(k, state.states[k]);
+      }
+    for (const BoundaryElement &candidate : set)
+      off_boundary.set_state(candidate.element, ContactState::stick);
+    off_boundary.linearise(state);
+    const ConeContinuation found = cones.solve(state, set, off_boundary, drive, resticking);
+    Continuation result;
+    result.exists        = found.exists;
+    result.rates         = found.rates;
+    result.n_schemes     = found.n_schemes;
+    result.has_mechanism = found.has_mechanism;
+    result.mechanism     = found.mechanism;
+    if (!found.exists)
+      return result;
+    bool any_open = false;
+    for (std::size_t i = 0; i < set.size(); ++i)
+      {
+        const ContactElement &element = elements[set[i].element];
+        if (found.states[i] == ContactState::open)
+          {
+            any_open = true;
+            off_boundary.set_state(set[i].element, ContactState::open);
+          }
+        scheme.set_state(set[i].element, found.states[i], found.directions[i]);
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (found.rates.dislocations[element.bar(a)] != 0.)
+            scheme.note_active(element.bar(a));
+      }
+    // What opens may leave bodies without support.
+    if (any_open && !off_boundary.rates(drive))
+      {
+        result.exists        = false;
+        result.has_mechanism = true;
+        result.mechanism     = off_boundary.mechanism();
+      }
+    return result;
+  }
+
+  // An element that the rates drive shut will first slip if it moves along more than across, both
+  // measured by the stiffness of the bars: the guess of Newton's method for the augmented
+  // Lagrangian.
+  ContactState
+  RateProblem::state_on_closing(const JointState &state,
+                                const BoundaryElement &candidate,
+                                const JointRates &rates) const
+  {
+    const ContactElement &element = elements[candidate.element];
+    if (candidate.shear != ShearPosition::at_apex)
+      return ContactState::stick;
+    const std::size_t n = element.normal_bar, t = element.tangential_bar;
+    const double pressing = -system.stiffness()(n, n) * rates.dislocations[n];
+    const double shearing = system.stiffness()(t, t) * rates.dislocations[t];
+    if (std::abs(shearing) <= state.strengths[candidate.element].friction * pressing)
+      return ContactState::stick;
+    return shearing > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+  }
+
+  std::vector<RateProblem::Switch>
+  RateProblem::violations(const JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const Drive &drive,
+                          const JointRates &rates) const
+  {
+    std::vector<Switch> switches;
+    const ContactBoundary::RateNoise noise(system, rates, drive);
+    for (const BoundaryElement &candidate : set)
+      {
+        const std::size_t k           = candidate.element;
+        const ContactElement &element = elements[k];
+        const ContactState now        = scheme.state(k);
+        const double dN               = rates.forces[element.normal_bar];
+        const double N_noise          = noise.force(element.normal_bar);
+        if (now == ContactState::open)
+          {
+            if (lip_opening_rate(element, state, rates) < -noise.jump())
+              switches.push_back({k, state_on_closing(state, candidate, rates)});
+            continue;
+          }
+        if (candidate.grazing && dN - tensile_strength_rate(element, drive) > N_noise)
+          {
+            switches.push_back({k, ContactState::open});
+            continue;
+          }
+        if (candidate.shear == ShearPosition::inside)
+          continue;
+        if (is_slipping(now))
+          {
+            if (dot(scheme.slip_direction_of(k), slip_rate(element, state, k, rates)) <
+                -noise.jump())
+              switches.push_back({k, ContactState::stick});
+            continue;
+          }
+        const double f  = state.strengths[k].friction;
+        const double dT = rates.forces[element.tangential_bar];
+        const double sign =
+          candidate.shear == ShearPosition::at_apex ? std::copysign(1., dT) : candidate.sign;
+        const double shear_noise = noise.force(element.tangential_bar) + f * N_noise;
+        if (sign * dT + f * dN - shear_strength_rate(element, drive) > shear_noise)
+          switches.push_back(
+            {k, sign > 0. ? ContactState::slip_forward : ContactState::slip_backward});
+      }
+    return switches;
+  }
+
+  // Switches violating elements until none is left. A scheme that comes back, or a mechanism that
+  // violates nothing as it moves, ends the attempt: then the next method has to decide.
+  bool
+  RateProblem::switch_states(const JointState &state,
+                             const std::vector<BoundaryElement> &set,
+                             const Drive &drive,
+                             const Stride stride,
+                             Continuation &result)
+  {
+    std::set<std::vector<ContactState>> visited;
+    const std::size_t max_schemes = stride == Stride::all_at_once ? 60 : 20 + 4 * set.size();
+    std::size_t n_mechanisms      = 0;
+    for (std::size_t count = 0; count < max_schemes; ++count)
+      {
+        ++result.n_schemes;
+        if (!visited.insert(states_of(set)).second)
+          return false;
+        std::optional<JointRates> rates = scheme.rates(drive);
+        const bool is_mechanism         = !rates;
+        if (is_mechanism && (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms ||
+                             !(rates = scheme.driven_motion(drive))))
+          return false;
+        result.met_negative_determinant |= !is_mechanism && scheme.determinant_sign() < 0;
+        const std::vector<Switch> switches = violations(state, set, drive, *rates);
+        if (switches.empty() && is_mechanism)
+          return false;
+        if (switches.empty())
+          {
+            result.exists = true;
+            result.rates  = *rates;
+            return true;
+          }
+        const std::size_t n = stride == Stride::all_at_once ? switches.size() : 1;
+        for (std::size_t i = 0; i < n; ++i)
+          scheme.set_state(switches[i].element, switches[i].to);
+      }
+    return false;
+  }
+
+  template <typename Found>
+  bool
+  RateProblem::enumerate(const JointState &state,
+                         const std::vector<BoundaryElement> &set,
+                         const Drive &drive,
+                         Continuation &result,
+                         const Found &found)
+  {
+    std::vector<std::vector<ContactState>> choices;
+    for (const BoundaryElement &candidate : set)
+      choices.push_back(admissible_states(candidate));
+    std::vector<std::size_t> choice(set.size(), 0);
+    while (true)
+      {
+        ++result.n_schemes;
+        for (std::size_t i = 0; i < set.size(); ++i)
+          scheme.set_state(set[i].element, choices[i][choice[i]]);
+        const std::optional<JointRates> rates = scheme.rates(drive);
+        if (rates && violations(state, set, drive, *rates).empty())
+          {
+            result.exists = true;
+            result.rates  = *rates;
+            if (found())
+              return true;
+          }
+        std::size_t digit = 0;
+        while (digit < set.size() && ++choice[digit] == choices[digit].size())
+          choice[digit++] = 0;
+        if (digit == set.size())
+          return false;
+      }
+  }
+
+  bool
+  RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set)
+  {
+    double n = 1.;
+    for (const BoundaryElement &candidate : set)
+      n *= static_cast<double>(admissible_states(candidate).size());
+    return n <= max_combinations;
+  }
+
+  std::vector<ContactState>
+  RateProblem::states_of(const std::vector<BoundaryElement> &set) const
+  {
+    std::vector<ContactState> states;
+    for (const BoundaryElement &candidate : set)
+      states.push_back(scheme.state(candidate.element));
+    return states;
+  }
+
+  void
+  RateProblem::set_states(const std::vector<BoundaryElement> &set,
+                          const std::vector<ContactState> &states)
+  {
+    for (std::size_t i = 0; i < set.size(); ++i)
+      scheme.set_state(set[i].element, states[i]);
+  }
+
+  std::vector<Branch>
+  RateProblem::branches(const JointState &state,
+                        const std::vector<BoundaryElement> &set,
+                        const Drive &drive)
+  {
+    const std::vector<ContactState> present = states_of(set);
+    std::vector<Branch> found;
+    const std::optional<JointRates> rates = scheme.rates(drive);
+    if (rates && violations(state, set, drive, *rates).empty())
+      found.push_back(present_branch(state, set, *rates));
+    Continuation result;
+    if (can_be_enumerated(set))
+      enumerate(state, set, drive, result, [&] {
+        if (is_new(found, result.rates, drive))
+          found.push_back(present_branch(state, set, result.rates));
+        return false;
+      });
+    else
+      found = search_branches(state, set, drive, found, std::numeric_limits<std::size_t>::max());
+    set_states(set, present);
+    return found;
+  }
+} // namespace fuga

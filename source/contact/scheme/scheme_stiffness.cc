@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+namespace fuga
+{
+  // An unknown bar feels it as force of its layer only.
+  double
+  WorkingScheme::imposed_entry(const SchemeRow &row, const std::size_t bar) const
+  {
+    const ContactElement &element = elements[row.element];
+    double value                  = 0.;
+    for (std::size_t a = 0; a < element.n_bars(); ++a)
+      if (position[bar] == no_row)
+        value += row.own[a] == 0. ? 0. : row.own[a] * system.stiffness()(bar, element.bar(a));
+      else if (element.bar(a) == bar)
+        value -= row.stiffness[a];
+    return value;
+  }
+
+  // With C what the imposed dislocations do to the rows and M the active matrix the forces lose
+  // W_bb - W_ba M⁻¹ C. One sweep of refinement, as forces of open elements are differences of large
+  // terms.
+  std::optional<DenseMatrix>
+  WorkingScheme::stiffness_against(const std::vector<std::size_t> &bars)
+  {
+    if (!bring_up_to_date())
+      return {};
+    if (stale && (singular = !rebuild()))
+      return {};
+    const DenseMatrix &W = system.stiffness();
+    const std::size_t m = rows.size(), n = bars.size();
+    DenseMatrix C(m, n), of_rows(n, m), result(n, n);
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        for (std::size_t i = 0; i < m; ++i)
+          C(i, j) = imposed_entry(rows[i], bars[j]);
+        for (std::size_t i = 0; i < n && position[bars[j]] == no_row; ++i)
+          result(i, j) = W(bars[i], bars[j]);
+      }
+    if (m == 0 || n == 0)
+      return result;
+    for (std::size_t j = 0; j < m; ++j)
+      {
+        const ContactElement &element = elements[rows[j].element];
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (const double share = rows[j].column[a]; share != 0.)
+            for (std::size_t i = 0; i < n; ++i)
+              of_rows(i, j) += share * W(bars[i], element.bar(a));
+      }
+    DenseMatrix x      = inverse.solve(C);
+    DenseMatrix defect = multiply(active_matrix(), x);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < m; ++i)
+        defect(i, j) = C(i, j) - defect(i, j);
+    const DenseMatrix correction = inverse.solve(defect);
+    for (std::size_t j = 0; j < n; ++j)
+      blas::axpy(m, 1., correction.column(j), x.column(j));
+    const DenseMatrix lost = multiply(of_rows, x);
+    for (std::size_t j = 0; j < n; ++j)
+      blas::axpy(n, -1., lost.column(j), result.column(j));
+    return result;
+  }
+} // namespace fuga

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/accurate.h>
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /**
+     * Defect of a solution, relative to the forces that drive it, that is accepted at once, and
+     * after refinement.
+     */
+    constexpr double good_defect     = 1e-13;
+    constexpr double accepted_defect = 1e-8;
+    /** The same for a solution in double precision. */
+    constexpr double accepted_double_defect = 1e-12;
+    /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
+     * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
+     * scheme. */
+    constexpr double largest_motion = 1e8;
+    /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
+     * as long as each divides the defect by two. */
+    constexpr int max_sweeps       = 3;
+    constexpr int max_stale_sweeps = 20;
+
+    void
+    subtract(const std::size_t n, const double amount, const double *column, double *forces)
+    {
+      blas::axpy(n, -amount, column, forces);
+    }
+
+    void
+    subtract(const std::size_t n,
+             const long double amount,
+             const double *column,
+             long double *forces)
+    {
+      work::now().accurate_operations += n;
+      add_scaled(n, -amount, column, forces);
+    }
+  } // namespace
+
+  WorkingScheme::WorkingScheme(const std::vector<ContactElement> &contact_elements,
+                               const LayeredSystem &layered_system)
+    : elements(contact_elements)
+    , system(layered_system)
+    , element_of_bar(layered_system.n_bars(), 0)
+    , position(layered_system.n_bars(), no_row)
+    , ever_active(layered_system.n_bars(), false)
+  {
+    states.assign(elements.size(), ContactState::stick);
+    directions.assign(elements.size(), TangentVector{{1., 0.}});
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
+        element_of_bar[elements[k].bar(i)] = k;
+    for (const ContactElement &element : elements)
+      {
+        strengths.push_back(virgin_strength(element.friction, element.area));
+        nonlinear |= has_nonlinear_closure(element) || has_nonlinear_shear(element);
+      }
+    if (nonlinear)
+      for (const ContactElement &element : elements)
+        tangents.push_back(initial_layer_tangent(element));
+  }
+
+  double
+  WorkingScheme::forces_in(const SchemeRow &row, const Vector &forces) const
+  {
+    const ContactElement &element = elements[row.element];
+    double value                  = 0.;
+    for (std::size_t a = 0; a < element.n_bars(); ++a)
+      value += row.own[a] * forces[element.bar(a)];
+    return value;
+  }
+
+  void
+  WorkingScheme::set_state(const std::size_t element,
+                           const ContactState state,
+                           const TangentVector &direction)
+  {
+    outdated |= states[element] != state;
+    states[element] = state;
+    if (!is_slipping(state) || !elements[element].has_second_tangential_bar())
+      return;
+    outdated |= directions[element] != direction;
+    directions[element] = direction;
+  }
+
+  void
+  WorkingScheme::set_strength(const std::size_t element, const Strength &strength)
+  {
+    outdated |= !(strengths[element] == strength);
+    strengths[element] = strength;
+  }
+
+  void
+  WorkingScheme::linearise(const JointState &at, const LayerStiffness stiffness)
+  {
+    if (!nonlinear)
+      return;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      tangents[k] = stiffness == LayerStiffness::initial ? initial_layer_tangent(elements[k])
+                                                         : layer_tangent(elements[k], at, k);
+    outdated = true;
+  }
+
+  // Forces and row defects that belong to the given active dislocations; the largest defect, in the
+  // units of LayeredSystem::scale().
+  template <typename Number>
+  double
+  WorkingScheme::apply(const std::vector<Number> &active,
+                       const Vector &force_offset,
+                       const Vector &rhs,
+                       JointRates &result,
+                       Vector &defect) const
+  {
+    const DenseMatrix &W = system.stiffness();
+    std::vector<Number> forces(force_offset.begin(), force_offset.end());
+    std::vector<Number> dislocations(system.n_bars(), 0.);
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      {
+        const ContactElement &element = elements[rows[j].element];
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
+          if (const double share = rows[j].column[a]; share != 0.)
+            {
+              subtract(W.n_rows(), active[j] * share, W.column(element.bar(a)), forces.data());
+              dislocations[element.bar(a)] += active[j] * share;
+            }
+      }
+    double worst = 0.;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const SchemeRow &row = rows[i];
+        Number value         = -rhs[i];
+        for (std::size_t a = 0; a < elements[row.element].n_bars(); ++a)
+          {
+            const std::size_t bar = elements[row.element].bar(a);
+            value += row.own[a] * forces[bar] - row.stiffness[a] * dislocations[bar];
+          }
+        defect[i] = static_cast<double>(value);
+        worst     = std::max(worst, std::abs(defect[i]) / system.scale(row.bar));
+      }
+    result.forces.assign(forces.begin(), forces.end());
+    result.dislocations.assign(dislocations.begin(), dislocations.end());
+    return worst;
+  }
+
+  // Refines with the inverse at hand. Returns the largest defect that is left.
+  template <typename Number>
+  double
+  WorkingScheme::refine(const Vector &rhs,
+                        const Vector &force_offset,
+                        const double driving_force,
+                        JointRates &result) const
+  {
+    std::vector<Number> active(rows.size(), 0.);
+    Vector defect(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      defect[i] = forces_in(rows[i], force_offset) - rhs[i];
+    double worst = std::numeric_limits<double>::infinity();
+    double last  = worst;
+    for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
+                                       (stale ? sweep < max_stale_sweeps && worst < 0.5 * last
+                                              : sweep < max_sweeps));
+         ++sweep)
+      {
+        last                = worst;
+        const Vector change = inverse.solve(defect);
+        for (std::size_t i = 0; i < active.size(); ++i)
+          active[i] += change[i];
+        worst = apply(active, force_offset, rhs, result, defect);
+      }
+    return worst;
+  }
+
+  // A body that hardly anything holds moves by far more than it deforms, and W d in double
+  // precision has not digits enough for the latter: the extended one gives three more.
+  std::optional<JointRates>
+  WorkingScheme::solve(const Vector &rhs, Vector force_offset)
+  {
+    if (!bring_up_to_date())
+      return {};
+
+    double driving_force = 0.;
+    for (std::size_t i = 0; i < force_offset.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(force_offset[i]) / system.scale(i));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(rhs[i]) / system.scale(rows[i].bar));
+
+    JointRates result;
+    const auto refined_solution = [&]() {
+      if (refine<double>(rhs, force_offset, driving_force, result) >
+            accepted_double_defect * driving_force &&
+          (stale || refine<long double>(rhs, force_offset, driving_force, result) >
+                      accepted_defect * driving_force))
+        return false;
+      return system.scaled_size(result.dislocations) <= largest_motion * driving_force;
+    };
+    if (refined_solution())
+      return result;
+    singular = !rebuild();
+    if (!singular && refined_solution())
+      return result;
+    return {};
+  }
+
+  // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
+  std::optional<JointRates>
+  WorkingScheme::rates(const Drive &drive, const Vector &imposed)
+  {
+    if (!bring_up_to_date())
+      return {};
+    const DenseMatrix &W = system.stiffness();
+    Vector rhs(rows.size(), 0.), offset = drive.reactions;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const ContactElement &element = elements[rows[i].element];
+        rhs[i]                        = row_drive(rows[i], element, states[rows[i].element], drive);
+        for (std::size_t a = 0; a < element.n_bars() && !imposed.empty(); ++a)
+          if (position[element.bar(a)] != no_row)
+            rhs[i] -= rows[i].stiffness[a] * imposed[element.bar(a)];
+      }
+    for (std::size_t bar = 0; bar < imposed.size(); ++bar)
+      if (position[bar] == no_row && imposed[bar] != 0.)
+        blas::axpy(offset.size(), -imposed[bar], W.column(bar), offset.data());
+    std::optional<JointRates> result = solve(rhs, offset);
+    if (result)
+      for (std::size_t bar = 0; bar < imposed.size(); ++bar)
+        if (position[bar] == no_row)
+          result->dislocations[bar] += imposed[bar];
+    return result;
+  }
+
+  std::optional<JointRates>
+  WorkingScheme::driven_motion(const Drive &drive) const
+  {
+    constexpr double added_stiffness = 1e-8;
+    DenseMatrix M                    = active_matrix();
+    Vector rhs(rows.size()), active(rows.size()), defect(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const double scale = system.scale(rows[i].bar);
+        M(i, i) += added_stiffness * scale * scale;
+        rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
+        active[i] = forces_in(rows[i], drive.reactions) - rhs[i];
+      }
+    const LuFactors factors(std::move(M));
+    if (!(factors.reciprocal_condition() > 0.))
+      return {};
+    factors.solve(active);
+    JointRates result;
+    apply(active, drive.reactions, rhs, result, defect);
+    return result;
+  }
+
+  std::optional<JointRates>
+  WorkingScheme::response(const std::size_t bar)
+  {
+    Vector imposed(system.n_bars(), 0.);
+    imposed[bar] = 1.;
+    Drive at_rest;
+    at_rest.reactions.assign(system.n_bars(), 0.);
+    return rates(at_rest, imposed);
+  }
+
+  Vector
+  WorkingScheme::residual(const JointState &at)
+  {
+    bring_up_to_date();
+    Vector result(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result[i] = row_residual(rows[i], elements[rows[i].element], at);
+    return result;
+  }
+
+  std::optional<JointRates>
+  WorkingScheme::correction(const Vector &defects)
+  {
+    Vector rhs(defects.size());
+    std::transform(defects.begin(), defects.end(), rhs.begin(), [](const double r) { return -r; });
+    return solve(rhs, Vector(system.n_bars(), 0.));
+  }
+
+  JointRates
+  WorkingScheme::mechanism() const
+  {
+    DenseMatrix M        = active_matrix();
+    const double epsilon = 1e-14;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
+                                    epsilon * system.largest_stiffness());
+    const Vector x = null_vector(std::move(M));
+    JointRates result;
+    result.forces.assign(system.n_bars(), 0.);
+    result.dislocations.assign(system.n_bars(), 0.);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t a = 0; a < elements[rows[i].element].n_bars(); ++a)
+        result.dislocations[elements[rows[i].element].bar(a)] += x[i] * rows[i].column[a];
+    return result;
+  }
+} // namespace fuga

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** A pivot below this share of the bar's own stiffness is a mechanism, not a stiffness. */
+    constexpr double smallest_relative_pivot = 1e-13;
+    /** After so many exchanges the matrix is factorised anew: that costs little then, and neither
+     * their rounding errors nor what has to be kept of them can grow without bound. */
+    constexpr std::size_t exchanges_per_row = 4, most_exchanges = 100;
+  } // namespace
+
+  std::vector<SchemeRow>
+  WorkingScheme::wanted_rows() const
+  {
+    std::vector<SchemeRow> wanted;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      append_rows(elements[k],
+                  k,
+                  states[k],
+                  directions[k],
+                  strengths[k],
+                  nonlinear ? tangents[k] : LayerTangent(),
+                  system,
+                  wanted);
+    return wanted;
+  }
+
+  double
+  WorkingScheme::entry(const SchemeRow &row, const SchemeRow &of) const
+  {
+    const DenseMatrix &W             = system.stiffness();
+    const ContactElement &element    = elements[row.element];
+    const ContactElement &of_element = elements[of.element];
+    double value                     = 0.;
+    for (std::size_t b = 0; b < of_element.n_bars(); ++b)
+      if (of.column[b] != 0.)
+        {
+          double force = 0.;
+          for (std::size_t a = 0; a < element.n_bars(); ++a)
+            if (row.own[a] != 0.)
+              force += row.own[a] * W(of_element.bar(b), element.bar(a));
+          if (row.element == of.element)
+            force += row.stiffness[b];
+          value += of.column[b] * force;
+        }
+    return value;
+  }
+
+  DenseMatrix
+  WorkingScheme::active_matrix() const
+  {
+    const std::size_t n = rows.size();
+    DenseMatrix M(n, n);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        M(i, j) = entry(rows[i], rows[j]);
+    return M;
+  }
+
+  bool
+  WorkingScheme::rebuild()
+  {
+    its_work.n_factorisations += rows.empty() ? 0 : 1;
+    const bool done = inverse.rebuild(active_matrix());
+    stale           = false;
+    factorised_rows = rows;
+    capacity        = inverse.capacity();
+    exchanges.clear();
+    return done;
+  }
+
+  void
+  WorkingScheme::set_rows(const std::vector<SchemeRow> &new_rows)
+  {
+    std::fill(position.begin(), position.end(), no_row);
+    rows = new_rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      note_position(i);
+  }
+
+  void
+  WorkingScheme::note_position(const std::size_t row)
+  {
+    const std::size_t bar = rows[row].bar;
+    position[bar]         = row;
+    its_work.n_bars_ever_active += ever_active[bar] ? 0 : 1;
+    ever_active[bar] = true;
+  }
+
+  void
+  WorkingScheme::restore(const SchemeMemory &memory)
+  {
+    const SchemeMemory wanted          = memory;
+    static_cast<SchemeMemory &>(*this) = wanted;
+    set_rows(factorised_rows);
+    inverse = {};
+    inverse.reserve(capacity);
+    if (!singular)
+      {
+        bool same = rows.empty() || inverse.rebuild(active_matrix());
+        exchanges.clear();
+        for (const RowExchange &exchange : wanted.exchanges)
+          same = same && (exchange.removed == RowExchange::none ? append_row(exchange.appended)
+                                                                : remove_row(exchange.removed));
+        if (!same)
+          throw NumericalFailure("The working scheme of the checkpoint cannot be built again: it "
+                                 "was computed with another program or library.");
+      }
+    set_rows(wanted.rows);
+  }
+
+  bool
+  WorkingScheme::bring_up_to_date()
+  {
+    if (!outdated)
+      return !singular;
+    const std::vector<SchemeRow> wanted = wanted_rows();
+    outdated                            = false;
+    if (!singular && inverse.size() == rows.size())
+      take_layer_stiffness(wanted);
+
+    // A few changed rows are cheaper to exchange than to factorise anew, unless that is due anyhow.
+    std::size_t n_kept = 0;
+    for (const SchemeRow &row : wanted)
+      n_kept += has_row(row) ? 1 : 0;
+    const std::size_t n_changes = (rows.size() - n_kept) + (wanted.size() - n_kept);
+    const bool few              = 4 * n_changes <= wanted.size() + 4 &&
+                     exchanges.size() <= exchanges_per_row * wanted.size() + most_exchanges;
+    if (!singular && inverse.size() == rows.size() && (n_changes == 0 || (few && !stale)) &&
+        update_rows(wanted))
+      return true;
+
+    set_rows(wanted);
+    singular = !rebuild();
+    return !singular;
+  }
+
+  // The inverse need not follow a nonlinear layer, or a friction that is being reduced, at every
+  // step: that of a nearby stiffness serves as the first approximation of a refined solution, the
+  // paper's idea on the small system.
+  void
+  WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
+  {
+    const auto follows = [this](const SchemeRow &row) {
+      return row.demand == SchemeRow::Demand::layer ||
+             row.demand == SchemeRow::Demand::layer_across ||
+             (row.demand == SchemeRow::Demand::sliding && strengths[row.element].share < 1.);
+    };
+    for (const SchemeRow &row : wanted)
+      if (follows(row) && position[row.bar] != no_row && !has_row(row))
+        {
+          SchemeRow &present = rows[position[row.bar]];
+          if (present.demand != row.demand)
+            continue;
+          present = row;
+          stale   = true;
+        }
+  }
+
+  bool
+  WorkingScheme::update_rows(const std::vector<SchemeRow> &wanted)
+  {
+    std::vector<bool> is_kept(system.n_bars(), false);
+    for (const SchemeRow &row : wanted)
+      is_kept[row.bar] = has_row(row);
+    for (std::size_t i = rows.size(); i-- > 0;)
+      if (!is_kept[rows[i].bar])
+        if (!remove_row(i))
+          return false;
+    for (const SchemeRow &row : wanted)
+      if (!is_kept[row.bar])
+        if (!append_row(row))
+          return false;
+    return true;
+  }
+
+  // The last row takes the place of the removed one.
+  bool
+  WorkingScheme::remove_row(const std::size_t i)
+  {
+    if (!inverse.remove(i))
+      return false;
+    position[rows.back().bar] = i;
+    position[rows[i].bar]     = no_row;
+    rows[i]                   = rows.back();
+    rows.pop_back();
+    exchanges.push_back({i, {}});
+    ++its_work.n_updates;
+    return true;
+  }
+
+  bool
+  WorkingScheme::append_row(const SchemeRow &row)
+  {
+    Vector column(rows.size()), line(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        column[i] = entry(rows[i], row);
+        line[i]   = entry(row, rows[i]);
+      }
+    const double smallest_pivot =
+      smallest_relative_pivot * std::abs(system.stiffness()(row.bar, row.bar));
+    if (std::abs(inverse.append(column, line, entry(row, row), smallest_pivot)) <= smallest_pivot)
+      return false;
+    rows.push_back(row);
+    note_position(rows.size() - 1);
+    ++its_work.n_updates;
+    exchanges.push_back({RowExchange::none, row});
+    return true;
+  }
+} // namespace fuga

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/curved_segment.h>
+#include <fuga/contact/segments/layer_work.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /** By how much the cubics between two points may miss the strength of what slides, relative to
+     * the largest force. They only tell where to look for events. */
+    constexpr double largest_miss = 1e-9;
+  } // namespace
+
+  // On the way from strength to strength the determinant of a scheme passes zero only where its
+  // equations have no solution; behind it they have another one, which no path leads to.
+  bool
+  CurvedSegment::is_behind_pole() const
+  {
+    return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
+  }
+
+  // At most 1 for a step that is short enough.
+  double
+  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  {
+    const double rest   = course.length - (taus.back() + length);
+    const double defect = energy_defect(context, from, to, length, rest, count);
+    return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
+  }
+
+  // The cubics between two points satisfy p = R a - W d, as both ends do, so that in the middle
+  // only the equations of what slides tell how far they are from the curve. A slip that turns back
+  // between the points, and again before the second, must not be passed over.
+  double
+  CurvedSegment::reduction_defect(const PathPoint &from,
+                                  const PathPoint &to,
+                                  const double length) const
+  {
+    const auto cubic =
+      [length](
+        const Vector &a, const Vector &da, const Vector &b, const Vector &db, const std::size_t i) {
+        return CubicOnUnitInterval(a[i], da[i] * length, b[i], db[i] * length);
+      };
+    const double slowest =
+      -slip_rate_tolerance * length *
+      std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations));
+    double miss = 0.;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        if (!is_slipping(to.state.states[k]))
+          continue;
+        const auto force = [&](const std::size_t bar) {
+          return cubic(from.state.forces, from.rates.forces, to.state.forces, to.rates.forces, bar)
+            .value(0.5);
+        };
+        const TangentVector e = context.scheme.slip_direction_of(k);
+        const Strength &a     = from.state.strengths[k];
+        const Strength &b     = to.state.strengths[k];
+        const double strength = 0.5 * (a.cohesion + b.cohesion) -
+                                0.5 * (a.friction + b.friction) * force(element.normal_bar);
+        double slope = 0.;
+        for (std::size_t i = 1; i < element.n_bars(); ++i)
+          {
+            const std::size_t bar = element.bar(i);
+            miss                  = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
+            slope += e[i - 1] * cubic(from.state.dislocations,
+                                      from.rates.dislocations,
+                                      to.state.dislocations,
+                                      to.rates.dislocations,
+                                      bar)
+                                  .slope(0.5);
+          }
+        if (!has_nonlinear_shear(element) && slope < slowest &&
+            dot(e, tangential(element, from.rates.dislocations)) >= 0. &&
+            dot(e, tangential(element, to.rates.dislocations)) >= 0.)
+          return std::numeric_limits<double>::infinity();
+      }
+    const double largest = std::max(max_abs(from.state.forces), max_abs(to.state.forces));
+    return largest > 0. ? miss / (largest_miss * largest) : 0.;
+  }
+} // namespace fuga

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/layer_work.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Energy that one step may lose by interpolation, relative to the work of the bars. */
+    constexpr double largest_defect = 3e-12;
+    /** Rounding error of a jump relative to the largest one. */
+    constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
+
+    /** ∫ force d(deformation), exact for cubics (Gauss's rule with three points). */
+    double
+    work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &deformation)
+    {
+      const double r = std::sqrt(0.15);
+      return 5. / 18. * force.value(0.5 - r) * deformation.slope(0.5 - r) +
+             8. / 18. * force.value(0.5) * deformation.slope(0.5) +
+             5. / 18. * force.value(0.5 + r) * deformation.slope(0.5 + r);
+    }
+
+    /** A deformation of the layer and its rate. */
+    struct LayerMotion
+    {
+      double value = 0.;
+      double rate  = 0.;
+    };
+
+    LayerMotion
+    closing(const PathContext &context, const std::size_t k, const PathPoint &point)
+    {
+      const ContactElement &element = context.elements[k];
+      const std::size_t n           = element.normal_bar;
+      const double rise             = point.state.strengths[k].dilatancy;
+      double rate =
+        point.rates.dislocations[n] + context.system.compliance(n) * point.rates.forces[n];
+      if (rise > 0. && is_slipping(point.state.states[k]))
+        rate -= rise * slip_speed(context, point, k);
+      return {gap(element, point.state, k), rate};
+    }
+
+    // Along the tangent of bar number @p a.
+    LayerMotion
+    shearing(const PathContext &context,
+             const std::size_t k,
+             const std::size_t a,
+             const PathPoint &point)
+    {
+      const ContactElement &element = context.elements[k];
+      const std::size_t bar         = element.bar(a);
+      double rate =
+        point.rates.dislocations[bar] + context.system.compliance(bar) * point.rates.forces[bar];
+      if (point.state.states[k] != ContactState::stick)
+        rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
+      return {elastic_shear(element, point.state, k)[a - 1], rate};
+    }
+    /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
+     */
+    bool
+    unloads_in_shear(const ContactElement &element, const JointState &at)
+    {
+      return element.coupling == nullptr && has_nonlinear_shear(element) &&
+             length(tangential(element, at.unreleased)) > 0.;
+    }
+  } // namespace
+
+  double
+  slip_speed(const PathContext &context, const PathPoint &point, const std::size_t k)
+  {
+    const ContactElement &element = context.elements[k];
+    const TangentVector rate      = slip_rate(element, point.state, k, point.rates);
+    if (!element.has_second_tangential_bar())
+      return slip_sign(point.state.states[k]) * rate[0];
+    const TangentVector T = tangential(element, point.state.forces);
+    return length(T) > 0. ? dot(T, rate) / length(T) : length(rate);
+  }
+
+  // What the judge will find missing in the balance of energy after this step: the work of the
+  // interpolated force of every nonlinear bar against the energy its layer has stored. It measures
+  // how well the cubics between solved points stand for the curve. Relative to the largest energy
+  // that the layers have stored or will have stored when the course ends: loads may fall to zero.
+  // What is to come is foreseen with the present rates; a layer that is soft at first would promise
+  // too much of it, and what its law stores under the force at the end bounds it. Jumps are known
+  // but for rounding errors of the largest one; what these make no shorter step could mend.
+  double
+  energy_defect(const PathContext &context,
+                const PathPoint &from,
+                const PathPoint &to,
+                const double length,
+                const double rest,
+                IterationCount &count)
+  {
+    const double jump_noise =
+      jump_rounding * max_abs(context.system.jumps(to.state.dislocations, to.state.forces));
+    double defect = 0., work = 0., stored = 0.;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const bool open               = to.state.states[k] == ContactState::open;
+        if (open ? !unloads_in_shear(element, from.state)
+                 : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
+          continue;
+        double element_work = 0., noise = 0.;
+        const auto work_of_bar = [&](const std::size_t bar,
+                                     const ComplianceLaw &law,
+                                     const LayerMotion &a,
+                                     const LayerMotion &b) {
+          const CubicOnUnitInterval force(from.state.forces[bar],
+                                          from.rates.forces[bar] * length,
+                                          to.state.forces[bar],
+                                          to.rates.forces[bar] * length);
+          element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
+          const double force_at_end = std::abs(to.state.forces[bar] + rest * to.rates.forces[bar]);
+          const double foreseen     = 0.5 * force_at_end * std::abs(b.value + rest * b.rate);
+          work +=
+            element.coupling != nullptr
+              ? foreseen
+              : std::min(foreseen,
+                         element.area * law.energy(law.deformation(force_at_end / element.area)));
+          noise += jump_noise * std::abs(to.state.forces[bar]);
+        };
+        if (has_nonlinear_closure(element) && !open)
+          work_of_bar(element.normal_bar,
+                      *element.normal_law,
+                      closing(context, k, from),
+                      closing(context, k, to));
+        for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
+          work_of_bar(element.bar(a),
+                      *element.shear_law,
+                      shearing(context, k, a, from),
+                      shearing(context, k, a, to));
+        const double stored_before = nonlinear_energy(element, from.state, k);
+        const double mismatch =
+          std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
+        defect += std::max(mismatch - noise, 0.);
+        stored += stored_before;
+      }
+    count.largest_energy = std::max(count.largest_energy, stored);
+    work                 = std::max(work, count.largest_energy);
+    return work > 0. ? defect / (largest_defect * work) : 0.;
+  }
+} // namespace fuga

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/element/joint_water.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/path_segment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Share of the largest force below which residuals are left, and of a course below which its
+     * rest is none. */
+    constexpr double rounding = 1e-14;
+    /** Share of the largest force below which a residual is not worth a second correction. */
+    constexpr double accepted = 1e-12;
+    /** Chords along which the end of a segment is looked for at most. */
+    constexpr int max_chords = 3;
+
+    Vector
+    along(const Vector &origin, const double tau, const Vector &rates)
+    {
+      Vector result = origin;
+      for (std::size_t i = 0; i < rates.size(); ++i)
+        result[i] += tau * rates[i];
+      return result;
+    }
+  } // namespace
+
+  void
+  release(const Drive &drive, const double tau, JointState &state)
+  {
+    state.unreleased    = along(state.unreleased, tau, drive.release);
+    state.missing_water = along(state.missing_water, tau, drive.missing_water);
+  }
+
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state)
+  {
+    // The end of a course is met exactly: stages begin at whole numbers, whatever rounding says.
+    state.t              = tau == course.length ? course.t_end
+                                                : course.t + tau * (course.t_end - course.t) / course.length;
+    const Vector factors = along(course.factors, tau, course.factor_rates);
+    set_water(context.system, factors, state);
+    state.forces = context.system.forces(factors, state.dislocations, state.water);
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        if (context.elements[k].friction.reduced)
+          reduce(state.strengths[k],
+                 context.elements[k].friction,
+                 context.elements[k].area,
+                 course.share + tau * course.share_rate);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        if (!element.has_tangential_bar() ||
+            (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k])))
+          continue;
+        TangentVector slip = tangential(element, state.dislocations);
+        if (has_nonlinear_shear(element)) // which deforms less, or more, than D says
+          slip = sum(sum(slip,
+                         bar_compliance(*element.shear_law, element.area),
+                         tangential(element, state.forces)),
+                     -1.,
+                     shear_deformation(element, state, k));
+        state.dilations[k] +=
+          state.strengths[k].dilatancy *
+          dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
+        state.slips[k] = slip;
+      }
+  }
+
+  double
+  polish(const PathContext &context,
+         const Course &course,
+         const double tau,
+         const std::array<double, 4> &negligible,
+         JointState &state)
+  {
+    double moved = 0., before = std::numeric_limits<double>::infinity();
+    for (const double left : negligible)
+      {
+        const Vector residual = context.scheme.residual(state);
+        const double worst    = max_abs(residual);
+        if (worst <= left * max_abs(state.forces) || worst > 0.5 * before)
+          break;
+        before                                 = worst;
+        const std::optional<JointRates> change = context.scheme.correction(residual);
+        if (!change)
+          break;
+        moved += max_abs(change->dislocations);
+        state.dislocations = along(state.dislocations, 1., change->dislocations);
+        complete_state(context, course, tau, state);
+      }
+    return moved;
+  }
+
+  StraightSegment::StraightSegment(const PathContext &path_context,
+                                   const Course &path_course,
+                                   const PathPoint &path_start)
+    : context(path_context), course(path_course), start(path_start), end(path_course.length)
+  {
+  }
+
+  // An event at the end of the course, but for rounding, is met there.
+  double
+  StraightSegment::distance(const JointRates &rates) const
+  {
+    const double length = context.boundary.distance(start.state, rates, course.drive);
+    return length < course.length * (1. - rounding) ? length : course.length;
+  }
+
+  // Where hardly anything holds the bodies, a small correction of forces moves them far enough to
+  // meet, or miss, each other: the event is then looked for on the chord to the corrected end.
+  double
+  StraightSegment::find_end()
+  {
+    end = distance(start.rates);
+    for (int chord = 0; end > 0.; ++chord)
+      {
+        double moved = 0.;
+        end_point    = point(end, moved);
+        if (moved <= context.boundary.gap_tolerance() || chord == max_chords)
+          break;
+        JointRates rates = start.rates;
+        for (std::size_t i = 0; i < rates.forces.size(); ++i)
+          {
+            rates.dislocations[i] =
+              (end_point->state.dislocations[i] - start.state.dislocations[i]) / end;
+            rates.forces[i] = (end_point->state.forces[i] - start.state.forces[i]) / end;
+          }
+        const double next = distance(rates);
+        if (next < 0.5 * end)
+          break; // rounding at a boundary where the path begins
+        end = next;
+      }
+    return end;
+  }
+
+  PathPoint
+  StraightSegment::at(const double tau)
+  {
+    if (tau == 0.)
+      return start;
+    if (tau == end && end_point)
+      return *end_point;
+    double moved = 0.;
+    return point(tau, moved);
+  }
+
+  // The forces come from the dislocations and the load anew, and a correction removes what rounding
+  // has added to the active rows: nothing accumulates from event to event. Where the scheme is so
+  // ill-conditioned that its solution is not accurate, it takes more than one.
+  PathPoint
+  StraightSegment::point(const double tau, double &moved) const
+  {
+    PathPoint result          = start;
+    result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
+    release(course.drive, tau, result.state);
+    complete_state(context, course, tau, result.state);
+    moved += polish(context, course, tau, {{rounding, accepted, accepted, accepted}}, result.state);
+    return result;
+  }
+
+  std::vector<double>
+  StraightSegment::stations() const
+  {
+    return {0., end};
+  }
+} // namespace fuga

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Share of the way to the closure limit of a law that one iteration may go. */
+    constexpr double fraction_to_limit = 0.9;
+    constexpr int max_newton           = 40;
+    /** So many growing differences in a row are a divergence. */
+    constexpr int patience = 8;
+  } // namespace
+
+  SchemeEquilibrium::SchemeEquilibrium(const PathContext &path_context,
+                                       const Course &path_course,
+                                       const PathOptions &path_options,
+                                       IterationCount &iteration_count)
+    : context(path_context), course(path_course), options(path_options), count(iteration_count)
+  {
+  }
+
+  // One equation for both iterations: K Δu = P - [forces of the layer at the present u]. Newton
+  // takes the tangent stiffness of the layer into K at every iteration. The paper keeps K = K_lin +
+  // A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3), (7), (8): with the
+  // residual written out that is the same correction with the constant matrix.
+  bool
+  SchemeEquilibrium::solve(const double tau, const double largest_jump, JointState &state)
+  {
+    const bool constant      = options.iteration == PathOptions::Iteration::constant_stiffness;
+    const int max_iterations = constant ? static_cast<int>(options.max_iterations) : max_newton;
+    double last_change       = std::numeric_limits<double>::infinity();
+    double contraction       = 0.;
+    int n_growing            = 0;
+    ++count.n_solutions;
+    if (constant)
+      context.scheme.linearise(state, LayerStiffness::initial);
+    for (int i = 1; i <= max_iterations; ++i)
+      {
+        ++count.n_iterations;
+        count.max_in_one = std::max(count.max_in_one, static_cast<std::size_t>(i));
+        if (!constant)
+          context.scheme.linearise(state);
+        const std::optional<JointRates> change =
+          context.scheme.correction(context.scheme.residual(state));
+        if (!change)
+          return false;
+        const double share = constant ? 1. : closure_safeguard(state, *change);
+        for (std::size_t b = 0; b < state.dislocations.size(); ++b)
+          state.dislocations[b] += share * change->dislocations[b];
+        complete_state(context, course, tau, state);
+
+        const double size = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double total =
+          std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
+        if (constant && passes_closure_limit(state))
+          return false;
+        if (size <= options.tolerance * total)
+          return true;
+        contraction = size / last_change;
+        n_growing   = contraction >= 1. ? n_growing + 1 : 0;
+        if (constant && n_growing >= patience)
+          return false;
+        // At the level of rounding the differences cannot fall further.
+        if (!constant && contraction > 0.3 && size <= 1e3 * options.tolerance * total)
+          return true;
+        last_change = size;
+      }
+    return false;
+  }
+
+  bool
+  SchemeEquilibrium::passes_closure_limit(const JointState &state) const
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (state.states[k] != ContactState::open &&
+          -gap(context.elements[k], state, k) >= closure_limit(context.elements[k]))
+        return true;
+    return false;
+  }
+
+  // Largest share of a change that keeps every layer with a closure limit short of it.
+  double
+  SchemeEquilibrium::closure_safeguard(const JointState &state, const JointRates &change) const
+  {
+    const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
+    double share           = 1.;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const auto limit = [&](const double largest, const double now, const double growth) {
+          const double room = largest - now;
+          if (growth > fraction_to_limit * room)
+            share = std::min(share, fraction_to_limit * room / growth);
+        };
+        if (state.states[k] != ContactState::open && has_nonlinear_closure(element))
+          limit(closure_limit(element), -gap(element, state, k), -growth_of[element.normal_bar]);
+        if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
+          {
+            const TangentVector e = elastic_shear(element, state, k);
+            const double size     = length(e);
+            if (size > 0.)
+              limit(element.shear_law->deformation_limit(),
+                    size,
+                    dot(e, tangential(element, growth_of)) / size);
+          }
+      }
+    return share;
+  }
+} // namespace fuga

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/segments/turning_segment.h>
+
+#include <limits>
+
+// How the elements whose direction of slip does not turn answer those whose direction does.
+namespace fuga
+{
+  void
+  TurningSegment::take_background()
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        context.scheme.set_state(k, stuck.states[k]);
+        context.scheme.set_strength(k, stuck.strengths[k]);
+      }
+    context.scheme.linearise(stuck);
+  }
+
+  // The strengths at @p tau, where @p state has what a reduction leaves of them; a broken bond gives
+  // up what it still carries in proportion to τ.
+  void
+  TurningSegment::take_strengths(const double tau, const JointState &state)
+  {
+    std::vector<TurningElement> strengths;
+    for (const std::size_t k : turning)
+      {
+        const ContactElement &element = context.elements[k];
+        const Strength &strength      = state.strengths[k];
+        TurningElement own;
+        own.element  = k;
+        own.friction = strength.friction;
+        own.rise     = strength.dilatancy;
+        if (!course.drive.release.empty())
+          own.cohesion_rate = -length(tangential(element, course.drive.release));
+        own.cohesion = strength.cohesion + length(tangential(element, start.state.unreleased)) +
+                       tau * own.cohesion_rate;
+        if (element.friction.reduced)
+          {
+            const double rate = course.share_rate / strength.share;
+            own.friction_rate = rate * strength.friction;
+            own.cohesion_rate += rate * strength.cohesion;
+          }
+        strengths.push_back(own);
+      }
+    solver.set_strengths(strengths);
+  }
+
+  // How the background answers at a state in equilibrium. Returns false if nothing holds it.
+  bool
+  TurningSegment::take_response(const double tau,
+                                const TurningStage &stage,
+                                const JointState &state)
+  {
+    const std::size_t n = turning.size();
+    std::vector<std::size_t> bars;
+    bool any_rises = false;
+    for (const std::size_t k : turning)
+      {
+        any_rises |= state.strengths[k].dilatancy > 0.;
+        for (std::size_t a = 0; a < 3; ++a)
+          bars.push_back(context.elements[k].bar(a));
+      }
+    const std::optional<JointRates> rates =
+      context.scheme.rates(drive_at(context.elements, course, state));
+    const std::optional<DenseMatrix> stiffness = context.scheme.stiffness_against(bars);
+    if (!rates || !stiffness)
+      return false;
+    TurningResponse response;
+    response.tau          = tau;
+    response.slips        = stage.slips;
+    response.dilations    = stage.dilations;
+    response.against_slip = DenseMatrix(3 * n, 2 * n);
+    for (const std::size_t bar : bars)
+      {
+        response.forces.push_back(state.forces[bar]);
+        response.rates.push_back(rates->forces[bar]);
+      }
+    if (any_rises)
+      response.against_rise = DenseMatrix(3 * n, n);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < 3 * n; ++i)
+        {
+          for (std::size_t a = 0; a < 2; ++a)
+            response.against_slip(i, 2 * j + a) = (*stiffness)(i, 3 * j + 1 + a);
+          if (any_rises)
+            response.against_rise(i, j) = (*stiffness)(i, 3 * j);
+        }
+    solver.set_response(std::move(response));
+    return true;
+  }
+
+  // Where the layer is rigid or linear the dislocations are the slip and the rise of the lips.
+  void
+  TurningSegment::set_slips(const TurningStage &stage, JointState &state) const
+  {
+    for (std::size_t i = 0; i < turning.size(); ++i)
+      {
+        const std::size_t k           = turning[i];
+        const ContactElement &element = context.elements[k];
+        for (std::size_t a = 0; a < 2; ++a)
+          {
+            state.slips[k][a] = static_cast<double>(stage.slips[2 * i + a]);
+            if (!has_nonlinear_shear(element))
+              state.dislocations[element.bar(1 + a)] = state.slips[k][a];
+          }
+        state.dilations[k] = stage.dilations[i];
+        if (!has_nonlinear_closure(element))
+          state.dislocations[element.normal_bar] = start.state.dislocations[element.normal_bar] +
+                                                   (stage.dilations[i] - start.state.dilations[k]);
+      }
+  }
+
+  // The state of the background with the slips of a stage; the dislocations of @p state are a first
+  // guess.
+  bool
+  TurningSegment::settle(const double tau, const TurningStage &stage, JointState &state)
+  {
+    const Vector guess = state.dislocations;
+    state              = stuck;
+    state.dislocations = guess;
+    release(course.drive, tau, state);
+    set_slips(stage, state);
+    complete_state(context, course, tau, state);
+    if (linear)
+      {
+        constexpr double rounding = 1e-14;
+        polish(context, course, tau, {{rounding, rounding, rounding, rounding}}, state);
+        return true;
+      }
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        context.scheme.set_strength(k, state.strengths[k]);
+    if (equilibrium.passes_closure_limit(state) || !equilibrium.solve(tau, jump_scale, state))
+      return false;
+    context.scheme.linearise(state);
+    return true;
+  }
+
+  // A linear background has answered once and for all. Any other is linearised at the state that
+  // the last answer led to, until that stays where it is: a Newton iteration about the other.
+  bool
+  TurningSegment::solve_stage(const TurningStageSolver::Demand demand,
+                              const double tau,
+                              const double advance,
+                              const TurningStage &base,
+                              const double slip_noise,
+                              Vector &xi,
+                              TurningStage &stage,
+                              JointState &state)
+  {
+    if (linear)
+      {
+        take_strengths(tau, stuck);
+        return solver.solve(demand, tau, advance, base, xi, stage);
+      }
+    constexpr int max_iterations = 25;
+    constexpr double tolerance = 1e-13, accepted = 1e-11;
+    double last = std::numeric_limits<double>::infinity();
+    solver.set_slips(base, xi, stage);
+    for (int i = 0; i < max_iterations; ++i)
+      {
+        if (!settle(tau, stage, state))
+          return false;
+        take_strengths(tau, state);
+        if (!take_response(tau, stage, state))
+          return false;
+        const TurningStage before = stage;
+        if (!solver.solve(demand, tau, advance, base, xi, stage))
+          return false;
+        double change = 0.;
+        for (std::size_t j = 0; j < stage.slips.size(); ++j)
+          change =
+            std::max(change, std::abs(static_cast<double>(stage.slips[j] - before.slips[j])));
+        for (std::size_t j = 0; j < stage.dilations.size(); ++j)
+          change = std::max(change, std::abs(stage.dilations[j] - before.dilations[j]));
+        if (change <= tolerance * jump_scale ||
+            (change >= 0.5 * last && change <= accepted * jump_scale + slip_noise))
+          return true;
+        last = change;
+      }
+    return false;
+  }
+
+  // State and rates from the slips and the load: the dislocations that the station has are a first
+  // guess of those of the background.
+  bool
+  TurningSegment::complete(Station &station)
+  {
+    JointState state   = stuck;
+    state.dislocations = station.point.state.dislocations;
+    if (!settle(station.tau, station.stage, state))
+      return false;
+    take_strengths(station.tau, state);
+    if (!linear && !take_response(station.tau, station.stage, state))
+      return false;
+    state.states        = start.state.states;
+    station.point.state = std::move(state);
+    return find_rates(station);
+  }
+
+  bool
+  TurningSegment::find_rates(Station &station)
+  {
+    const std::optional<Vector> speeds = solver.slip_rates(station.stage);
+    if (!speeds)
+      return false;
+    const JointState &state = station.point.state;
+    Vector imposed(context.system.n_bars(), 0.);
+    for (std::size_t i = 0; i < turning.size(); ++i)
+      {
+        const ContactElement &element = context.elements[turning[i]];
+        for (std::size_t a = 0; a < 2; ++a)
+          imposed[element.bar(1 + a)] = (*speeds)[i] * station.stage.directions[i][a];
+        imposed[element.normal_bar] = (*speeds)[i] * state.strengths[turning[i]].dilatancy;
+      }
+    const Drive drive                     = drive_at(context.elements, course, state);
+    const std::optional<JointRates> rates = context.scheme.rates(drive, imposed);
+    if (!rates)
+      return false;
+    station.point.rates = *rates;
+    station.slip_rates  = *speeds;
+    for (std::size_t i = turning.size(); i < slipping.size(); ++i)
+      {
+        const std::size_t k = slipping[i];
+        station.slip_rates.push_back(dot(context.scheme.slip_direction_of(k),
+                                         slip_rate(context.elements[k], state, k, *rates)));
+      }
+    station.reserves = context.boundary.reserves(state, *rates, drive);
+    return true;
+  }
+} // namespace fuga

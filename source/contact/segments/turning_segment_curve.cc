@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/implicit_runge_kutta.h>
+#include <fuga/contact/segments/layer_work.h>
+#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/segments/turning_segment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Rate of slip, relative to the largest rate of dislocation, that is none. */
+    constexpr double no_slip_rate = 1e-10;
+
+    /** First guess for stage number @p k: the parabola through the three stages before, or less. */
+    void
+    predict(const std::size_t k,
+            const std::vector<Vector> &stage_rates,
+            const std::vector<std::vector<TangentVector>> &stage_directions,
+            Vector &rates,
+            std::vector<TangentVector> &directions)
+    {
+      const auto &c           = runge_kutta::abscissae;
+      const std::size_t first = k > 3 ? k - 3 : 0;
+      std::fill(rates.begin(), rates.end(), 0.);
+      std::fill(directions.begin(), directions.end(), TangentVector{{0., 0.}});
+      for (std::size_t j = first; j < k; ++j)
+        {
+          double weight = 1.;
+          for (std::size_t m = first; m < k; ++m)
+            if (m != j)
+              weight *= (c[k] - c[m]) / (c[j] - c[m]);
+          for (std::size_t i = 0; i < rates.size(); ++i)
+            {
+              rates[i] += weight * stage_rates[j][i];
+              for (std::size_t a = 0; a < 2; ++a)
+                directions[i][a] += weight * stage_directions[j][i][a];
+            }
+        }
+      for (std::size_t i = 0; i < directions.size(); ++i)
+        {
+          const double size = fuga::length(directions[i]);
+          if (size > 0.5)
+            directions[i] = {{directions[i][0] / size, directions[i][1] / size}};
+          else
+            directions[i] = stage_directions.back()[i];
+        }
+    }
+  } // namespace
+
+  double
+  TurningSegment::rate_tolerance(const Station &station) const
+  {
+    return no_slip_rate * max_abs(station.point.rates.dislocations);
+  }
+
+  double
+  TurningSegment::driving_force() const
+  {
+    const Drive drive = drive_at(context.elements, course, start.state);
+    return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
+  }
+
+  // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
+  // Close to a mechanism their rounding moves the slips.
+  double
+  TurningSegment::force_noise(const JointState &state) const
+  {
+    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
+    return std::max(force_rounding * force_scale,
+                    stage_rounding * context.system.largest_stiffness() *
+                      max_abs(state.dislocations));
+  }
+
+  // One step of the Runge-Kutta pair. The error is relative to the tolerance.
+  bool
+  TurningSegment::step(const Station &from, const double length, Station &to, double &error)
+  {
+    namespace rk        = runge_kutta;
+    const std::size_t n = turning.size();
+    std::array<Vector, rk::n_stages> rates;
+    rates[0].resize(2 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t a = 0; a < 2; ++a)
+        rates[0][2 * i + a] = from.slip_rates[i] * from.stage.directions[i][a];
+    const auto power = [&](const TurningStage &stage, const Vector &slip_rates) {
+      double sum = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t a = 0; a < 2; ++a)
+          sum += stage.forces[3 * i + 1 + a] * slip_rates[2 * i + a];
+      return sum;
+    };
+
+    Vector rise;
+    for (const std::size_t k : turning)
+      rise.push_back(start.state.strengths[k].dilatancy);
+
+    const double slip_noise =
+      force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / driving_force();
+    JointState &state = to.point.state;
+    state             = from.point.state;
+    to.stage          = from.stage;
+    double work       = length * rk::weights.back()[0] * power(from.stage, rates[0]);
+    Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
+    // Of the stages so far: rates of slip along the directions, and these.
+    std::vector<Vector> stage_rates                          = {xi};
+    std::vector<std::vector<TangentVector>> stage_directions = {from.stage.directions};
+    for (std::size_t k = 1; k < rk::n_stages; ++k)
+      {
+        TurningStage base = from.stage;
+        for (std::size_t j = 0; j < k; ++j)
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              const double weight = length * rk::weights[k][j];
+              for (std::size_t a = 0; a < 2; ++a)
+                base.slips[2 * i + a] += static_cast<long double>(weight) * rates[j][2 * i + a];
+              base.dilations[i] += weight * rise[i] * stage_rates[j][i];
+            }
+        predict(k, stage_rates, stage_directions, xi, to.stage.directions);
+        for (double &value : xi)
+          value *= length * rk::diagonal;
+        // Stages on the cones by their rates alone, so that the method keeps its order (as one for
+        // a differential-algebraic system it would lose it); the last one, the result, exactly.
+        const auto demand  = k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates
+                                                  : TurningStageSolver::Demand::cone;
+        state.dislocations = from.point.state.dislocations;
+        for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
+          state.dislocations[bar] += rk::abscissae[k] * length * from.point.rates.dislocations[bar];
+        if (!solve_stage(demand,
+                         from.tau + rk::abscissae[k] * length,
+                         length * rk::diagonal,
+                         base,
+                         slip_noise,
+                         xi,
+                         to.stage,
+                         state))
+          return false;
+        stage_rates.push_back(xi);
+        for (double &value : stage_rates.back())
+          value /= length * rk::diagonal;
+        stage_directions.push_back(to.stage.directions);
+        rates[k].resize(2 * n);
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t a = 0; a < 2; ++a)
+            rates[k][2 * i + a] = xi[i] * to.stage.directions[i][a] / (length * rk::diagonal);
+        work += length * rk::weights.back()[k] * power(to.stage, rates[k]);
+      }
+    to.tau = from.tau + length;
+    if (course.length - to.tau < 4. * std::numeric_limits<double>::epsilon() * course.length)
+      to.tau = course.length;
+    if (!complete(to))
+      return false;
+
+    Vector difference(2 * n, 0.), of_rises(n, 0.);
+    for (std::size_t k = 0; k < rk::n_stages; ++k)
+      {
+        const double weight = length * (rk::weights.back()[k] - rk::embedded[k]);
+        for (std::size_t i = 0; i < 2 * n; ++i)
+          difference[i] += weight * rates[k][i];
+        for (std::size_t i = 0; i < n; ++i)
+          of_rises[i] += weight * rise[i] * stage_rates[k][i];
+      }
+    error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + slip_noise),
+                     max_abs(solver.resistance(difference, of_rises)) /
+                       (turning_step_tolerance * force_scale + force_noise(to.point.state)));
+    error = std::max(error, work_defect(from, to, length, work));
+    if (context.scheme.is_nonlinear())
+      error = std::max(
+        error, energy_defect(context, from.point, to.point, length, course.length - to.tau, count));
+    return std::isfinite(error);
+  }
+
+  // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
+  // in the work of friction, relative to the share that is allowed.
+  double
+  TurningSegment::work_defect(const Station &from,
+                              const Station &to,
+                              const double length,
+                              const double work) const
+  {
+    constexpr double allowed_share = 5e-11;
+    constexpr double least_share   = 1e-13;
+    const double r                 = std::sqrt(0.15);
+    const double abscissae[]       = {0.5 - r, 0.5, 0.5 + r};
+    const double weights[]         = {5. / 18., 8. / 18., 5. / 18.};
+    double of_cubics               = 0.;
+    for (const std::size_t k : turning)
+      {
+        const ContactElement &element = context.elements[k];
+        const PathPoint &a = from.point, &b = to.point;
+        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
+                            b_rate = slip_rate(element, b.state, k, b.rates);
+        for (std::size_t i = 0; i < 2; ++i)
+          {
+            const std::size_t bar = element.bar(1 + i);
+            const CubicOnUnitInterval force(a.state.forces[bar],
+                                            a.rates.forces[bar] * length,
+                                            b.state.forces[bar],
+                                            b.rates.forces[bar] * length);
+            const CubicOnUnitInterval slip(
+              a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
+            for (int g = 0; g < 3; ++g)
+              of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
+          }
+      }
+    return std::abs(of_cubics - work) /
+           (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
+  }
+
+  // While slip directions turn into those of a mechanism, the load approaches its limit as slips
+  // grow without bounds, exponentially: at the limit the jumps would double within a negligible
+  // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
+  // something soft moves far, and stands.
+  bool
+  TurningSegment::grows_beyond_bounds() const
+  {
+    constexpr double negligible_load = 1e-6, weak_answer = 1e-3;
+    const JointRates &rates = curve.back().point.rates;
+    const JointState &state = curve.back().point.state;
+    const double growth     = max_abs(rates.dislocations);
+    const double jump       = max_abs(context.system.jumps(state.dislocations, state.forces));
+    const double load       = negligible_load * std::max(1., course.t_end);
+    // Out of the virgin state any growth is large.
+    return jump > 0. && load * growth >= jump &&
+           max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
+           rates_diverge(1, load);
+  }
+
+  // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
+  bool
+  TurningSegment::turns_back() const
+  {
+    constexpr double negligible_load = 1e-9;
+    return rates_diverge(2, negligible_load * std::max(1., course.t_end));
+  }
+
+  // Two slopes of 1/g^n are compared, between the last point and those at which g was a half and a
+  // quarter.
+  bool
+  TurningSegment::rates_diverge(const int exponent, const double within) const
+  {
+    constexpr double bend = 0.1;
+    std::array<double, 3> tau, value;
+    std::size_t n = 0;
+    double limit  = std::numeric_limits<double>::infinity();
+    for (std::size_t i = curve.size(); i-- > 0 && n < 3;)
+      if (const double g = max_abs(curve[i].point.rates.dislocations); g <= limit)
+        {
+          tau[n]     = curve[i].tau;
+          value[n++] = std::pow(g, -exponent);
+          limit      = 0.5 * g;
+        }
+    if (n < 3)
+      return false;
+    const double last   = (value[0] - value[1]) / (tau[0] - tau[1]);
+    const double before = (value[1] - value[2]) / (tau[1] - tau[2]);
+    return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
+           -value[0] / last <= within;
+  }
+
+  // The dislocations of the start are rounded, by which forces leave the cones. The first step puts
+  // them back, whatever its length: the error of the shortest one is rounding and no reason to
+  // shorten another.
+  double
+  TurningSegment::error_of_rounding(const double shortest)
+  {
+    constexpr double largest = 10., margin = 2.;
+    Station to;
+    double error = 0.;
+    if (!step(curve.front(), 2. * shortest, to, error) || error > largest)
+      return 1.;
+    return std::max(1., margin * error);
+  }
+
+  double
+  TurningSegment::find_end()
+  {
+    end                   = 0.; // as far as the curve is known, if a step fails
+    const double shortest = 1e-13 * std::max(1., course.t_end);
+    double length         = std::min(
+      course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
+    length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
+    double allowed = 1.;
+    bool is_known  = course.length <= 2. * shortest;
+    while (curve.back().tau < course.length)
+      {
+        Station from     = curve.back();
+        length           = std::min(length, course.length - from.tau);
+        at_limit         = grows_beyond_bounds();
+        at_turning_point = !at_limit && turns_back();
+        if (at_limit || at_turning_point)
+          break;
+        if (length < shortest && course.length - from.tau > shortest)
+          throw NumericalFailure(fmt::format(
+            "The path cannot be followed beyond load time {}: even the shortest step fails.",
+            from.point.state.t));
+        Station to;
+        double error = 0.;
+        if (!step(from, length, to, error))
+          {
+            length *= 0.25;
+            continue;
+          }
+        if (error > allowed && !is_known)
+          {
+            allowed  = error_of_rounding(shortest);
+            is_known = true;
+          }
+        error /= allowed;
+        if (error > 1.)
+          {
+            length *= std::max(0.1, 0.9 * std::pow(error, -0.2));
+            continue;
+          }
+        if (first_event(from, to) <= 1.)
+          if (std::optional<Station> event = locate(from, to))
+            {
+              if (event->tau > from.tau)
+                curve.push_back(std::move(*event));
+              break;
+            }
+        curve.push_back(std::move(to));
+        allowed  = 1.;
+        is_known = true;
+        length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
+      }
+    return end = curve.back().tau;
+  }
+} // namespace fuga

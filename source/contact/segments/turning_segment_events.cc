@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/segments/turning_segment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Where a curved piece of the path meets the first boundary of the contact conditions.
+namespace fuga
+{
+  // The share of the way from a to b at which the first reserve is used up, by cubics and, for
+  // rates of slip, by secants; above one if none is.
+  double
+  TurningSegment::first_event(const Station &a, const Station &b) const
+  {
+    constexpr double none = 2.;
+    const double length   = b.tau - a.tau;
+    double first          = none;
+    for (std::size_t i = 0; i < a.reserves.size(); ++i)
+      {
+        const Reserve &before = a.reserves[i], &after = b.reserves[i];
+        // What was on its boundary at the beginning has been left there by the rates.
+        const bool leaving = before.value <= before.tolerance;
+        const double value = std::max(0., before.value);
+        const double rate  = leaving ? std::max(0., before.rate) : before.rate;
+        const CubicOnUnitInterval course_of(value, rate * length, after.value, after.rate * length);
+        if (after.value < -after.tolerance || course_of.minimum() < -before.tolerance)
+          {
+            const double root = course_of.first_descending_root();
+            first             = std::min(
+              first,
+              root < 1. || after.value >= -after.tolerance ? root : value / (value - after.value));
+          }
+      }
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      if (b.slip_rates[i] < -rate_tolerance(b))
+        {
+          const double before = std::max(a.slip_rates[i], 0.);
+          first               = std::min(first, before / (before - b.slip_rates[i]));
+        }
+    return first;
+  }
+
+  bool
+  TurningSegment::is_passed(const Station &station) const
+  {
+    for (const Reserve &reserve : station.reserves)
+      if (reserve.value < -reserve.tolerance)
+        return true;
+    for (const double rate : station.slip_rates)
+      if (rate < -rate_tolerance(station))
+        return true;
+    return false;
+  }
+
+  bool
+  TurningSegment::is_reached(const Station &station) const
+  {
+    for (const Reserve &reserve : station.reserves)
+      if (reserve.value <= reserve.tolerance && reserve.rate < 0.)
+        return true;
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      if (station.slip_rates[i] <= rate_tolerance(station) &&
+          curve.back().slip_rates[i] > rate_tolerance(curve.back()))
+        return true;
+    return false;
+  }
+
+  // Steps from the same point, shorter and longer, until one ends at the event.
+  std::optional<TurningSegment::Station>
+  TurningSegment::locate(const Station &from, const Station &passed)
+  {
+    constexpr int max_steps = 60;
+    Station low = from, high = passed;
+    const double resolution = std::numeric_limits<double>::epsilon() * std::max(1., course.t_end);
+    double end_of_steps     = high.tau;
+    for (int i = 0; i < max_steps; ++i)
+      {
+        const double share = first_event(low, high);
+        if (share > 1.)
+          return {};
+        double tau = low.tau + share * (high.tau - low.tau);
+        // Alternately a bisection, should the interpolation stand still.
+        if ((i > 4 && i % 2 == 0) || tau >= end_of_steps)
+          tau = 0.5 * (low.tau + end_of_steps);
+        if (tau - low.tau <= resolution || end_of_steps - low.tau <= 2. * resolution)
+          {
+            if (low.tau > from.tau || share <= 1e-9 || end_of_steps - low.tau <= 2. * resolution)
+              break;
+            tau = low.tau + 2. * resolution;
+          }
+        tau = std::min(tau, end_of_steps);
+        Station middle;
+        double error;
+        // Behind a limit load nothing is in equilibrium: what cannot be reached lies behind the
+        // event.
+        if (!step(from, tau - from.tau, middle, error))
+          {
+            end_of_steps = tau;
+            continue;
+          }
+        if (is_passed(middle))
+          {
+            high         = std::move(middle);
+            end_of_steps = std::min(end_of_steps, high.tau);
+          }
+        else
+          {
+            low = std::move(middle);
+            if (is_reached(low))
+              break;
+          }
+      }
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      if (low.slip_rates[i] <= std::max(rate_tolerance(low), 0.) ||
+          (high.slip_rates[i] < 0. && high.tau - low.tau <= 4. * resolution))
+        if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
+          lost_slip.push_back(slipping[i]);
+    return low;
+  }
+} // namespace fuga

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/segments/turning_stage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  TurningStageSolver::TurningStageSolver(const Vector &stiffness, IterationCount &iteration_count)
+    : diagonal(stiffness), count(iteration_count)
+  {
+  }
+
+  // Factors of an earlier response are kept: they serve as long as it is near by.
+  void
+  TurningStageSolver::set_response(TurningResponse &&new_response)
+  {
+    response    = std::move(new_response);
+    force_sizes = resistance({response.slips.begin(), response.slips.end()}, response.dilations);
+    for (std::size_t i = 0; i < force_sizes.size(); ++i)
+      force_sizes[i] = std::abs(force_sizes[i] + response.forces[i]);
+  }
+
+  void
+  TurningStageSolver::set_strengths(const std::vector<TurningElement> &elements)
+  {
+    turning = elements;
+  }
+
+  Vector
+  TurningStageSolver::resistance(const Vector &slips, const Vector &dilations) const
+  {
+    if (response.against_slip.empty())
+      return {};
+    Vector result = multiply(response.against_slip, slips);
+    if (!response.against_rise.empty())
+      for (std::size_t j = 0; j < dilations.size(); ++j)
+        for (std::size_t i = 0; i < result.size(); ++i)
+          result[i] += response.against_rise(i, j) * dilations[j];
+    return result;
+  }
+
+  // Terms as large as the stiffness where rigid joints cross times the longest slip cancel.
+  TurningStageSolver::Base
+  TurningStageSolver::base(const double tau, const TurningStage &stage) const
+  {
+    constexpr double rounding = 1e-15, slip_rounding = 1e-18;
+    Accurate forces     = accurate(response.forces);
+    double longest_slip = 0.;
+    add_scaled(forces.size(), tau - response.tau, response.rates.data(), forces.data());
+    for (std::size_t j = 0; j < stage.slips.size(); ++j)
+      {
+        add_scaled(forces.size(),
+                   response.slips[j] - stage.slips[j],
+                   response.against_slip.column(j),
+                   forces.data());
+        longest_slip = std::max(longest_slip, std::abs(static_cast<double>(stage.slips[j])));
+      }
+    for (std::size_t j = 0; j < stage.dilations.size() && !response.against_rise.empty(); ++j)
+      add_scaled(forces.size(),
+                 response.dilations[j] - stage.dilations[j],
+                 response.against_rise.column(j),
+                 forces.data());
+    Base result = {stage, {forces.begin(), forces.end()}, {}};
+    for (std::size_t i = 0; i < turning.size(); ++i)
+      {
+        double size = turning[i].cohesion;
+        for (std::size_t a = 0; a < 3; ++a)
+          size += (a == 0 ? turning[i].friction : 1.) *
+                  (force_sizes[3 * i + a] + std::abs(tau * response.rates[3 * i + a]));
+        result.noise.push_back(rounding * size + slip_rounding * diagonal[i] * longest_slip);
+      }
+    return result;
+  }
+
+  void
+  TurningStageSolver::set_slips(const TurningStage &base,
+                                const Vector &xi,
+                                TurningStage &stage) const
+  {
+    stage.slips     = base.slips;
+    stage.dilations = base.dilations;
+    for (std::size_t i = 0; i < xi.size(); ++i)
+      {
+        for (std::size_t a = 0; a < 2; ++a)
+          stage.slips[2 * i + a] += xi[i] * stage.directions[i][a];
+        stage.dilations[i] += xi[i] * turning[i].rise;
+      }
+  }
+
+  // Components along e and across: T + (f N - c) e, or its rate along e.
+  TurningStageSolver::Residual
+  TurningStageSolver::evaluate(const Demand demand,
+                               const Base &from,
+                               const double advance,
+                               const Vector &xi,
+                               TurningStage &stage) const
+  {
+    constexpr double rounding = 1e-15;
+    const std::size_t n       = turning.size();
+    Vector slip(2 * n), rise(n);
+    set_slips(from.stage, xi, stage);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        for (std::size_t a = 0; a < 2; ++a)
+          slip[2 * i + a] = xi[i] * stage.directions[i][a];
+        rise[i] = xi[i] * turning[i].rise;
+      }
+    const Vector change = resistance(slip, rise);
+    stage.forces        = from.forces;
+    Residual result;
+    result.values.resize(2 * n);
+    result.flow.resize(3 * n);
+    for (std::size_t i = 0; i < 3 * n; ++i)
+      {
+        stage.forces[i] -= change[i];
+        result.flow[i] = advance * response.rates[i] - change[i];
+      }
+    const Vector &along    = demand == Demand::rates ? result.flow : stage.forces;
+    const double flow_size = max_abs(xi);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const TurningElement &own = turning[i];
+        const TangentVector e = stage.directions[i], side = normal_to(e);
+        const double strength =
+          demand == Demand::rates
+            ? advance * (own.cohesion_rate - own.friction_rate * stage.forces[3 * i])
+            : own.cohesion;
+        result.values[2 * i] = e[0] * along[3 * i + 1] + e[1] * along[3 * i + 2] +
+                               own.friction * along[3 * i] - strength;
+        result.values[2 * i + 1] =
+          side[0] * stage.forces[3 * i + 1] + side[1] * stage.forces[3 * i + 2];
+        const double noise = from.noise[i] + rounding * diagonal[i] * flow_size;
+        for (std::size_t a = 0; a < 2; ++a)
+          if (result.values[2 * i + a] != 0.)
+            result.worst = std::max(result.worst, std::abs(result.values[2 * i + a]) / noise);
+      }
+    return result;
+  }
+
+  double
+  TurningStageSolver::lost_force(const std::size_t row,
+                                 const std::size_t j,
+                                 const TangentVector &slip,
+                                 const double rise) const
+  {
+    const double force =
+      response.against_slip(row, 2 * j) * slip[0] + response.against_slip(row, 2 * j + 1) * slip[1];
+    return response.against_rise.empty() ? force : force + response.against_rise(row, j) * rise;
+  }
+
+  void
+  TurningStageSolver::factorise(const Demand demand,
+                                const double advance,
+                                const Vector &xi,
+                                const TurningStage &stage,
+                                const Residual &residual)
+  {
+    const std::size_t n = turning.size();
+    const bool of_rates = demand == Demand::rates;
+    Vector &arms        = factorisations[static_cast<std::size_t>(demand)].arms;
+    arms.resize(n);
+    DenseMatrix M(2 * n, 2 * n);
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        const TangentVector ej = stage.directions[j], sj = normal_to(ej);
+        const double k     = diagonal[j];
+        const double shear = ej[0] * stage.forces[3 * j + 1] + ej[1] * stage.forces[3 * j + 2];
+        arms[j]            = std::abs(xi[j]) + std::abs(shear) / k;
+        if (arms[j] == 0.)
+          arms[j] = std::numeric_limits<double>::min();
+        const double ratio = xi[j] / arms[j];
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const TangentVector e = stage.directions[i], side = normal_to(e);
+            const double friction =
+              turning[i].friction + (of_rates ? advance * turning[i].friction_rate : 0.);
+            for (std::size_t a = 0; a < 2; ++a)
+              {
+                const TangentVector c = a == 0 ? ej : TangentVector{{ratio * sj[0], ratio * sj[1]}};
+                const auto force      = [&](const std::size_t row) {
+                  return lost_force(3 * i + row, j, c, a == 0 ? turning[j].rise : 0.);
+                };
+                const TangentVector T   = {{force(1), force(2)}};
+                M(2 * i, 2 * j + a)     = dot(e, T) + friction * force(0);
+                M(2 * i + 1, 2 * j + a) = dot(side, T);
+              }
+          }
+        M(2 * j + 1, 2 * j + 1) += shear / arms[j];
+        if (of_rates)
+          M(2 * j, 2 * j + 1) -=
+            (sj[0] * residual.flow[3 * j + 1] + sj[1] * residual.flow[3 * j + 2]) / arms[j];
+      }
+    factorisations[static_cast<std::size_t>(demand)].factors.emplace(std::move(M));
+  }
+
+  void
+  TurningStageSolver::take_step(const Vector &step,
+                                const Vector &arms,
+                                Vector &xi,
+                                TurningStage &stage)
+  {
+    constexpr double largest_turn = 1.;
+    for (std::size_t j = 0; j < xi.size(); ++j)
+      {
+        xi[j] += step[2 * j];
+        const double turn     = std::clamp(step[2 * j + 1] / arms[j], -largest_turn, largest_turn);
+        const TangentVector e = stage.directions[j], side = normal_to(e);
+        for (std::size_t a = 0; a < 2; ++a)
+          stage.directions[j][a] = std::cos(turn) * e[a] + std::sin(turn) * side[a];
+      }
+  }
+
+  bool
+  TurningStageSolver::solve(const Demand demand,
+                            const double tau,
+                            const double advance,
+                            const TurningStage &base_stage,
+                            Vector &xi,
+                            TurningStage &stage)
+  {
+    constexpr unsigned int max_iterations = 30;
+    // Residuals, in units of rounding, with which an iteration that stands still is accepted.
+    constexpr double accepted = 20.;
+    // Factors serve as long as they gain a digit or so at a time.
+    constexpr double slow        = 0.2;
+    Factorisation &factorisation = factorisations[static_cast<std::size_t>(demand)];
+    const Base from              = base(tau, base_stage);
+    Residual residual            = evaluate(demand, from, advance, xi, stage);
+    bool needs_factors           = !factorisation.factors;
+    ++count.n_solutions;
+    for (unsigned int i = 0; i < max_iterations; ++i)
+      {
+        if (residual.worst <= 1.)
+          return true;
+        if (!std::isfinite(residual.worst))
+          return false;
+        const bool fresh = needs_factors;
+        if (needs_factors)
+          factorise(demand, advance, xi, stage, residual);
+        if (factorisation.factors->reciprocal_condition() == 0.)
+          {
+            factorisation.factors.reset();
+            return false;
+          }
+        Vector step = residual.values;
+        factorisation.factors->solve(step);
+        ++count.n_iterations;
+        count.max_in_one                = std::max<std::size_t>(count.max_in_one, i + 1);
+        const TurningStage stage_before = stage;
+        const Vector xi_before          = xi;
+        const Residual residual_before  = residual;
+        take_step(step, factorisation.arms, xi, stage);
+        residual = evaluate(demand, from, advance, xi, stage);
+        if (residual.worst <= accepted && residual.worst >= 0.5 * residual_before.worst)
+          return true;
+        needs_factors = !(residual.worst <= slow * residual_before.worst);
+        if (residual.worst < 10. * residual_before.worst)
+          continue;
+        if (fresh)
+          return false;
+        stage    = stage_before;
+        xi       = xi_before;
+        residual = residual_before;
+      }
+    return residual.worst <= accepted;
+  }
+
+  std::optional<Vector>
+  TurningStageSolver::slip_rates(const TurningStage &stage) const
+  {
+    const std::size_t n = turning.size();
+    DenseMatrix M(n, n);
+    Vector rates(n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const TurningElement &own = turning[i];
+        const TangentVector e     = stage.directions[i];
+        rates[i] = own.friction * response.rates[3 * i] + e[0] * response.rates[3 * i + 1] +
+                   e[1] * response.rates[3 * i + 2] -
+                   (own.cohesion_rate - own.friction_rate * stage.forces[3 * i]);
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const auto force = [&](const std::size_t row) {
+              return lost_force(3 * i + row, j, stage.directions[j], turning[j].rise);
+            };
+            M(i, j) = own.friction * force(0) + e[0] * force(1) + e[1] * force(2);
+          }
+      }
+    const LuFactors solver(std::move(M));
+    if (solver.reciprocal_condition() == 0.)
+      return {};
+    solver.solve(rates);
+    return rates;
+  }
+} // namespace fuga

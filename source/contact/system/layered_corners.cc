@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/system/layered_system.h>
+#include <fuga/contact/system/soft_bars.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    using Numbers = std::vector<std::size_t>;
+
+    /** Bars whose jumps are the coordinates themselves, in their order; empty if a coordinate has
+     * none. */
+    Numbers
+    bars_along_coordinates(const DenseMatrix &B)
+    {
+      Numbers n_entries(B.n_rows(), 0);
+      for (std::size_t c = 0; c < B.n_columns(); ++c)
+        for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
+          n_entries[bar] += B(bar, c) != 0. ? 1 : 0;
+      Numbers result;
+      for (std::size_t c = 0; c < B.n_columns(); ++c)
+        {
+          std::size_t bar = 0;
+          while (bar < B.n_rows() && (B(bar, c) != 1. || n_entries[bar] != 1))
+            ++bar;
+          if (bar == B.n_rows())
+            return {};
+          result.push_back(bar);
+        }
+      return result;
+    }
+
+    Numbers
+    all_but(const Numbers &some, const std::size_t n)
+    {
+      std::vector<bool> left(n, true);
+      for (const std::size_t i : some)
+        left[i] = false;
+      Numbers result;
+      for (std::size_t i = 0; i < n; ++i)
+        if (left[i])
+          result.push_back(i);
+      return result;
+    }
+
+    Vector
+    entries(const Vector &values, const Numbers &numbers)
+    {
+      Vector result;
+      for (const std::size_t i : numbers)
+        result.push_back(values[i]);
+      return result;
+    }
+  } // namespace
+
+  void
+  throw_repeated_bars()
+  {
+    throw NumericalFailure("The forces in the bars are not unique: rigid bars repeat each other "
+                           "(rigid joints that cross, or several rigid bars under one rigid body). "
+                           "Give one of the joints there a compliance.");
+  }
+
+  // Where joints have corners but do not cross, the coordinates are the jumps of some bars b, with
+  // W₀ and R₀ as if there were no others. The others e press the bodies by -B_eᵀ p_e, which moves
+  // forces and jumps as water does:
+  //   p_b = R₀ a - W₀ d_b - V p_e,   V = (1 - W₀ D_b) B_eᵀ,   B_e (d_b + D_b p_b) = d_e + D_e p_e,
+  // so that H p_e = Vᵀ d_b + B_e D_b R₀ a - d_e with H = D_e + B_e D_b V, a matrix of the corners
+  // only. In very soft joints V is a small difference; those are for the saddle point problem.
+  bool
+  LayeredSystem::eliminate_at_corners(const ContactSystem &system)
+  {
+    const DenseMatrix &B = system.jump_operator();
+    const Numbers basis  = bars_along_coordinates(B);
+    if (basis.empty() || has_soft_joint())
+      return false;
+    const Numbers extra = all_but(basis, n_bars());
+    const std::size_t n = basis.size(), m = extra.size();
+    const Vector D_b = entries(compliances, basis), D_e = entries(compliances, extra);
+
+    DenseMatrix W_0 = system.stiffness(), R_0 = system.load_patterns();
+    insert_bars(W_0,
+                R_0,
+                D_b,
+                {submatrix(system.rigid_motions(), basis, all_columns(system.rigid_motions())),
+                 system.rigid_motion_loads()});
+
+    DenseMatrix V  = transposed(submatrix(B, extra, all_columns(B)));
+    DenseMatrix DB = V;
+    scale_rows(DB, D_b);
+    const DenseMatrix W_DB = multiply(W_0, DB);
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        V(i, k) -= W_DB(i, k);
+    DenseMatrix H = multiply_transposed(DB, V);
+    for (std::size_t k = 0; k < m; ++k)
+      H(k, k) += D_e[k];
+
+    LuFactors factors(std::move(H));
+    constexpr double smallest_trusted_condition = 1e-15;
+    if (factors.reciprocal_condition() < smallest_trusted_condition)
+      throw_repeated_bars();
+    DenseMatrix H_V = transposed(V), H_R = multiply_transposed(DB, R_0), inverse(m, m);
+    for (std::size_t k = 0; k < m; ++k)
+      inverse(k, k) = 1.;
+    factors.solve(H_V);
+    factors.solve(H_R);
+    factors.solve(inverse);
+
+    const DenseMatrix V_H_V = multiply(V, H_V), V_H_R = multiply(V, H_R);
+    W = DenseMatrix(n_bars(), n_bars());
+    R = DenseMatrix(n_bars(), R_0.n_columns());
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          W(basis[i], basis[j]) = W_0(i, j) + V_H_V(i, j);
+        for (std::size_t k = 0; k < m; ++k)
+          W(extra[k], basis[j]) = W(basis[j], extra[k]) = -H_V(k, j);
+      }
+    for (std::size_t l = 0; l < m; ++l)
+      for (std::size_t k = 0; k < m; ++k)
+        W(extra[k], extra[l]) = inverse(k, l);
+    for (std::size_t j = 0; j < R_0.n_columns(); ++j)
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          R(basis[i], j) = R_0(i, j) - V_H_R(i, j);
+        for (std::size_t k = 0; k < m; ++k)
+          R(extra[k], j) = H_R(k, j);
+      }
+    return true;
+  }
+} // namespace fuga

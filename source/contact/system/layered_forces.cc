@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/system/layered_system.h>
+
+namespace fuga
+{
+  namespace
+  {
+    constexpr int n_sweeps = 2;
+  } // namespace
+
+  // A unit error of a force in a bar of compliance D moves the lips by D, which the bodies, of the
+  // stiffness S, answer with S D.
+  bool
+  LayeredSystem::has_soft_joint() const
+  {
+    constexpr double soft = 1e4;
+    return largest_diagonal(bodies.stiffness()) * max_abs(compliances) > soft;
+  }
+
+  // F a; on rigid motions the resultants of the loads, free of the rounding of the condensation.
+  Accurate
+  LayeredSystem::loads_on_bodies(const Accurate &factors) const
+  {
+    const DenseMatrix &F = bodies.load_patterns();
+    Accurate loads(F.n_rows(), 0.L);
+    add_product(1.L, F, factors, loads);
+    rigid_motions->correct_resultants(factors, loads);
+    return loads;
+  }
+
+  Vector
+  LayeredSystem::forces(const Vector &factors,
+                        const Vector &dislocations,
+                        const Vector &water) const
+  {
+    Vector p = multiply(R, factors);
+    subtract_response(dislocations, p);
+    add_water(water, p);
+    if (saddle_factors)
+      refine_with_jump_operator(factors, dislocations, water, p);
+    else if (delicate)
+      refine_in_jumps(factors, dislocations, water, p);
+    return p;
+  }
+
+  // S (d + D p - E a) + p - ω = F a, with (1 + S D)⁻¹ = 1 - W D for the correction.
+  void
+  LayeredSystem::refine_in_jumps(const Vector &factors,
+                                 const Vector &dislocations,
+                                 const Vector &water,
+                                 Vector &forces) const
+  {
+    const Accurate a = accurate(factors);
+    Accurate given = loads_on_bodies(a), fixed_jumps = accurate(dislocations);
+    if (!bodies.imposed_jumps().empty())
+      add_product(-1.L, bodies.imposed_jumps(), a, fixed_jumps);
+    for (std::size_t i = 0; i < water.size(); ++i)
+      given[i] += water[i];
+    for (int sweep = 0; sweep < n_sweeps; ++sweep)
+      {
+        Accurate residual = given, jumps = fixed_jumps;
+        for (std::size_t i = 0; i < n_bars(); ++i)
+          {
+            jumps[i] += static_cast<long double>(compliances[i]) * forces[i];
+            residual[i] -= forces[i];
+          }
+        add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), jumps), residual);
+        for (std::size_t j = 0; j < n_bars(); ++j)
+          {
+            const double change = static_cast<double>(residual[j]);
+            forces[j] += change;
+            if (compliances[j] != 0.)
+              blas::axpy(n_bars(), -compliances[j] * change, W.column(j), forces.data());
+          }
+      }
+  }
+
+  // S x + Bᵀ p = F a + Bᵀ ω,  B x - D p = d - E a.
+  void
+  LayeredSystem::refine_with_jump_operator(const Vector &factors,
+                                           const Vector &dislocations,
+                                           const Vector &water,
+                                           Vector &forces) const
+  {
+    const DenseMatrix &B  = bodies.jump_operator();
+    const std::size_t n_x = B.n_columns(), n_p = n_bars();
+    const Accurate a = accurate(factors);
+    Accurate upper = loads_on_bodies(a), lower = accurate(dislocations);
+    if (!bodies.imposed_jumps().empty())
+      add_product(-1.L, bodies.imposed_jumps(), a, lower);
+    if (!water.empty())
+      add_transposed_product(1.L, B, accurate(water), upper);
+
+    Accurate x(n_x, 0.L), p = accurate(forces);
+    for (int sweep = 0; sweep <= n_sweeps; ++sweep)
+      {
+        Accurate force_defect = upper, jump_defect = lower;
+        add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), x), force_defect);
+        add_transposed_product(-1.L, B, p, force_defect);
+        add_product(-1.L, B, x, jump_defect);
+        Vector change(n_x + n_p);
+        for (std::size_t i = 0; i < n_x; ++i)
+          change[i] = static_cast<double>(force_defect[i] / saddle_scale);
+        for (std::size_t i = 0; i < n_p; ++i)
+          change[n_x + i] = static_cast<double>(jump_defect[i] + compliances[i] * p[i]);
+        saddle_factors->solve(change);
+        for (std::size_t i = 0; i < n_x; ++i)
+          x[i] += change[i];
+        for (std::size_t i = 0; i < n_p; ++i)
+          p[i] += static_cast<long double>(change[n_x + i]) * saddle_scale;
+      }
+    forces.assign(p.begin(), p.end());
+  }
+} // namespace fuga

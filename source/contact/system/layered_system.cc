@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/system/layered_system.h>
+#include <fuga/contact/system/soft_bars.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    using Indices = std::vector<std::size_t>;
+
+    /** Removes the rounding error between the two triangles. */
+    void
+    symmetrise(DenseMatrix &A)
+    {
+      for (std::size_t j = 0; j < A.n_columns(); ++j)
+        for (std::size_t i = 0; i < j; ++i)
+          A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
+    }
+
+    /** A X = B, with residuals in extended precision where soft bars beside stiff ones would
+     * otherwise cost the soft ones their digits. */
+    void
+    solve_accurately(const DenseMatrix &A, const LuFactors &factors, DenseMatrix &B)
+    {
+      constexpr double harmless_condition = 1e-6;
+      const std::size_t n                 = A.n_rows();
+      const DenseMatrix rhs               = B;
+      factors.solve(B);
+      if (factors.reciprocal_condition() > harmless_condition)
+        return;
+      Accurate residual(n);
+      DenseMatrix change(n, B.n_columns());
+      for (int sweep = 0; sweep < 3; ++sweep)
+        {
+          work::now().accurate_operations += n * n * B.n_columns();
+          for (std::size_t column = 0; column < B.n_columns(); ++column)
+            {
+              std::copy_n(rhs.column(column), n, residual.begin());
+              for (std::size_t j = 0; j < n; ++j)
+                add_scaled(n, -B(j, column), A.column(j), residual.data());
+              std::copy(residual.begin(), residual.end(), change.column(column));
+            }
+          factors.solve(change);
+          for (std::size_t column = 0; column < B.n_columns(); ++column)
+            for (std::size_t i = 0; i < n; ++i)
+              B(i, column) += change(i, column);
+        }
+    }
+  } // namespace
+
+  double
+  bar_compliance(const ComplianceLaw &law, const double area)
+  {
+    return law.initial_compliance() / area;
+  }
+
+  LayeredSystem::LayeredSystem(const ContactSystem &system,
+                               const std::vector<ContactElement> &elements)
+    : bodies(system)
+  {
+    const work::Scope phase(work::Phase::layered_system);
+    std::size_t n_bars = 0;
+    for (const ContactElement &element : elements)
+      n_bars += element.n_bars();
+    compliances.assign(n_bars, 0.);
+    curved.assign(n_bars, false);
+    for (const ContactElement &element : elements)
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        compliances.at(bar) = bar_compliance(law, element.area);
+        curved[bar]         = law.kind() == ComplianceKind::nonlinear;
+      });
+    if (!system.has_stiffness())
+      return; // forces are found otherwise
+    if (system.jump_operator().empty())
+      eliminate_in_jumps(system);
+    else if (!eliminate_at_corners(system))
+      eliminate_with_jump_operator(system);
+    symmetrise(W);
+    largest = largest_diagonal(W);
+    // A jump that nothing resists has no stiffness of its own to be measured by.
+    const double smallest = largest > 0. ? 1e-14 * largest : 1.;
+    for (std::size_t i = 0; i < compliances.size(); ++i)
+      scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
+    if (delicate)
+      rigid_motions.emplace(system);
+    add_imposed_jumps(system);
+  }
+
+  // δ = B x + E a is d + D p: towards the bodies an imposed jump is a dislocation of the other
+  // sign.
+  void
+  LayeredSystem::add_imposed_jumps(const ContactSystem &system)
+  {
+    const DenseMatrix &E = system.imposed_jumps();
+    for (std::size_t j = 0; j < E.n_columns(); ++j)
+      for (std::size_t bar = 0; bar < n_bars(); ++bar)
+        if (E(bar, j) != 0.)
+          blas::axpy(n_bars(), E(bar, j), W.column(bar), R.column(j));
+  }
+
+  void
+  LayeredSystem::eliminate_in_jumps(const ContactSystem &system)
+  {
+    W        = system.stiffness();
+    R        = system.load_patterns();
+    delicate = has_soft_joint();
+    insert_bars(W, R, compliances, {system.rigid_motions(), system.rigid_motion_loads()});
+  }
+
+  // With more bars than coordinates (crossing joints, corners, a rigid body on many bars) the
+  // saddle point problem [S Bᵀ; B -D] [x; p] = [F a; d] is solved as it stands, scaled to the size
+  // of its blocks.
+  void
+  LayeredSystem::eliminate_with_jump_operator(const ContactSystem &system)
+  {
+    const DenseMatrix &S  = system.stiffness();
+    const DenseMatrix &B  = system.jump_operator();
+    const DenseMatrix &F  = system.load_patterns();
+    const std::size_t n_x = S.n_rows(), n_p = n_bars();
+
+    double scale = largest_diagonal(S);
+    if (scale == 0.)
+      for (const double D : compliances)
+        scale = std::max(scale, D > 0. ? 1. / D : 0.);
+    if (scale == 0.)
+      scale = 1.;
+
+    DenseMatrix saddle(n_x + n_p, n_x + n_p), rhs(n_x + n_p, n_p + F.n_columns());
+    for (std::size_t j = 0; j < n_x; ++j)
+      {
+        for (std::size_t i = 0; i < n_x; ++i)
+          saddle(i, j) = S(i, j) / scale;
+        for (std::size_t i = 0; i < n_p; ++i)
+          saddle(n_x + i, j) = saddle(j, n_x + i) = B(i, j);
+      }
+    for (std::size_t i = 0; i < n_p; ++i)
+      {
+        saddle(n_x + i, n_x + i) = -compliances[i] * scale;
+        rhs(n_x + i, i)          = 1.;
+      }
+    for (std::size_t j = 0; j < F.n_columns(); ++j)
+      for (std::size_t i = 0; i < n_x; ++i)
+        rhs(i, n_p + j) = F(i, j) / scale;
+
+    const DenseMatrix matrix = saddle;
+    LuFactors factors(std::move(saddle));
+    const double smallest_trusted_condition = 1e-15, harmless_condition = 1e-8;
+    if (factors.reciprocal_condition() < smallest_trusted_condition)
+      throw_repeated_bars();
+    solve_accurately(matrix, factors, rhs);
+    delicate = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
+    if (delicate)
+      saddle_factors = std::move(factors);
+    saddle_scale = scale;
+
+    W = DenseMatrix(n_p, n_p);
+    R = DenseMatrix(n_p, F.n_columns());
+    for (std::size_t i = 0; i < n_p; ++i)
+      {
+        for (std::size_t j = 0; j < n_p; ++j)
+          W(i, j) = -rhs(n_x + i, j) * scale;
+        for (std::size_t j = 0; j < F.n_columns(); ++j)
+          R(i, j) = rhs(n_x + i, n_p + j) * scale;
+      }
+  }
+
+  // Bars without dislocation cost nothing: on most paths these are the majority.
+  void
+  LayeredSystem::subtract_response(const Vector &dislocations, Vector &forces) const
+  {
+    for (std::size_t j = 0; j < dislocations.size(); ++j)
+      if (dislocations[j] != 0.)
+        blas::axpy(n_bars(), -dislocations[j], W.column(j), forces.data());
+  }
+
+  double
+  LayeredSystem::scaled_size(const Vector &jumps) const
+  {
+    double size = 0.;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      size = std::max(size, scales[i] * std::abs(jumps[i]));
+    return size;
+  }
+
+  void
+  LayeredSystem::add_water(const Vector &water, Vector &forces) const
+  {
+    for (std::size_t j = 0; j < water.size(); ++j)
+      if (water[j] != 0.)
+        {
+          forces[j] += water[j];
+          if (compliances[j] != 0.)
+            blas::axpy(n_bars(), -compliances[j] * water[j], W.column(j), forces.data());
+        }
+  }
+
+  Vector
+  LayeredSystem::jumps(const Vector &dislocations, const Vector &forces) const
+  {
+    Vector jumps = dislocations;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      jumps[i] += compliances[i] * forces[i];
+    return jumps;
+  }
+} // namespace fuga

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/construction.h>
+#include <fuga/input/stiffness_need.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    bool
+    is_linear(const JointParameters &joint)
+    {
+      return joint.normal_law == LayerLaw::linear && joint.shear_law == LayerLaw::linear &&
+             joint.shear_growth.kind == ShearGrowth::Kind::none && joint.normal_compliance > 0. &&
+             (joint.shear_compliance > 0. || joint.friction.is_frictionless());
+    }
+
+    bool
+    lets_water_in(const LoadDefinition &load)
+    {
+      return load.kind == LoadKind::uplift && load.uplift.fills_cracks;
+    }
+
+    bool
+    is_search(const StageDefinition &stage)
+    {
+      return stage.purpose != StagePurpose::loading;
+    }
+  } // namespace
+
+
+  std::string
+  what_needs_stiffness(const Parameters &parameters)
+  {
+    const ModelDefinition &model = parameters.model;
+    if (parameters.solver.follow_events)
+      return "following the loads from event to event (Solver/Follow = events) is";
+    if (first_stages_of_phases(model).size() > 1)
+      return "construction in stages is";
+    if (parameters.of_sweep)
+      return "a sweep is";
+    if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
+      return "a target accuracy is";
+    if (std::any_of(model.stages.begin(), model.stages.end(), is_search))
+      return "a search for a factor of safety is";
+    if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))
+      return "water that comes into opening joints is";
+    for (const JointParameters &joint : parameters.joints)
+      if (!is_linear(joint) || !joint.friction.is_plain())
+        return fmt::format("what joint '{}' has (layers other than linear ones, cohesion, tensile "
+                           "strength, residual friction, dilatancy) is",
+                           joint.definition.name);
+    return {};
+  }
+} // namespace fuga

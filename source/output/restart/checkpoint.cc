@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/output/files/archive.h>
+#include <fuga/output/files/version.h>
+#include <fuga/output/restart/checkpoint.h>
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** To be raised with every change of what the stored numbers mean that no name of a field
+     * shows. */
+    constexpr int format = 2;
+
+    using archive::Json;
+
+    std::string_view
+    view(const std::vector<std::uint8_t> &bytes)
+    {
+      return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
+    }
+
+    [[noreturn]] void
+    refuse(const std::string &path, const std::string &reason)
+    {
+      throw InputError(fmt::format(
+        "The checkpoint {} {}. Run without --restart to compute everything anew.", path, reason));
+    }
+
+    Json
+    read_content(const std::string &path)
+    {
+      const std::string text = read_file(path);
+      const Json file        = Json::from_cbor(text);
+      if (file.at("format") != format || file.at("version") != version)
+        refuse(path,
+               fmt::format("was written by another version of the program ({})",
+                           file.at("version").get<std::string>()));
+      const auto &content = file.at("content").get_ref<const Json::binary_t &>();
+      if (checksum(view(content)) != file.at("checksum").get<std::uint32_t>())
+        refuse(path, "is damaged");
+      return Json::from_cbor(content);
+    }
+
+    void
+    check_results(const std::string &directory, const Checkpoint &checkpoint)
+    {
+      recover_text(directory + "/events.csv", checkpoint.tables.events);
+      recover_text(directory + "/joint_history.csv", checkpoint.tables.history);
+      recover_text(directory + "/resultants.csv", checkpoint.tables.resultants);
+      if (checkpoint.tables.monitors.published.size > 0)
+        recover_text(directory + "/monitors.csv", checkpoint.tables.monitors);
+      recover_text(directory + "/log.txt", checkpoint.log.text);
+      for_each_field(checkpoint.fields, [&](const char *, const auto &collection) {
+        for (const auto &[t, file] : collection)
+          if (!std::filesystem::exists(directory + "/" + file))
+            throw InputError(fmt::format("The result {}/{} is gone.", directory, file));
+      });
+    }
+  } // namespace
+
+  void
+  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint)
+  {
+    Json::binary_t content(Json::to_cbor(archive::encode(checkpoint)));
+    Json file        = {{"program", "fuga"}, {"version", version}, {"format", format}};
+    file["checksum"] = checksum(view(content));
+    file["content"]  = std::move(content);
+    std::string text;
+    Json::to_cbor(file, text);
+    write_complete_file(directory + "/" + checkpoint_file_name, text);
+  }
+
+  Checkpoint
+  read_checkpoint(const std::string &directory)
+  {
+    const std::string path = directory + "/" + checkpoint_file_name;
+    if (!std::filesystem::exists(path))
+      throw InputError(fmt::format(
+        "There is no checkpoint {}: nothing can be restarted. Run without --restart, or name the "
+        "directory of the run by --output-dir. (Checkpoints are written unless 'Output/Checkpoint' "
+        "says never.)",
+        path));
+    Checkpoint checkpoint;
+    try
+      {
+        archive::decode(read_content(path), checkpoint);
+      }
+    catch (const InputError &)
+      {
+        throw;
+      }
+    catch (const std::exception &)
+      {
+        refuse(path, "is damaged or was written by another version of the program");
+      }
+    try
+      {
+        check_results(directory, checkpoint);
+      }
+    catch (const InputError &error)
+      {
+        refuse(path, fmt::format("does not fit the results beside it: {}", error.what()));
+      }
+    return checkpoint;
+  }
+} // namespace fuga

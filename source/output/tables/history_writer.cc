@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/output/tables/history_writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fuga
+{
+  std::pair<std::size_t, double>
+  stage_of(const double t, const std::size_t n_stages)
+  {
+    const double number = std::clamp(std::ceil(t) - 1., 0., static_cast<double>(n_stages - 1));
+    return {static_cast<std::size_t>(number), t - number};
+  }
+
+  std::pair<std::size_t, double>
+  stage_of_event(const double t, const std::size_t n_stages)
+  {
+    const double number = std::clamp(std::floor(t), 0., static_cast<double>(n_stages - 1));
+    return {static_cast<std::size_t>(number), t - number};
+  }
+
+  HistoryWriter::HistoryWriter(const std::string &directory, const HistoryContext &history_context)
+    : context(history_context)
+    , events(directory + "/events.csv", event_columns(context.units))
+    , history(directory + "/joint_history.csv", history_columns(context.units, context.has_water))
+    , resultants(directory + "/resultants.csv",
+                 resultant_columns(context.units, context.has_water, context.in_space))
+  {
+    if (!context.monitors.empty())
+      monitors = std::make_unique<Table<MonitorRow>>(
+        directory + "/monitors.csv", monitor_columns(context.units, context.in_space));
+  }
+
+  Moment
+  HistoryWriter::moment(const double t, const std::size_t stage, const double certificate) const
+  {
+    return {t, context.driving.at(t, stage), certificate, length_beyond};
+  }
+
+  void
+  HistoryWriter::add_events(const std::vector<ContactEvent> &new_events, const double certificate)
+  {
+    for (const ContactEvent &event : new_events)
+      {
+        const ContactElement &element = context.elements[event.element];
+        const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
+        events.add({moment(event.t, stage, certificate),
+                    ++n_events,
+                    event,
+                    element,
+                    context.joint_names[element.joint],
+                    context.stage_names[stage],
+                    fraction});
+      }
+  }
+
+  void
+  HistoryWriter::add_level(const double t,
+                           const std::vector<ElementResult> &results,
+                           const std::vector<JointResultant> &joint_resultants,
+                           const EnergyLedger &energies,
+                           const double certificate)
+  {
+    const Moment now = moment(t, stage_of(t, context.stage_names.size()).first, certificate);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        history.add({now, context.joint_names[element.joint], element, results[k]});
+      }
+    for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
+      if (context.joints_there[joint])
+        resultants.add({now, context.joint_names[joint], joint_resultants[joint], energies});
+  }
+
+  HistoryMemory
+  HistoryWriter::memory() const
+  {
+    return {events.memory(),
+            history.memory(),
+            resultants.memory(),
+            monitors ? monitors->memory() : TextMemory(),
+            n_events};
+  }
+
+  void
+  HistoryWriter::restore(const HistoryMemory &memory)
+  {
+    events.restore(memory.events);
+    history.restore(memory.history);
+    resultants.restore(memory.resultants);
+    if (monitors)
+      monitors->restore(memory.monitors);
+    n_events = memory.n_events;
+  }
+
+  void
+  HistoryWriter::add_monitors(const double t,
+                              const std::string &occasion,
+                              const Vector &coordinates,
+                              const Vector &factors,
+                              const Vector &thermal_strains)
+  {
+    const std::size_t n_stages = context.stage_names.size();
+    const std::size_t stage =
+      (occasion == "event" ? stage_of_event(t, n_stages) : stage_of(t, n_stages)).first;
+    const Moment now = moment(t, stage, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < context.monitors.size(); ++i)
+      {
+        const Monitor &monitor = context.monitors[i];
+        monitors->add({now,
+                       occasion,
+                       monitor,
+                       monitor.displacement(coordinates, factors),
+                       monitor.stress(coordinates, factors, thermal_strains[i])});
+      }
+  }
+
+  void
+  HistoryWriter::publish(const bool now)
+  {
+    events.publish(now);
+    history.publish(now);
+    resultants.publish(now);
+    if (monitors)
+      monitors->publish(now);
+  }
+} // namespace fuga

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/condensed/model_sizes.h>
+#include <fuga/output/warnings/implausible_data.h>
+#include <fuga/output/warnings/implausible_loads.h>
+#include <fuga/output/warnings/model_warnings.h>
+
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Above this size of all results a run is asked about [bytes]. */
+    constexpr double large_output = 5e9;
+
+    /** Measured on the shipped dams [bytes per level]: a row of joint_history.csv, a row of
+     *  resultants.csv; in the fields a contact element, and a node with its share of cells. */
+    constexpr double history_row = 250., resultants_row = 450., field_element = 300.,
+                     field_node_in_plane = 100., field_node_in_space = 220.;
+
+    template <int dim>
+    void
+    warn_of_size(const Parameters &parameters,
+                 const CondensedSystem<dim> &system,
+                 std::vector<std::string> &warnings)
+    {
+      double n_levels = 0.;
+      for (const StageDefinition &stage : parameters.model.stages)
+        n_levels += stage.purpose == StagePurpose::loading ? stage.levels : 0.;
+      const double n_elements = static_cast<double>(system.elements().size());
+      const double n_nodes    = static_cast<double>(system.discretization().n_nodes());
+      const double tables =
+        n_levels *
+        (history_row * n_elements + resultants_row * static_cast<double>(parameters.joints.size()));
+      const double fields =
+        parameters.output.fields != FieldOutput::levels
+          ? 0.
+          : n_levels * (field_element * n_elements +
+                        (dim == 2 ? field_node_in_plane : field_node_in_space) * n_nodes);
+      if (tables + fields > large_output)
+        warnings.push_back(
+          fmt::format("{:.0f} load levels will write about {:.2g} GB of tables and {:.2g} GB of "
+                      "fields. Take fewer Levels in the stages; events are found exactly between "
+                      "any two of them. Fields are left out by Output/Fields = end or never.",
+                      n_levels,
+                      tables / 1e9,
+                      fields / 1e9));
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::vector<std::string>
+  model_warnings(const Parameters &parameters,
+                 const CondensedSystem<dim> &system,
+                 const LoadHistory &load_factors,
+                 const unsigned int first_stage,
+                 const unsigned int end_stage)
+  {
+    std::vector<std::string> warnings;
+    if (first_stage == 0)
+      {
+        const auto [low, high] = extent_of(system.discretization());
+        double extent          = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          extent = std::max(extent, high[c] - low[c]);
+        warnings = implausible_data(parameters, extent);
+        warn_of_size(parameters, system, warnings);
+      }
+    ImplausibleLoads<dim> loads(parameters, system, load_factors);
+    for (unsigned int stage = first_stage; stage < end_stage; ++stage)
+      if (parameters.model.stages[stage].purpose == StagePurpose::loading)
+        loads.review(stage);
+    warnings.insert(warnings.end(), loads.warnings().begin(), loads.warnings().end());
+    return warnings;
+  }
+
+  template std::vector<std::string>
+  model_warnings(const Parameters &,
+                 const CondensedSystem<2> &,
+                 const LoadHistory &,
+                 const unsigned int,
+                 const unsigned int);
+  template std::vector<std::string>
+  model_warnings(const Parameters &,
+                 const CondensedSystem<3> &,
+                 const LoadHistory &,
+                 const unsigned int,
+                 const unsigned int);
+} // namespace fuga

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/input_errors.h>
+#include <fuga/base/interruption.h>
+#include <fuga/base/process_info.h>
+#include <fuga/input/stiffness_need.h>
+#include <fuga/mesh/gmsh_mesh.h>
+#include <fuga/output/results/mechanism_text.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
+
+#include <fmt/format.h>
+
+namespace fuga
+{
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters,
+                    const ConstructionState &state,
+                    const Condensation condensation)
+    : Model(run_parameters, state, nullptr, condensation)
+  {
+  }
+
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters, const PhaseEnd &before)
+    : Model(run_parameters, {before.stage, {}, {}, {}, {}}, &before, Condensation::with_loads)
+  {
+  }
+
+  template <int dim>
+  Model<dim>::Model(const Parameters &run_parameters,
+                    const ConstructionState &state,
+                    const PhaseEnd *before,
+                    const Condensation condensation)
+    : parameters(run_parameters)
+    , timer(before ? before->timer : PhaseTimer())
+    , shared_mesh(before ? before->mesh : read_mesh())
+    , mesh(*shared_mesh)
+    , bodies(mesh, parameters.model, frictionless_joints(), condensation, state.stage)
+    , construction(state)
+    , monitor_points(find_monitor_points())
+    , loads(make_loads(before, condensation))
+    , monitors(make_monitors(condensation))
+    , joint_names(find_joint_names())
+    , stage_names(find_stage_names())
+    , frames(find_frames())
+    , joints_there(find_joints_there())
+  {
+    if (before)
+      take_over_joints(*before);
+    if (construction.stage > 0)
+      bodies.set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
+    timer.set_apart(bodies.phases());
+    timer.finish("elements and loads");
+    interruption::check("while the model was set up");
+  }
+
+  template <int dim>
+  std::shared_ptr<const JointedMesh>
+  Model<dim>::read_mesh() const
+  {
+    // Of the program: later models do not wait for it.
+    static const double start = seconds_since_process_start();
+    timer.book("start", start);
+    auto result = std::make_shared<const JointedMesh>(
+      split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions()));
+    timer.finish("mesh");
+    return result;
+  }
+
+  template <int dim>
+  std::vector<JointDefinition>
+  Model<dim>::joint_definitions() const
+  {
+    std::vector<JointDefinition> definitions;
+    for (const JointParameters &joint : parameters.joints)
+      definitions.push_back(joint.definition);
+    return definitions;
+  }
+
+  // A joint without shear strength needs no tangential bars.
+  template <int dim>
+  std::vector<bool>
+  Model<dim>::frictionless_joints() const
+  {
+    std::vector<bool> frictionless;
+    for (const JointParameters &joint : parameters.joints)
+      frictionless.push_back(joint.friction.is_frictionless());
+    return frictionless;
+  }
+
+  // All that can be wrong in joints and loads is found before the bodies are condensed.
+  template <int dim>
+  LoadProgram
+  Model<dim>::make_loads(const PhaseEnd *before, const Condensation condensation)
+  {
+    interruption::check("while the model was set up");
+    check_joints(parameters.joints);
+    check_body_solver();
+    LoadProgram program = make_load_program(parameters.model, bodies);
+    if (construction.stage == 0)
+      check_later_phases();
+    if (!is_last_phase())
+      {
+        program.history        = program.history.until(next_stage());
+        program.end_of_loading = program.history.end();
+      }
+    if (construction.stage > 0)
+      begin_phase(program, before);
+    if (condensation == Condensation::never)
+      bodies.check_load_patterns(program.patterns);
+    else
+      bodies.set_load_patterns(std::move(program.patterns));
+    return program;
+  }
+
+  template <int dim>
+  std::vector<MonitorPoint<dim>>
+  Model<dim>::find_monitor_points() const
+  {
+    std::vector<MonitorPoint<dim>> points;
+    InputErrors errors;
+    for (const MonitorDefinition &definition : parameters.model.monitors)
+      errors.attempt([&]() { points.emplace_back(bodies.discretization(), mesh, definition); });
+    errors.throw_if_any();
+    return points;
+  }
+
+  template <int dim>
+  std::vector<Monitor>
+  Model<dim>::make_monitors(const Condensation condensation) const
+  {
+    std::vector<Monitor> result;
+    if (condensation == Condensation::never)
+      return result;
+    for (std::size_t i = 0; i < monitor_points.size(); ++i)
+      result.emplace_back(
+        parameters.model.monitors[i], monitor_points[i], parameters.model, bodies);
+    return result;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Model<dim>::find_joint_names() const
+  {
+    std::vector<std::string> names;
+    for (const JointParameters &joint : parameters.joints)
+      names.push_back(joint.definition.name);
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Model<dim>::find_stage_names() const
+  {
+    std::vector<std::string> names;
+    for (const StageDefinition &stage : parameters.model.stages)
+      names.push_back(stage.name);
+    return names;
+  }
+
+  template <int dim>
+  std::vector<ElementFrame>
+  Model<dim>::find_frames() const
+  {
+    std::vector<ElementFrame> result;
+    for (std::size_t k = 0; k < bodies.elements().size(); ++k)
+      result.push_back({bodies.normal(k), bodies.tangents(k)});
+    return result;
+  }
+
+  template <int dim>
+  std::vector<JointResultant>
+  Model<dim>::resultants(const std::vector<ElementResult> &results, const Vector &dissipation) const
+  {
+    if constexpr (dim == 3)
+      return joint_resultants_in_space(
+        joint_names.size(), bodies.elements(), frames, results, dissipation);
+    else
+      {
+        std::vector<std::array<double, 3>> normals;
+        for (const ElementFrame &frame : frames)
+          normals.push_back(frame.normal);
+        return joint_resultants(joint_names.size(),
+                                bodies.elements(),
+                                normals,
+                                results,
+                                dissipation,
+                                {parameters.model.thickness,
+                                 parameters.model.assumption == PlaneAssumption::axisymmetric});
+      }
+  }
+
+  template <int dim>
+  std::string
+  Model<dim>::motion(const std::vector<ContactElement> &elements, const PathResult &result) const
+  {
+    if (result.mechanism == MechanismKind::none || result.mechanism_jumps.empty())
+      return "";
+    return mechanism_text(
+      joint_motions(joint_names.size(), elements, frames, result.mechanism_jumps, dim == 3),
+      joint_names);
+  }
+
+  template <int dim>
+  void
+  Model<dim>::check_joints(const std::vector<JointParameters> &joints) const
+  {
+    check_cones();
+    check_initial_gaps<dim>(bodies.elements(), joints, parameters.model.constants);
+  }
+
+  // What a path on cones does not know, before anything is computed.
+  template <int dim>
+  void
+  Model<dim>::check_cones() const
+  {
+    if (!have_two_tangents(bodies.elements()))
+      return;
+    std::string what;
+    if (parameters.solver.beyond_limit)
+      what = "the path beyond the limit load is";
+    else if (!parameters.solver.follow_events &&
+             parameters.model.body_solver != BodySolver::matrix_free)
+      what = "one step per stage without events, but for Solver/Bodies = iterative matrix-free, is";
+    else if (parameters.solver.non_unique != NonUniqueChoice::stop)
+      what = "the choice between several continuations is";
+    if (!what.empty())
+      throw InputError(fmt::format(
+        "{}: in space, where friction acts along two directions, {} not available in this version. "
+        "Take it out, or hold one of the directions by supports in all joints.",
+        parameters.parameter_file,
+        what));
+  }
+
+  template <int dim>
+  void
+  Model<dim>::check_body_solver() const
+  {
+    const BodySolver solver = parameters.model.body_solver;
+    if (solver != BodySolver::matrix_free)
+      return;
+    std::string what = what_needs_stiffness(parameters);
+    if (what.empty() && !bodies.jump_operator().empty())
+      what = "the crossing of joints, or a corner of one ('Corner angle' below 180), is";
+    if (!what.empty())
+      throw InputError(fmt::format(
+        "{}: Solver/Bodies = iterative matrix-free: {} not available without the stiffness of the "
+        "interface. Choose Solver/Bodies = iterative or direct.",
+        parameters.parameter_file,
+        what));
+  }
+
+  template <int dim>
+  std::vector<bool>
+  Model<dim>::find_joints_there() const
+  {
+    std::vector<bool> there(parameters.joints.size(), false);
+    for (const JointFace &face : bodies.joint_faces())
+      there[face.joint] = true;
+    return there;
+  }
+
+  template <int dim>
+  PathOptions
+  Model<dim>::path_options() const
+  {
+    PathOptions options;
+    options.iteration = parameters.solver.iteration == IterationKind::newton
+                          ? PathOptions::Iteration::newton
+                          : PathOptions::Iteration::constant_stiffness;
+    options.follow    = parameters.solver.follow_events ? PathOptions::Follow::events
+                                                        : PathOptions::Follow::stage_ends;
+    switch (parameters.solver.non_unique)
+      {
+        case NonUniqueChoice::stop:
+          options.non_unique = PathOptions::NonUnique::stop;
+          break;
+        case NonUniqueChoice::first:
+          options.non_unique = PathOptions::NonUnique::first;
+          break;
+        case NonUniqueChoice::largest_dissipation:
+          options.non_unique = PathOptions::NonUnique::largest_dissipation;
+          break;
+      }
+    options.beyond_limit   = parameters.solver.beyond_limit;
+    options.beyond_jump    = parameters.solver.beyond_jump;
+    options.tolerance      = parameters.solver.iteration_tolerance;
+    options.max_iterations = parameters.solver.maximum_iterations;
+    return options;
+  }
+
+  template <int dim>
+  std::vector<std::pair<std::string, std::size_t>>
+  Model<dim>::sizes() const
+  {
+    std::size_t n_bars = 0;
+    for (const ContactElement &element : bodies.elements())
+      n_bars += element.n_bars();
+    return {{"cells", bodies.discretization().n_cells()},
+            {"degrees_of_freedom", bodies.discretization().n_dofs()},
+            {"load_patterns", bodies.load_patterns().n_columns()},
+            {"interface_coordinates", bodies.n_coordinates()},
+            {"contact_elements", bodies.elements().size()},
+            {"bars", n_bars}};
+  }
+
+  template class Model<2>;
+  template class Model<3>;
+} // namespace fuga

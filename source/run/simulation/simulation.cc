@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
+#include <fuga/base/work_counter.h>
+#include <fuga/bodies/processes.h>
+#include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/contact/path/matrix_free_path.h>
+#include <fuga/output/tables/summary.h>
+#include <fuga/run/simulation/simulation.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  template <int dim>
+  Simulation<dim>::Simulation(const Model<dim> &shared_model, AccuracyReport of_mesh)
+    : model(shared_model)
+    , parameters(model.parameters)
+    , accuracy(std::move(of_mesh))
+    , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
+    , layered(model.bodies, joint.elements)
+    , safety_search(model, parameters.joints, joint, layered)
+    , loading(model.loads.history.until(model.loads.end_of_loading))
+    , path(make_path())
+    , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
+    , tables(joint.elements)
+    , context{joint.elements,
+              model.joint_names,
+              model.joints_there,
+              model.stage_names,
+              model.monitors,
+              parameters.output.units,
+              !model.bodies.closed_water().empty(),
+              dim == 3,
+              DrivingQuantities(parameters.model, model.loads.load_factors)}
+    , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
+    , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
+    , history(parameters.output.directory, context)
+  {
+    model.timer.finish("layered system");
+  }
+
+  template <int dim>
+  Simulation<dim>::~Simulation() = default;
+
+  template <int dim>
+  std::unique_ptr<ContactPath>
+  Simulation<dim>::make_path() const
+  {
+    if (model.bodies.has_stiffness())
+      return std::make_unique<EventPath>(joint.elements, layered, loading, model.path_options());
+    return std::make_unique<MatrixFreePath>(
+      joint.elements, layered, model.bodies, model.bodies, loading);
+  }
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::run()
+  {
+    begin_output();
+    log_header();
+    from_the_beginning = true;
+    return follow([this]() { return path->run(model.loads.levels, *this); });
+  }
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::follow(const std::function<PathResult()> &path_to_follow)
+  {
+    Outcome outcome;
+    try
+      {
+        PathResult found = path_to_follow();
+        if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
+          write_last_state();
+        if (found.verdict == Verdict::done && !model.is_last_phase())
+          {
+            end_of_phase = found;
+            return ExitCode::done;
+          }
+        outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
+        outcome.path      = found;
+        outcome.verdict   = verdict_name(found.verdict);
+        outcome.code =
+          found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
+        find_safety(outcome);
+        if (!(worst.worst() <= parameters.solver.certificate_bound))
+          {
+            outcome.code    = ExitCode::certificate_violated;
+            outcome.message = doubt_about_data();
+          }
+      }
+    catch (const NumericalFailure &failure)
+      {
+        outcome.verdict = "numerical failure";
+        outcome.code    = ExitCode::numerical_failure;
+        outcome.message = failure.what();
+        outcome.path.t  = last_state.t;
+      }
+    catch (const Interrupted &)
+      {
+        end_early();
+      }
+    catch (const processes::Separated &)
+      {
+        if (interruption::signal_number() == 0)
+          throw;
+        end_early(); // the others noticed the signal before this process did
+      }
+    finish(outcome);
+    return outcome.code;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::advanced(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    judge.follow(from, to, length);
+    tables.watch(to.state);
+    last_state = to.state;
+    log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::jumped(const JointState &to)
+  {
+    judge.lose_track();
+    last_state = to;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::changed(const std::vector<ContactEvent> &events, const JointState &state)
+  {
+    last_state                    = state;
+    const Certificate certificate = judge.judge(state);
+    worst.absorb(certificate);
+    for (const ContactEvent &event : events)
+      ++events_by_kind[fmt::format("{} -> {}", event.names()[0], event.names()[1])];
+    n_events += events.size();
+    history.add_events(events, certificate.worst());
+    if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
+      write_monitors(state.t,
+                     "event",
+                     judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t),
+                     model.loads.history.factors(state.t));
+    log.events(events, certificate.worst());
+    publish(false);
+    checkpoint_at_event();
+  }
+
+  // A requested load level: the only place where the full field is recovered, and only if it is
+  // written.
+  template <int dim>
+  void
+  Simulation<dim>::reached(const std::size_t index, const JointState &state)
+  {
+    const bool last    = model.is_last_phase() && state.t >= model.loads.end_of_loading;
+    const bool written = parameters.output.fields == FieldOutput::levels ||
+                         (parameters.output.fields == FieldOutput::end && last);
+    write_state(state, written);
+    levels_written = index + 1;
+    write_checkpoint();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::went_beyond(const double length, const JointState &state)
+  {
+    if (length == 0.)
+      {
+        last_state = state;
+        write_last_state();
+        return;
+      }
+    history.set_path_length(length);
+    write_state(state, parameters.output.fields == FieldOutput::levels);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_state(const JointState &state, const bool with_fields)
+  {
+    const work::Scope phase(work::Phase::results);
+    model.timer.finish("path");
+    Certificate certificate = judge.judge(state);
+    const Vector jumps      = layered.jumps(state.dislocations, state.forces);
+    const Vector x          = judge.coordinates(jumps, state.t);
+    const Vector a          = model.loads.history.factors(state.t);
+    const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
+    if (with_fields)
+      {
+        const auto rigid         = model.bodies.rigid_part(x);
+        dealii::Vector<double> u = model.bodies.recover(a, rigid.remainder);
+        Vector on_lips           = state.forces;
+        for (std::size_t i = 0; i < state.water.size(); ++i)
+          on_lips[i] -= state.water[i];
+        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a, rigid.motion);
+        certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
+        certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
+        if (rigid.motion.size() > 0)
+          u += rigid.motion;
+        model.timer.finish("recovery of displacements");
+        // Beyond a limit load the load time does not grow, but the times of a film must.
+        const double time = state.t + history.path_length();
+        fields.write_bodies(
+          time,
+          u,
+          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, state.t));
+        fields.write_joints(time, joint.elements, results, judge.dissipation());
+        model.timer.finish("fields");
+      }
+    worst.absorb(certificate);
+    history.add_level(state.t,
+                      results,
+                      model.resultants(results, judge.dissipation()),
+                      judge.energies(),
+                      certificate.worst());
+    write_monitors(state.t, "level", x, a);
+    log.level(state.t, results, certificate.worst());
+    publish(false);
+    model.timer.finish("tables");
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_monitors(const double t,
+                                  const std::string &occasion,
+                                  const Vector &coordinates,
+                                  const Vector &factors)
+  {
+    Vector thermal_strains(model.monitors.size(), 0.);
+    if (std::any_of(model.monitors.begin(), model.monitors.end(), [](const Monitor &monitor) {
+          return monitor.has_stress();
+        }))
+      {
+        const TemperatureField<dim> temperature =
+          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, t);
+        for (std::size_t i = 0; i < model.monitors.size(); ++i)
+          thermal_strains[i] =
+            temperature.strain(model.monitor_points[i].position(), model.monitors[i].body());
+      }
+    history.add_monitors(t, occasion, coordinates, factors, thermal_strains);
+  }
+
+  template <int dim>
+  Vector
+  Simulation<dim>::closed_water(const Vector &factors) const
+  {
+    const DenseMatrix &water = model.bodies.closed_water();
+    return water.empty() ? Vector() : multiply(water, factors);
+  }
+
+  // At a limit load the last state in equilibrium is written like a level.
+  template <int dim>
+  void
+  Simulation<dim>::write_last_state()
+  {
+    if (last_state.states.empty())
+      return;
+    const bool is_level =
+      levels_written > 0 && model.loads.levels[levels_written - 1] == last_state.t;
+    if (!is_level)
+      write_state(last_state, parameters.output.fields != FieldOutput::never);
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace fuga

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/base/process_info.h>
+#include <fuga/bodies/point_text.h>
+#include <fuga/bodies/space/discretization.h>
+#include <fuga/output/files/version.h>
+#include <fuga/output/tables/boundary_table.h>
+#include <fuga/output/tables/summary.h>
+#include <fuga/output/warnings/model_echo.h>
+#include <fuga/output/warnings/model_warnings.h>
+#include <fuga/run/simulation/simulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  template <int dim>
+  void
+  Simulation<dim>::begin_output()
+  {
+    begin_results(parameters.output.directory, [this]() {
+      Outcome unfinished;
+      unfinished.verdict = "unfinished";
+      write_summary(unfinished);
+    });
+    write_boundary_table(parameters.output.directory, model.mesh, parameters.output.units);
+    if (!accuracy.rounds.empty())
+      write_refinement_table(parameters.output.directory, accuracy);
+    publish(true);
+    if (keeps_checkpoints())
+      mesh_identity = identify_file(parameters.mesh_file);
+    model.timer.finish("tables");
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_header()
+  {
+    const Discretization<dim> &space = model.bodies.discretization();
+    for (std::size_t i = 0; i < accuracy.rounds.size(); ++i)
+      log.earlier_line(accuracy.description(i));
+    log.line(fmt::format("fuga {}  {}", version, parameters.title));
+    log.line(fmt::format("{}: {} cells, {} degrees of freedom, {} contact elements, {} bars",
+                         parameters.mesh_file,
+                         space.n_cells(),
+                         space.n_dofs(),
+                         joint.elements.size(),
+                         layered.n_bars()));
+    for (const std::string &line : model.mesh.report)
+      log.line(line);
+    for (const std::string &line : model.bodies.report())
+      log.line(line);
+    log_layers();
+    for (const std::string &line : joint.report)
+      log.line(line);
+    for (const std::string &line : model.loads.report)
+      log.line(line);
+    log_model();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_model()
+  {
+    const ModelEcho<dim> echo(parameters,
+                              model.bodies,
+                              model.loads.load_factors,
+                              model.construction.stage,
+                              model.next_stage());
+    for (const std::string &line : echo.in_brief())
+      log.line(line);
+    for (const std::string &text : model_warnings(parameters,
+                                                  model.bodies,
+                                                  model.loads.load_factors,
+                                                  model.construction.stage,
+                                                  model.next_stage()))
+      log.warning(text);
+  }
+
+  namespace
+  {
+    std::string
+    strength_description(const FrictionLaw &law)
+    {
+      std::string text = fmt::format("friction {:g}, cohesion {:g}", law.coefficient, law.cohesion);
+      if (law.friction_loss > 0.)
+        text += fmt::format(", residual friction {:g}", residual_friction(law));
+      if (law.tensile_strength > 0.)
+        text += fmt::format(", tensile strength {:g}", law.tensile_strength);
+      if (law.bond_loss == FrictionLaw::BondLoss::slip)
+        text += ", brittle";
+      if (law.dilatancy > 0.)
+        text += fmt::format(", dilatancy {:g}", law.dilatancy);
+      return text;
+    }
+  } // namespace
+
+  template <int dim>
+  std::string
+  Simulation<dim>::shear_description(const unsigned int j) const
+  {
+    for (const ContactElement &element : joint.elements)
+      if (element.joint == j && element.coupling != nullptr)
+        return element.coupling->description();
+    return joint.laws[2 * j + 1]->description();
+  }
+
+  // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
+  // bodies.
+  template <int dim>
+  void
+  Simulation<dim>::log_layers()
+  {
+    double softest_body = std::numeric_limits<double>::infinity();
+    for (const Material &material : parameters.model.materials)
+      softest_body = std::min(softest_body, material.young_modulus);
+    for (unsigned int j = 0; j < parameters.joints.size(); ++j)
+      {
+        const JointParameters &data = parameters.joints[j];
+        double length               = 0.; // of an area: the side of a square as large
+        for (const JointFace &face : model.bodies.joint_faces())
+          if (face.joint == j)
+            length += dim == 2 ? std::hypot(face.positions.back()[0] - face.positions.front()[0],
+                                            face.positions.back()[1] - face.positions.front()[1])
+                               : face.area;
+        if (dim == 3)
+          length = std::sqrt(length);
+        std::string text        = fmt::format("joint '{}': normal {}, shear {}, {}",
+                                       data.definition.name,
+                                       joint.laws[2 * j]->description(),
+                                       shear_description(j),
+                                       strength_description(data.friction));
+        const double compliance = joint.laws[2 * j]->initial_compliance();
+        if (compliance > 0. && length > 0.)
+          text += fmt::format("; rho E / B = {:.3g}", compliance * softest_body / length);
+        if (data.normal_layer_modulus() > 0.)
+          text += fmt::format(", layer modulus {:.4g} {}",
+                              data.normal_layer_modulus(),
+                              parameters.output.units.stress());
+        log.line(text);
+      }
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish(const Outcome &outcome)
+  {
+    model.timer.finish("path");
+    if (outcome.path.n_non_unique > 0 && outcome.path.verdict != Verdict::non_unique_continuation)
+      log.warning(fmt::format(
+        "t = {:.12g}: {}; {} such decisions on the path, the one of '{}' was "
+        "followed.",
+        outcome.path.critical.t,
+        describe_critical(outcome.path),
+        outcome.path.n_non_unique,
+        parameters.solver.non_unique == NonUniqueChoice::first ? "first" : "largest dissipation"));
+    if (parameters.solver.beyond_limit && outcome.path.beyond.end == BeyondLimit::End::none &&
+        (outcome.path.verdict == Verdict::limit_load ||
+         outcome.path.verdict == Verdict::no_continuation))
+      log.warning("The path was not followed beyond the limit load: that needs rigid or linear "
+                  "layers.");
+    for (const std::string &text :
+         tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
+      log.warning(text);
+    log_closing_table(outcome);
+    log.close();
+    publish(true);
+    write_summary(outcome);
+    write_checkpoint(outcome);
+  }
+
+  // Friction beyond its critical value: how many ways to go on, and which elements decide.
+  template <int dim>
+  std::string
+  Simulation<dim>::describe_critical(const PathResult &result) const
+  {
+    constexpr std::size_t max_named  = 3;
+    const CriticalFriction &critical = result.critical;
+    std::string where;
+    for (std::size_t i = 0; i < std::min(max_named, critical.elements.size()); ++i)
+      {
+        const ContactElement &element = joint.elements[critical.elements[i]];
+        dealii::Point<dim> place;
+        for (unsigned int c = 0; c < dim; ++c)
+          place[c] = element.position[c];
+        where += fmt::format("{}{} {} at {}",
+                             i == 0 ? "" : ", ",
+                             model.joint_names[element.joint],
+                             element.number,
+                             text_of(place));
+      }
+    if (critical.elements.size() > max_named)
+      where += fmt::format(" and {} more", critical.elements.size() - max_named);
+    const std::string count = critical.n_branches == 0
+                                ? "no continuation"
+                                : fmt::format("{}{} continuations",
+                                              critical.all_counted ? "" : "at least ",
+                                              critical.n_branches);
+    return fmt::format("friction beyond its critical value: {}, decided by {}", count, where);
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::reason_of(const PathResult &result) const
+  {
+    return result.verdict == Verdict::limit_load
+             ? "mechanism: " + mechanism_name(result.mechanism)
+             : "although nothing moves freely, " + describe_critical(result);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_closing_table(const Outcome &outcome)
+  {
+    const auto [stage, fraction] = stage_of(outcome.path.t, model.stage_names.size());
+    log.line(std::string(72, '-'));
+    switch (outcome.code)
+      {
+        case ExitCode::numerical_failure:
+          log.line(fmt::format("Verdict     numerical failure: {}", outcome.message));
+          break;
+        case ExitCode::loss_of_equilibrium:
+          log.line(fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
+                               outcome.verdict,
+                               fraction,
+                               model.stage_names[stage],
+                               outcome.path.t,
+                               reason_of(outcome.path)));
+          log.line("            " + context.driving.at(outcome.path.t, stage).text());
+          if (const std::string motion = model.motion(joint.elements, outcome.path);
+              !motion.empty())
+            log.line("            " + motion);
+          if (outcome.path.verdict == Verdict::limit_load)
+            log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
+                                 "part {:.1e}, balance of "
+                                 "power {:.1e}; the load drives it with {:.3g} of its power",
+                                 outcome.mechanism.resistance,
+                                 outcome.mechanism.inadmissible,
+                                 outcome.mechanism.balance,
+                                 outcome.mechanism.drive));
+          break;
+        default:
+          log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
+      }
+    for (const SafetyFactor &safety : outcome.safety)
+      log_safety(safety);
+    if (const BeyondLimit &beyond = outcome.path.beyond; beyond.end != BeyondLimit::End::none)
+      log.line(
+        fmt::format("Beyond      {} steps to t = {:.12g}, largest jump grown by {:.6g} {}, end: {}",
+                    beyond.n_steps,
+                    beyond.t,
+                    beyond.length,
+                    parameters.output.units.length,
+                    beyond_limit_end_name(beyond.end)));
+    std::string kinds;
+    for (const auto &[kind, count] : events_by_kind)
+      kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
+    log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
+    log_resultants();
+    if (!accuracy.rounds.empty())
+      log.line("Accuracy    " + accuracy.conclusion());
+    const IterationCount iterations = path->iterations();
+    if (iterations.n_solutions > 0)
+      log.line(fmt::format("Iterations  {} in {} solutions, at most {} in one",
+                           iterations.n_iterations,
+                           iterations.n_solutions,
+                           iterations.max_in_one));
+    const auto entries = worst.entries();
+    const auto largest =
+      std::max_element(entries.begin(), entries.end(), [](const auto &a, const auto &b) {
+        return a.second < b.second;
+      });
+    log.line(fmt::format("Certificate {:.2e} ({}), bound {:.0e}{}",
+                         worst.worst(),
+                         largest->first,
+                         parameters.solver.certificate_bound,
+                         outcome.code == ExitCode::certificate_violated ? "   VIOLATED" : ""));
+    if (outcome.code == ExitCode::certificate_violated && !outcome.message.empty())
+      log.line("            " + outcome.message);
+    model.timer.finish("tables");
+    log.line(fmt::format(
+      "Time        {:.3f} s, memory {:.0f} MB", model.timer.sum(), peak_memory_in_megabytes()));
+    log.line(fmt::format("Results     {}", parameters.output.directory));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::log_resultants()
+  {
+    if (last_state.states.empty())
+      return;
+    const Units &u    = parameters.output.units;
+    std::string title = "Resultants";
+    const std::vector<JointResultant> resultants =
+      model.resultants(element_results(joint.elements,
+                                       last_state,
+                                       layered.jumps(last_state.dislocations, last_state.forces),
+                                       closed_water(model.loads.history.factors(last_state.t))),
+                       judge.dissipation());
+    for (std::size_t j = 0; j < resultants.size(); ++j)
+      {
+        if (!model.joints_there[j])
+          continue;
+        const JointResultant &r = resultants[j];
+        std::string text        = "no force";
+        if (r.share_stick + r.share_slip > 0.)
+          {
+            text = fmt::format("N {:.6g} {}, T {:.6g} {}",
+                               r.N,
+                               u.force,
+                               dim == 2 ? r.T : std::hypot(r.T, r.T2),
+                               u.force);
+            if (dim == 2 && std::isfinite(r.M))
+              text += fmt::format(", M {:.6g} {}", r.M, u.energy());
+            text += fmt::format("; in compression {:.1f} %", 100. * r.share_compression);
+            if (std::isfinite(r.sliding_safety))
+              text += fmt::format("; sliding safety {:.4g}", r.sliding_safety);
+            if (std::isfinite(r.overturning_safety))
+              text += fmt::format("; overturning safety {:.4g}", r.overturning_safety);
+          }
+        log.line(fmt::format("{:<11} {}: {}", title, model.joint_names[j], text));
+        title.clear();
+      }
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_summary(const Outcome &outcome)
+  {
+    Summary summary;
+    summary.verdict              = outcome.verdict;
+    summary.exit_code            = static_cast<int>(outcome.code);
+    summary.message              = outcome.message;
+    summary.t                    = outcome.path.t;
+    const auto [stage, fraction] = stage_of(summary.t, model.stage_names.size());
+    summary.stage                = model.stage_names[stage];
+    summary.stage_fraction       = fraction;
+    summary.drive                = context.driving.at(summary.t, stage);
+    summary.motion               = model.motion(joint.elements, outcome.path);
+    summary.proof                = outcome.mechanism;
+    summary.path                 = outcome.path;
+    for (const std::size_t k : outcome.path.critical.elements)
+      {
+        const ContactElement &element = joint.elements[k];
+        summary.critical_elements.push_back(
+          {model.joint_names[element.joint],
+           element.number,
+           {element.position.begin(), element.position.begin() + dim}});
+      }
+    summary.safety            = outcome.safety;
+    summary.accuracy          = accuracy;
+    summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
+    summary.sizes             = model.sizes();
+    summary.work              = {model.bodies.work(), 1, path->work()};
+    summary.events_by_kind    = events_by_kind;
+    summary.n_events          = n_events;
+    summary.iterations        = path->iterations();
+    summary.certificate       = worst;
+    summary.certificate_bound = parameters.solver.certificate_bound;
+    summary.phases            = model.timer.seconds();
+    summary.peaks             = model.timer.peak_megabytes();
+    summary.memory_MB         = peak_memory_in_megabytes();
+    summary.split_report      = model.mesh.report;
+    summary.warnings          = log.all_warnings();
+    write_complete_file(parameters.output.directory + "/summary.json",
+                        summary_json(summary, parameters));
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace fuga
