@@ -127,6 +127,50 @@ TEST(Bonds, BrittleBondDropsToResidualFriction)
     }
 }
 
+// A bond under tension that breaks by slip where the shear it lets go presses the lips together
+// (S_nt > 0): they do not part, and slide by x. With forces p = (0.1, 0.95) before, N = 0.1 - x/2
+// and T = 0.95 - x. A neighbour without bond, pressed by n, is dragged along and slides too from
+// 0.5 x = f n on: at x = 0.1, where the lips still pull, N = 0.05. At the end all slides, T = -f N.
+TEST(Bonds, LipsPressEachOtherWhileTheirBondStillPulls)
+{
+  constexpr double f = 0.5, P = 0.1, H = 0.95, n = 0.1, t_break = 0.8;
+  FrictionLaw law;
+  law.coefficient      = f;
+  law.cohesion         = 1.;
+  law.tensile_strength = 0.5;
+  law.bond_loss        = FrictionLaw::BondLoss::slip;
+  ToyJoint joint(2, 1., make_rigid_law(), make_rigid_law(), law);
+  joint.elements[1].friction             = {};
+  joint.elements[1].friction.coefficient = f;
+  ToySystem system;
+  system.S = DenseMatrix(4, 4);
+  for (std::size_t bar = 0; bar < 4; ++bar)
+    system.S(bar, bar) = 1.;
+  system.S(0, 1) = system.S(1, 0) = system.S(1, 3) = system.S(3, 1) = 0.5;
+  system.F                                                          = DenseMatrix(4, 1);
+  system.F(0, 0)                                                    = P;
+  system.F(1, 0)                                                    = H;
+  system.F(2, 0)                                                    = -n;
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1.}, {{0.}, {1. / t_break}});
+  Record record(system, joint.elements, history);
+  const PathResult result = EventPath(joint.elements, layered, history, {}).run({1.}, record);
+  EXPECT_EQ(result.verdict, Verdict::done);
+  EXPECT_LE(record.worst.worst(), tolerance);
+  ASSERT_GE(record.events.size(), 2u);
+  EXPECT_NEAR(record.events.front().t, t_break, tolerance);
+  EXPECT_EQ(record.events.back().element, 1u);
+  EXPECT_EQ(record.events.back().to, ContactState::slip_backward);
+  EXPECT_NEAR(record.events.back().t, t_break, tolerance);
+  // H - x1 - x2/2 = f (x1/2 - P) and -x1/2 - x2 = -f n with all loads 1/t_break times as large.
+  const double x = (H + f * P - 0.5 * f * n) / (1. + 0.5 * f - 0.25) / t_break;
+  const double N = P / t_break - 0.5 * x;
+  ASSERT_LT(N, 0.);
+  const Vector expected = {N, -f * N, -n / t_break, -f * n / t_break};
+  for (std::size_t bar = 0; bar < 4; ++bar)
+    EXPECT_NEAR(record.levels[0].forces[bar], expected[bar], tolerance) << bar;
+}
+
 // Peak friction that a second sliding no longer finds: T = f at the first, f_r at the second.
 TEST(Bonds, PeakFrictionIsLostOnce)
 {

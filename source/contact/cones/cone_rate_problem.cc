@@ -58,7 +58,7 @@ namespace fuga
           {
             candidate.friction      = state.strengths[member.element].friction;
             candidate.rise          = state.strengths[member.element].dilatancy;
-            candidate.strength_rate = shear_strength_rate(element, drive);
+            candidate.strength_rate = shear_strength_rate(element, candidate.friction, drive);
             if (!drive.release.empty())
               candidate.shear_release = tangential(element, drive.release);
             bars.push_back(element.tangential_bar);

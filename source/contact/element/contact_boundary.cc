@@ -203,7 +203,7 @@ namespace fuga
             tangential(element, rates.forces),
             shear_strength(element, state, k),
             -state.strengths[k].friction * rates.forces[element.normal_bar] +
-              shear_strength_rate(element, drive),
+              shear_strength_rate(element, state.strengths[k].friction, drive),
             strength_tolerance(k, state.strengths[k])};
   }
 

@@ -17,6 +17,12 @@ namespace fuga
       return element.has_tangential_bar() ? length(tangential(element, at.unreleased)) : 0.;
     }
 
+    double
+    unreleased_tension(const ContactElement &element, const JointState &at)
+    {
+      return std::max(at.unreleased[element.normal_bar], 0.);
+    }
+
     bool
     widens(const ContactElement &element, const JointState &at)
     {
@@ -256,25 +262,29 @@ namespace fuga
     return sum(jump, -1., elastic);
   }
 
+  // Lips that meet again under what is left of a tension press each other by what N is below it.
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    return at.strengths[k].cohesion + unreleased_shear(element, at);
+    return at.strengths[k].cohesion + unreleased_shear(element, at) +
+           at.strengths[k].friction * unreleased_tension(element, at);
   }
 
-  // Under tension a bond has less strength; without a bond a tension is rounding.
+  // Under tension a bond has less strength, and so has one that is released; otherwise a tension is
+  // rounding.
   double
   shear_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
     const double N        = at.forces[element.normal_bar];
-    const double pressing = at.strengths[k].tension > 0. ? -N : std::max(-N, 0.);
+    const bool is_bonded  = at.strengths[k].tension > 0. || unreleased_tension(element, at) > 0.;
+    const double pressing = is_bonded ? -N : std::max(-N, 0.);
     return std::max(0., at.strengths[k].friction * pressing + cohesive_strength(element, at, k));
   }
 
   double
   tensile_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {
-    return at.strengths[k].tension + std::max(at.unreleased[element.normal_bar], 0.);
+    return at.strengths[k].tension + unreleased_tension(element, at);
   }
 
   double
@@ -287,9 +297,12 @@ namespace fuga
   }
 
   double
-  shear_strength_rate(const ContactElement &element, const Drive &drive)
+  shear_strength_rate(const ContactElement &element, const double friction, const Drive &drive)
   {
-    double rate = drive.release.empty() ? 0. : -length(tangential(element, drive.release));
+    double rate = drive.release.empty()
+                    ? 0.
+                    : friction * std::min(drive.release[element.normal_bar], 0.) -
+                        length(tangential(element, drive.release));
     if (!drive.strength.empty())
       rate += drive.strength[element.tangential_bar];
     return rate;

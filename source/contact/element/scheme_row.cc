@@ -3,6 +3,8 @@
 
 #include <fuga/contact/element/scheme_row.h>
 
+#include <cmath>
+
 namespace fuga
 {
   namespace
@@ -201,7 +203,7 @@ namespace fuga
         case Demand::no_force:
           return drive.release.empty() ? 0. : drive.release[row.bar];
         case Demand::sliding:
-          return slip_sign(state) * shear_strength_rate(element, drive);
+          return slip_sign(state) * shear_strength_rate(element, std::abs(row.own[0]), drive);
         case Demand::layer:
         case Demand::layer_across:
         case Demand::riding:

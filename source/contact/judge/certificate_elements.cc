@@ -44,8 +44,10 @@ namespace fuga
     raise(result.layer_law, std::abs(gap - elastic.normal), largest_jump);
     if (!element.has_tangential_bar())
       return;
-    const double strength =
-      left.friction * (left.tension > 0. ? -N : std::max(-N, 0.)) + left.cohesion + length(lost);
+    // Lips press each other by what N is below the tension that a broken bond still carries.
+    const double still_pulling = std::max(state.unreleased[n], 0.);
+    const double pressing      = left.tension > 0. ? -N : std::max(still_pulling - N, 0.);
+    const double strength      = left.friction * pressing + left.cohesion + length(lost);
     raise(result.cone, length(T) - strength, largest_force);
     const TangentVector jump_of_layer = sum(tangential(element, delta), -1., state.slips[k]);
     raise(result.layer_law, length(sum(jump_of_layer, -1., elastic.shear)), largest_jump);

@@ -150,7 +150,10 @@ namespace fuga
     const TangentVector lost = shear_part(elements[k], state.unreleased);
     if (state.states[k] == ContactState::open)
       return lost;
-    return sum({{0., 0.}}, length(lost), direction(shear_part(elements[k], state.forces)));
+    const double pulling = std::max(state.unreleased[elements[k].normal_bar], 0.);
+    return sum({{0., 0.}},
+               length(lost) + state.strengths[k].friction * pulling,
+               direction(shear_part(elements[k], state.forces)));
   }
 
   // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not

@@ -134,8 +134,9 @@ namespace fuga
         const double f                = state.strengths[unknown.element].friction;
         const double s                = lcp.scale[i];
         lcp.q[i]                      = s * reserve(unknown, element, f, stuck->forces);
-        lcp.q[i] += s * (unknown.state == ContactState::open ? tensile_strength_rate(element, drive)
-                                                             : shear_strength_rate(element, drive));
+        lcp.q[i] +=
+          s * (unknown.state == ContactState::open ? tensile_strength_rate(element, drive)
+                                                   : shear_strength_rate(element, f, drive));
         for (std::size_t j = 0; j < n; ++j)
           lcp.M(i, j) = s * lcp.scale[j] * reserve(unknown, element, f, lcp.responses[j].forces);
         // Both directions of slip of an element may grow together without moving anything: a ray

@@ -200,7 +200,7 @@ namespace fuga
         const double sign =
           candidate.shear == ShearPosition::at_apex ? std::copysign(1., dT) : candidate.sign;
         const double shear_noise = noise.force(element.tangential_bar) + f * N_noise;
-        if (sign * dT + f * dN - shear_strength_rate(element, drive) > shear_noise)
+        if (sign * dT + f * dN - shear_strength_rate(element, f, drive) > shear_noise)
           switches.push_back(
             {k, sign > 0. ? ContactState::slip_forward : ContactState::slip_backward});
       }

@@ -35,10 +35,11 @@ namespace fuga
         own.element  = k;
         own.friction = strength.friction;
         own.rise     = strength.dilatancy;
+        // The drive of the course knows no reduction where a bond is released.
         if (!course.drive.release.empty())
-          own.cohesion_rate = -length(tangential(element, course.drive.release));
-        own.cohesion = strength.cohesion + length(tangential(element, start.state.unreleased)) +
-                       tau * own.cohesion_rate;
+          own.cohesion_rate = shear_strength_rate(element, strength.friction, course.drive);
+        own.cohesion = strength.cohesion + cohesive_strength(element, start.state, k) -
+                       start.state.strengths[k].cohesion + tau * own.cohesion_rate;
         if (element.friction.reduced)
           {
             const double rate = course.share_rate / strength.share;

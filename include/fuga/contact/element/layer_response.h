@@ -103,12 +103,12 @@ namespace fuga
             const std::size_t k,
             const JointRates &rates);
 
-  /** What does not depend on the pressure in the shear strength [MN]: cA, or what a broken bond has
-   * not yet released. */
+  /** What does not depend on the pressure in the shear strength [MN]: cA, or T_u + f N_u of the
+   * shear and the tension that a broken bond has not yet released. */
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Largest shear the element can carry, f|N| + cohesive strength [MN]. */
+  /** Largest shear the element can carry, cohesive strength - f N [MN]. */
   double
   shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
@@ -121,9 +121,9 @@ namespace fuga
   double
   tensile_strength_rate(const ContactElement &element, const Drive &drive);
 
-  /** Rate of the shear strength under a drive, the pressure given. */
+  /** Rate of the shear strength under a drive, N and the coefficient of friction given. */
   double
-  shear_strength_rate(const ContactElement &element, const Drive &drive);
+  shear_strength_rate(const ContactElement &element, const double friction, const Drive &drive);
 } // namespace fuga
 
 #endif
