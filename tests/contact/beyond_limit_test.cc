@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "contact/toy_system.h"
+#include "contact/beyond_record.h"
 
 #include <gtest/gtest.h>
 
@@ -10,35 +10,6 @@ using namespace fuga::tests;
 
 namespace
 {
-  /** Keeps the states beyond the limit as well, and has them judged. */
-  class BeyondRecord : public Record
-  {
-  public:
-    using Record::Record;
-
-    std::vector<JointState> beyond;
-    Vector lengths;
-
-    void
-    went_beyond(const double length, const JointState &state) override
-    {
-      worst.absorb(judge.judge(state));
-      if (length == 0.) // the limit itself
-        return;
-      lengths.push_back(length);
-      beyond.push_back(state);
-    }
-  };
-
-  PathOptions
-  arc_length(const double largest_jump)
-  {
-    PathOptions options;
-    options.beyond_limit = true;
-    options.beyond_jump  = largest_jump;
-    return options;
-  }
-
   constexpr double rounding = 1e-12; // of a few dozen operations on numbers of order one
 } // namespace
 
@@ -49,12 +20,10 @@ TEST(BeyondLimit, PlateauOfSlidingBlock)
   const ToyJoint joint =
     rigid_block_joint(8, 1., make_linear_law(1.), make_linear_law(1.), {f, 0.});
   const ToySystem system = rigid_block(8, 1.);
-  const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1., 2.},
                             {{0., 0., 0.}, {0., -1., -1. / 12.}, {1.1 * f, -1., -1. / 12.}});
-  EventPath path(joint.elements, layered, history, arc_length(5.));
-  BeyondRecord record(system, joint.elements, history);
-  const PathResult result = path.run({1., 2.}, record);
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 5., {1., 2.});
 
   EXPECT_EQ(result.verdict, Verdict::limit_load);
   EXPECT_LE(record.worst.worst(), rounding);
@@ -79,11 +48,9 @@ TEST(BeyondLimit, PlateauOfOverturningBlock)
   const ToyJoint joint =
     rigid_block_joint(8, 1., make_linear_law(1.), make_linear_law(1.), {0.5, 0.});
   const ToySystem system = rigid_block(8, 1.);
-  const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1., 2.}, {{0., 0., 0.}, {0., -1., 0.}, {0., -1., -0.6}});
-  EventPath path(joint.elements, layered, history, arc_length(3.));
-  BeyondRecord record(system, joint.elements, history);
-  const PathResult result = path.run({1., 2.}, record);
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 3., {1., 2.});
   EXPECT_EQ(result.verdict, Verdict::limit_load);
   EXPECT_LE(record.worst.worst(), rounding);
   EXPECT_EQ(result.beyond.end, BeyondLimit::End::largest_jump);
@@ -106,11 +73,9 @@ TEST(BeyondLimit, SnapBackBeyondCriticalFriction)
   system.S(0, 1) = system.S(1, 0) = -0.6;
   system.F                        = DenseMatrix(2, 2);
   system.F(0, 0) = system.F(1, 1) = 1.;
-  const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 3.}});
-  EventPath path(joint.elements, layered, history, arc_length(100.));
-  BeyondRecord record(system, joint.elements, history);
-  const PathResult result = path.run({1., 2.}, record);
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 100., {1., 2.});
 
   EXPECT_EQ(result.verdict, Verdict::no_continuation);
   EXPECT_NEAR(result.t, 1. + 2. / 3., rounding);
@@ -139,11 +104,9 @@ TEST(BeyondLimit, BrittleCohesionOfBlock)
   friction.bond_loss     = FrictionLaw::BondLoss::slip;
   const ToyJoint joint(3, 1., make_linear_law(1.), make_linear_law(1.), friction);
   const ToySystem system = rigid_block(2, 1.);
-  const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1., 2.}, {{0., 0., 0.}, {0., -3., 0.}, {4., -3., 0.}});
-  EventPath path(joint.elements, layered, history, arc_length(2.7));
-  BeyondRecord record(system, joint.elements, history);
-  const PathResult result = path.run({1., 2.}, record);
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 2.7, {1., 2.});
 
   EXPECT_EQ(result.verdict, Verdict::limit_load);
   EXPECT_NEAR(result.t, 1. + 3.3 / 4., rounding);
@@ -183,11 +146,9 @@ TEST(BeyondLimit, BrittleBondsOfBar)
   system.F                        = DenseMatrix(4, 2);
   system.F(0, 0) = system.F(2, 0) = -1.;
   system.F(1, 1)                  = 1.;
-  const LayeredSystem layered(system, joint.elements);
   const LoadHistory history({0., 1., 2.}, {{0., 0.}, {1., 0.}, {1., 2.}});
-  EventPath path(joint.elements, layered, history, arc_length(3.));
-  BeyondRecord record(system, joint.elements, history);
-  const PathResult result = path.run({1., 1.65, 2.}, record);
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 3., {1., 1.65, 2.});
 
   EXPECT_EQ(result.verdict, Verdict::limit_load);
   EXPECT_NEAR(result.t, 1. + 1.4 / 2., rounding);

@@ -7,6 +7,7 @@
 #include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/contact/contact_element.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -56,6 +57,21 @@ namespace fuga
   {
     return {{of_bars[element.tangential_bar],
              element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.}};
+  }
+
+  /** The largest jump of all elements, across or along the joint, in whatever directions the
+   * tangents lie. */
+  inline double
+  largest_jump(const std::vector<ContactElement> &elements, const Vector &jumps)
+  {
+    double largest = 0.;
+    for (const ContactElement &element : elements)
+      {
+        largest = std::max(largest, std::abs(jumps[element.normal_bar]));
+        if (element.has_tangential_bar())
+          largest = std::max(largest, length(tangential(element, jumps)));
+      }
+    return largest;
   }
 } // namespace fuga
 

@@ -29,12 +29,53 @@ namespace fuga
                          const std::vector<std::size_t> &resticking)
   {
     ConeContinuation result;
+    if (!take_set(state, set, background, drive, resticking, result))
+      return result;
+    const std::vector<Candidate> at_first = candidates;
+    Outcome outcome                       = iterate(n_iterations, result);
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_from_softer_layer(result);
+      }
+    if (outcome != Outcome::solved)
+      {
+        candidates = at_first;
+        outcome    = approach_by_associated_slip(result);
+      }
+    for (const unsigned int n : n_sweeps)
+      {
+        if (outcome == Outcome::solved)
+          break;
+        sweep(n);
+        take_from_rates();
+        outcome = iterate(n_iterations, result);
+      }
+    if (outcome != Outcome::solved)
+      {
+        find_mechanism(background, result);
+        return result;
+      }
+    slip_where_neutral();
+    take_solution(result);
+    result.rates = full_rates(background, drive, v);
+    return result;
+  }
+
+  bool
+  ConeRateProblem::take_set(const JointState &state,
+                            const std::vector<BoundaryElement> &set,
+                            WorkingScheme &background,
+                            const Drive &drive,
+                            const std::vector<std::size_t> &resticking,
+                            ConeContinuation &result)
+  {
     const std::optional<JointRates> stuck = background.rates(drive);
     if (!stuck)
       {
         result.has_mechanism = true;
         result.mechanism     = background.mechanism();
-        return result;
+        return false;
       }
     candidates.clear();
     bars.clear();
@@ -70,7 +111,7 @@ namespace fuga
       }
     std::optional<DenseMatrix> stiffness = background.stiffness_against(bars);
     if (!stiffness)
-      return result;
+      return false;
     W = std::move(*stiffness);
     r.clear();
     for (const std::size_t bar : bars)
@@ -80,35 +121,13 @@ namespace fuga
     diagonal.clear();
     for (const std::size_t bar : bars)
       diagonal.push_back(system.stiffness()(bar, bar));
+    return true;
+  }
 
-    const std::vector<Candidate> at_first = candidates;
-    Outcome outcome                       = iterate(n_iterations, result);
-    if (outcome != Outcome::solved)
-      {
-        candidates = at_first;
-        outcome    = approach_from_softer_layer(result);
-      }
-    if (outcome != Outcome::solved)
-      {
-        candidates = at_first;
-        outcome    = approach_by_associated_slip(result);
-      }
-    for (const unsigned int n : n_sweeps)
-      {
-        if (outcome == Outcome::solved)
-          break;
-        sweep(n);
-        take_from_rates();
-        outcome = iterate(n_iterations, result);
-      }
-    if (outcome != Outcome::solved)
-      {
-        find_mechanism(background, result);
-        return result;
-      }
-    slip_where_neutral();
+  void
+  ConeRateProblem::take_solution(ConeContinuation &result) const
+  {
     result.exists = true;
-    result.rates  = full_rates(background, drive, v);
     for (const Candidate &candidate : candidates)
       {
         // Along a single bar slip has a sign, as in the plane.
@@ -117,7 +136,6 @@ namespace fuga
         result.states.push_back(backward ? ContactState::slip_backward : candidate.state);
         result.directions.push_back(candidate.direction);
       }
-    return result;
   }
 
   JointRates

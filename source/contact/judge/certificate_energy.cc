@@ -1,15 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/cubic.h>
 #include <fuga/base/work_counter.h>
 #include <fuga/contact/judge/certificate.h>
 
+#include <cmath>
 #include <limits>
 
 namespace fuga
 {
-  // The loads are linear along a piece and the jumps are cubics (exact for straight pieces), so
-  // ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
+  namespace
+  {
+    /**
+     * ∫b ẋ over a piece: what loads of which a unit of the load time adds @p load do beyond those
+     * that grow in proportion, b the cubic between them and the curve of the load time.
+     */
+    double
+    work_of_bend(const PathPoint &from,
+                 const PathPoint &to,
+                 const double length,
+                 const Vector &load,
+                 const std::array<Vector, 2> &x,
+                 const std::array<Vector, 2> &rates)
+    {
+      const double growth = to.state.t - from.state.t;
+      const CubicOnUnitInterval bend(
+        0., length * *from.load_rate - growth, 0., length * *to.load_rate - growth);
+      const double r           = std::sqrt(0.15);
+      const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
+      const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
+      double work              = 0.;
+      for (std::size_t i = 0; i < load.size(); ++i)
+        {
+          const CubicOnUnitInterval jump(
+            x[0][i], length * rates[0][i], x[1][i], length * rates[1][i]);
+          for (int g = 0; g < 3; ++g)
+            work += load[i] * weights[g] * bend.value(abscissae[g]) * jump.slope(abscissae[g]);
+        }
+      return work;
+    }
+  } // namespace
+
+  // The loads are linear along a piece, but for work_of_bend(), and the jumps are cubics (exact for
+  // straight pieces), so ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
   void
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
@@ -33,6 +67,14 @@ namespace fuga
         const double mean = 0.5 * (x0[i] + x1[i]) + length / 12. * (v0[i] - v1[i]);
         ledger.external_work += f0[i] * (x1[i] - x0[i]) + (f1[i] - f0[i]) * (x1[i] - mean);
       }
+    if (from.load_rate && to.load_rate)
+      ledger.external_work +=
+        work_of_bend(from,
+                     to,
+                     length,
+                     multiply(system.load_patterns(), history.rates(from.state.t)),
+                     {{x0, x1}},
+                     {{v0, v1}});
     add_work_of_imposed_jumps(from, to, length);
     check_slip(from, to, length);
   }

@@ -22,9 +22,6 @@ namespace fuga
     , scheme(elements, system)
     , rate_problem(elements, system, scheme)
   {
-    if (has_cones && options.beyond_limit)
-      throw InputError(
-        "A path beyond the limit load is not available for friction with two directions of slip.");
   }
 
   SchemeWork
@@ -61,6 +58,8 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
+    // Where directions of slip turn, the path ends this little, of a stage, before the limit.
+    constexpr double near_limit = 2e-6;
     while (state.t < history.end() || state.is_unsettled())
       {
         make_cut(state, result, observer);
@@ -81,8 +80,8 @@ namespace fuga
                 continue;
               }
             lose_equilibrium(state, continuation, observer, result);
-            if (options.beyond_limit && result.verdict != Verdict::non_unique_continuation)
-              go_beyond_limit(state, observer, result);
+            if (result.verdict != Verdict::non_unique_continuation)
+              go_beyond_limit(state, 0., observer, result);
             return result;
           }
         if (continuation.costs_strength)
@@ -103,11 +102,13 @@ namespace fuga
           {
             result.verdict = Verdict::no_continuation;
             find_critical_elements(state, result);
+            go_beyond_limit(state, near_limit, observer, result);
             return result;
           }
         if (segment->ends_at_limit())
           {
             take_limit(state, segment->motion_at_limit(), result);
+            go_beyond_limit(state, near_limit, observer, result);
             return result;
           }
       }
@@ -155,7 +156,7 @@ namespace fuga
     const PathContext context{elements, system, boundary, scheme};
     const bool is_curved =
       scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state);
-    if (turns(start, is_curved))
+    if (course.yielding || (course.kind != Course::Kind::beyond_limit && turns(start, is_curved)))
       {
         std::vector<TangentVector> directions;
         for (std::size_t k = 0; k < elements.size(); ++k)
@@ -174,10 +175,10 @@ namespace fuga
 
   // The force of an element that slips moves across its slip, now or, along a curve, perhaps later.
   bool
-  EventPath::turns(const PathPoint &start, const bool is_curved) const
+  EventPath::turns(const PathPoint &start, const bool is_curved, double size) const
   {
     constexpr double no_turn = 1e-11; // of the largest force rate
-    const double size        = max_abs(start.rates.forces);
+    size                     = std::max(size, max_abs(start.rates.forces));
     for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
       if (may_turn(elements[k], start.state, k))
         if (const TangentVector across = normal_to(scheme.slip_direction_of(k));

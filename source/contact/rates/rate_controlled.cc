@@ -158,12 +158,38 @@ namespace fuga
     }
   } // namespace
 
+  void
+  RateProblem::measure_by_largest_jump(const Drive &unit_load, ControlledContinuation &motion) const
+  {
+    const double size =
+      largest_jump(elements, system.jumps(motion.rates.dislocations, motion.rates.forces));
+    for (std::size_t i = 0; i < system.n_bars(); ++i)
+      {
+        motion.rates.forces[i] /= size;
+        motion.rates.dislocations[i] /= size;
+      }
+    motion.load_rate /= size;
+    if (std::abs(motion.load_rate) * max_abs(unit_load.reactions) <=
+        no_load_rate * system.largest_stiffness())
+      motion.load_rate = 0.;
+  }
+
   ControlledContinuation
   RateProblem::solve_controlled(const JointState &state,
                                 const std::vector<BoundaryElement> &set,
                                 const Drive &unit_load)
   {
     ControlledContinuation result;
+    if (has_cones)
+      {
+        Drive at_rest;
+        at_rest.reactions.assign(system.n_bars(), 0.);
+        result =
+          solve_yielding_cones(state, set, at_rest, unit_load, ConeRateProblem::Control::motion);
+        if (result.exists)
+          measure_by_largest_jump(unit_load, result);
+        return result;
+      }
     Continuation unused;
     const std::vector<ContactState> present = states_of(set);
     const std::optional<BoundaryLcp> lcp    = boundary_lcp(state, set, unit_load, unused);
@@ -181,16 +207,7 @@ namespace fuga
     result.load_rate = motion->load_rate;
     result.rates     = lcp->motion(motion->z);
     add(result.load_rate, lcp->stuck, result.rates);
-    const double size = max_abs(system.jumps(result.rates.dislocations, result.rates.forces));
-    for (std::size_t i = 0; i < system.n_bars(); ++i)
-      {
-        result.rates.forces[i] /= size;
-        result.rates.dislocations[i] /= size;
-      }
-    result.load_rate /= size;
-    if (std::abs(result.load_rate) * max_abs(unit_load.reactions) <=
-        no_load_rate * system.largest_stiffness())
-      result.load_rate = 0.;
+    measure_by_largest_jump(unit_load, result);
     take_states(*lcp, set, motion->z);
     Drive drive = unit_load;
     for (double &rate : drive.reactions)
@@ -207,6 +224,9 @@ namespace fuga
                              const Drive &release,
                              const Drive &unit_load)
   {
+    if (has_cones)
+      return solve_yielding_cones(
+        state, set, release, unit_load, ConeRateProblem::Control::displacement);
     ControlledContinuation result;
     Continuation unused;
     const std::optional<BoundaryLcp> lost = boundary_lcp(state, set, release, unused);

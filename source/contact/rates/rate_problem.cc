@@ -94,53 +94,6 @@ namespace fuga
     return result;
   }
 
-  Continuation
-  RateProblem::solve_cones(const JointState &state,
-                           const std::vector<BoundaryElement> &set,
-                           const Drive &drive,
-                           const std::vector<std::size_t> &resticking)
-  {
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        off_boundary.set_strength(k, state.strengths[k]);
-        off_boundary.set_state(k, state.states[k]);
-      }
-    for (const BoundaryElement &candidate : set)
-      off_boundary.set_state(candidate.element, ContactState::stick);
-    off_boundary.linearise(state);
-    const ConeContinuation found = cones.solve(state, set, off_boundary, drive, resticking);
-    Continuation result;
-    result.exists        = found.exists;
-    result.rates         = found.rates;
-    result.n_schemes     = found.n_schemes;
-    result.has_mechanism = found.has_mechanism;
-    result.mechanism     = found.mechanism;
-    if (!found.exists)
-      return result;
-    bool any_open = false;
-    for (std::size_t i = 0; i < set.size(); ++i)
-      {
-        const ContactElement &element = elements[set[i].element];
-        if (found.states[i] == ContactState::open)
-          {
-            any_open = true;
-            off_boundary.set_state(set[i].element, ContactState::open);
-          }
-        scheme.set_state(set[i].element, found.states[i], found.directions[i]);
-        for (std::size_t a = 0; a < element.n_bars(); ++a)
-          if (found.rates.dislocations[element.bar(a)] != 0.)
-            scheme.note_active(element.bar(a));
-      }
-    // What opens may leave bodies without support.
-    if (any_open && !off_boundary.rates(drive))
-      {
-        result.exists        = false;
-        result.has_mechanism = true;
-        result.mechanism     = off_boundary.mechanism();
-      }
-    return result;
-  }
-
   // An element that the rates drive shut will first slip if it moves along more than across, both
   // measured by the stiffness of the bars: the guess of Newton's method for the augmented
   // Lagrangian.

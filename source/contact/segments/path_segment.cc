@@ -46,9 +46,18 @@ namespace fuga
                  JointState &state)
   {
     // The end of a course is met exactly: stages begin at whole numbers, whatever rounding says.
-    state.t              = tau == course.length ? course.t_end
-                                                : course.t + tau * (course.t_end - course.t) / course.length;
-    const Vector factors = along(course.factors, tau, course.factor_rates);
+    state.t        = tau == course.length ? course.t_end
+                                          : course.t + tau * (course.t_end - course.t) / course.length;
+    Vector factors = along(course.factors, tau, course.factor_rates);
+    if (course.yielding)
+      {
+        const YieldingLoad &load = *course.yielding;
+        double lag               = tau;
+        for (std::size_t bar = 0; bar < load.weights.size(); ++bar)
+          lag -= load.weights[bar] * (state.dislocations[bar] - load.dislocations[bar]);
+        state.t += load.stiffness * lag;
+        factors = along(factors, load.stiffness * lag, load.factor_rates);
+      }
     set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
     if (course.share_rate != 0.)

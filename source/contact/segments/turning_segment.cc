@@ -30,14 +30,16 @@ namespace fuga
       return state;
     }
 
+    /** Means of both tangents. */
     Vector
     shear_stiffnesses(const PathContext &context, const std::vector<std::size_t> &elements)
     {
+      const DenseMatrix &W = context.system.stiffness();
       Vector result;
       for (const std::size_t k : elements)
         {
-          const std::size_t t = context.elements[k].tangential_bar;
-          result.push_back(context.system.stiffness()(t, t));
+          const std::size_t a = context.elements[k].bar(1), b = context.elements[k].bar(2);
+          result.push_back(0.5 * (W(a, a) + W(b, b)));
         }
       return result;
     }
@@ -82,7 +84,7 @@ namespace fuga
         first.slip_rates.push_back(
           dot(e, slip_rate(context.elements[k], start.state, k, start.rates)));
       }
-    first.reserves = context.boundary.reserves(start.state, start.rates, course.drive);
+    note_reserves(first);
     take_strengths(0., stuck);
     if (!take_response(0., first.stage, stuck))
       throw NumericalFailure(fmt::format(

@@ -66,8 +66,8 @@ namespace fuga
         for (std::size_t a = 0; a < 3; ++a)
           bars.push_back(context.elements[k].bar(a));
       }
-    const std::optional<JointRates> rates =
-      context.scheme.rates(drive_at(context.elements, course, state));
+    const std::optional<JointRates> rates = context.scheme.rates(
+      course.yielding ? course.yielding->drive : drive_at(context.elements, course, state));
     const std::optional<DenseMatrix> stiffness = context.scheme.stiffness_against(bars);
     if (!rates || !stiffness)
       return false;
@@ -91,8 +91,26 @@ namespace fuga
           if (any_rises)
             response.against_rise(i, j) = (*stiffness)(i, 3 * j);
         }
+    if (course.yielding)
+      yield(*course.yielding, response);
     solver.set_response(std::move(response));
     return true;
+  }
+
+  // The rates are those to a unit of the load, which grows by ṫ + κ and falls by κ c with the
+  // slips.
+  void
+  TurningSegment::yield(const YieldingLoad &load, TurningResponse &response) const
+  {
+    for (std::size_t j = 0; j < turning.size(); ++j)
+      for (std::size_t a = 0; a < 2; ++a)
+        {
+          const double weight = load.weights[context.elements[turning[j]].bar(1 + a)];
+          for (std::size_t i = 0; i < response.rates.size(); ++i)
+            response.against_slip(i, 2 * j + a) += load.stiffness * weight * response.rates[i];
+        }
+    for (double &rate : response.rates)
+      rate *= load.stiffness + *start.load_rate;
   }
 
   // Where the layer is rigid or linear the dislocations are the slip and the rise of the lips.
@@ -219,8 +237,10 @@ namespace fuga
           imposed[element.bar(1 + a)] = (*speeds)[i] * station.stage.directions[i][a];
         imposed[element.normal_bar] = (*speeds)[i] * state.strengths[turning[i]].dilatancy;
       }
-    const Drive drive                     = drive_at(context.elements, course, state);
-    const std::optional<JointRates> rates = context.scheme.rates(drive, imposed);
+    if (course.yielding)
+      station.point.load_rate = *start.load_rate + course.yielding->stiffness *
+                                                     (1. - dot(course.yielding->weights, imposed));
+    const std::optional<JointRates> rates = context.scheme.rates(drive_of(station), imposed);
     if (!rates)
       return false;
     station.point.rates = *rates;
@@ -231,7 +251,33 @@ namespace fuga
         station.slip_rates.push_back(dot(context.scheme.slip_direction_of(k),
                                          slip_rate(context.elements[k], state, k, *rates)));
       }
-    station.reserves = context.boundary.reserves(state, *rates, drive);
+    note_reserves(station);
     return true;
+  }
+
+  Drive
+  TurningSegment::drive_of(const Station &station) const
+  {
+    if (!course.yielding)
+      return drive_at(context.elements, course, station.point.state);
+    Drive drive = course.yielding->drive;
+    for (double &rate : drive.reactions)
+      rate *= *station.point.load_rate;
+    return drive;
+  }
+
+  // A load that is an unknown must not leave its range.
+  void
+  TurningSegment::note_reserves(Station &station) const
+  {
+    const PathPoint &point = station.point;
+    station.reserves       = context.boundary.reserves(point.state, point.rates, drive_of(station));
+    if (!course.yielding)
+      return;
+    constexpr double rounding = 1e-14;
+    const YieldingLoad &load  = *course.yielding;
+    const double tolerance    = rounding * std::max(1., load.last_t);
+    station.reserves.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
+    station.reserves.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
   }
 } // namespace fuga

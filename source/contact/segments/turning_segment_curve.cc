@@ -66,8 +66,25 @@ namespace fuga
   double
   TurningSegment::driving_force() const
   {
+    if (course.yielding)
+      return (course.yielding->stiffness + std::abs(*start.load_rate)) *
+             max_abs(course.yielding->drive.reactions);
     const Drive drive = drive_at(context.elements, course, start.state);
     return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
+  }
+
+  double
+  TurningSegment::parameter_scale() const
+  {
+    return course.yielding ? course.length : std::max(1., course.t_end);
+  }
+
+  // The motion has changed so much that its measure no longer controls it: another segment begins.
+  bool
+  TurningSegment::loses_control(const Station &station) const
+  {
+    return course.yielding &&
+           std::abs(*station.point.load_rate - *start.load_rate) > 0.5 * course.yielding->stiffness;
   }
 
   // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
@@ -285,7 +302,7 @@ namespace fuga
   TurningSegment::find_end()
   {
     end                   = 0.; // as far as the curve is known, if a step fails
-    const double shortest = 1e-13 * std::max(1., course.t_end);
+    const double shortest = 1e-13 * parameter_scale();
     double length         = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
@@ -295,9 +312,9 @@ namespace fuga
       {
         Station from     = curve.back();
         length           = std::min(length, course.length - from.tau);
-        at_limit         = grows_beyond_bounds();
-        at_turning_point = !at_limit && turns_back();
-        if (at_limit || at_turning_point)
+        at_limit         = !course.yielding && grows_beyond_bounds();
+        at_turning_point = !course.yielding && !at_limit && turns_back();
+        if (at_limit || at_turning_point || loses_control(from))
           break;
         if (length < shortest && course.length - from.tau > shortest)
           throw NumericalFailure(fmt::format(

@@ -75,7 +75,7 @@ namespace fuga
   {
     constexpr int max_steps = 60;
     Station low = from, high = passed;
-    const double resolution = std::numeric_limits<double>::epsilon() * std::max(1., course.t_end);
+    const double resolution = std::numeric_limits<double>::epsilon() * parameter_scale();
     double end_of_steps     = high.tau;
     for (int i = 0; i < max_steps; ++i)
       {

@@ -25,6 +25,8 @@ namespace fuga
     /** Set if nothing exists because a motion meets no resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
+    /** λ̇, where the load is an unknown. */
+    double load_rate = 0.;
   };
 
   /**
@@ -58,6 +60,25 @@ namespace fuga
           WorkingScheme &background,
           const Drive &drive,
           const std::vector<std::size_t> &resticking);
+
+    /** What determines the rate of a load that is an unknown. */
+    enum class Control
+    {
+      /** Something moves; the scale of the rates is arbitrary. */
+      motion,
+      /** The displacement of the load that is due to the motion stands still. */
+      displacement
+    };
+
+    /** The same with a load that gives way: the rates are driven by @p drive and λ̇ times
+     * @p unit_load (doc/theory.md, eqs. 7a and 7b). */
+    ConeContinuation
+    solve_yielding(const JointState &state,
+                   const std::vector<BoundaryElement> &set,
+                   WorkingScheme &background,
+                   const Drive &drive,
+                   const Drive &unit_load,
+                   const Control control);
 
   private:
     /** One element of the boundary set. */
@@ -113,6 +134,28 @@ namespace fuga
       Vector r, diagonal;
     };
 
+    /** The reduced system of a set. Returns false if something moves freely although all of it is
+     * stuck: the mechanism of @p result. */
+    bool
+    take_set(const JointState &state,
+             const std::vector<BoundaryElement> &set,
+             WorkingScheme &background,
+             const Drive &drive,
+             const std::vector<std::size_t> &resticking,
+             ConeContinuation &result);
+    void
+    take_solution(ConeContinuation &result) const;
+    Vector
+    on_boundaries(const Vector &forces, const bool by_work) const;
+    void
+    yield(const ReducedSystem &given, const Vector &load, const Vector &weights, const double k);
+    bool
+    drive_by_spring(const ReducedSystem &given,
+                    const Vector &load,
+                    const Vector &weights,
+                    const double k,
+                    const Control control,
+                    ConeContinuation &result);
     void
     take_softened(const ReducedSystem &stiff, const double softness);
     Outcome

@@ -20,7 +20,6 @@ namespace fuga
   class EventPath : public ContactPath
   {
   public:
-    /** @throws InputError if an option is not available with two tangential bars. */
     EventPath(const std::vector<ContactElement> &elements,
               const LayeredSystem &system,
               const LoadHistory &history,
@@ -61,8 +60,12 @@ namespace fuga
                  const std::size_t n_branches,
                  PathObserver &observer,
                  PathResult &result) const;
+    /** On request. @p ahead: how much the load may still grow. */
     void
-    go_beyond_limit(JointState &state, PathObserver &observer, PathResult &result);
+    go_beyond_limit(JointState &state,
+                    const double ahead,
+                    PathObserver &observer,
+                    PathResult &result);
     struct ControlledStep
     {
       ControlledContinuation motion;
@@ -71,11 +74,17 @@ namespace fuga
     ControlledStep
     step_beyond(const JointState &state,
                 const std::vector<BoundaryElement> &set,
-                const double first_t,
-                const double last_t,
                 const double left);
+    std::unique_ptr<PathSegment>
+    segment_beyond(ControlledStep &step,
+                   const JointState &state,
+                   const double first_t,
+                   const double last_t);
+    YieldingLoad
+    yielding_load(const ControlledStep &step, const JointState &state) const;
+    /** @p size of the force rates that others are small against, if it is larger than they. */
     bool
-    turns(const PathPoint &start, const bool is_curved) const;
+    turns(const PathPoint &start, const bool is_curved, double size = 0.) const;
     void
     find_critical_elements(JointState &state, PathResult &result);
     std::unique_ptr<PathSegment>

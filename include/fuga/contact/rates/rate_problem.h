@@ -187,6 +187,19 @@ namespace fuga
                const Drive &drive,
                const JointRates &rates) const;
 
+    void
+    take_background(const JointState &state, const std::vector<BoundaryElement> &set);
+    bool
+    take_cones(const std::vector<BoundaryElement> &set, const ConeContinuation &found);
+    ControlledContinuation
+    solve_yielding_cones(const JointState &state,
+                         const std::vector<BoundaryElement> &set,
+                         const Drive &drive,
+                         const Drive &unit_load,
+                         const ConeRateProblem::Control control);
+    void
+    measure_by_largest_jump(const Drive &unit_load, ControlledContinuation &motion) const;
+
     Continuation
     solve_cones(const JointState &state,
                 const std::vector<BoundaryElement> &set,

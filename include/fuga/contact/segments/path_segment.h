@@ -18,6 +18,23 @@ namespace fuga
    * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
    * beyond a limit load, the load that goes with the growth τ of the largest jump.
    */
+  /**
+   * A load that gives way to the motion it causes, beyond its limit: the load time is
+   * t + τ ṫ + κ (τ - Σ c (d - d0)), the bracket being zero where c measures the motion exactly. How
+   * stiff κ [1/m] is does not change the path, only its parameter.
+   */
+  struct YieldingLoad
+  {
+    double stiffness = 0.;
+    /** c and d0, per bar. */
+    Vector weights, dislocations;
+    /** Factors and drive per unit of the load time. */
+    Vector factor_rates;
+    Drive drive;
+    /** Between these load times the segment lies. */
+    double first_t = 0., last_t = 0.;
+  };
+
   struct Course
   {
     enum class Kind
@@ -39,6 +56,9 @@ namespace fuga
     double share_rate = 0.;
     /** Range of τ. */
     double length = 0.;
+    /** Beyond a limit load, where directions of slip turn: then the rates above are those at τ = 0.
+     */
+    std::optional<YieldingLoad> yielding = {};
   };
 
   /** A state with its derivative along the path. */
@@ -46,6 +66,8 @@ namespace fuga
   {
     JointState state;
     JointRates rates;
+    /** Rate of the load time, where that is a curve. */
+    std::optional<double> load_rate = {};
   };
 
   /**

@@ -90,6 +90,8 @@ namespace fuga
     bool
     take_response(const double tau, const TurningStage &stage, const JointState &state);
     void
+    yield(const YieldingLoad &load, TurningResponse &response) const;
+    void
     set_slips(const TurningStage &stage, JointState &state) const;
     bool
     settle(const double tau, const TurningStage &stage, JointState &state);
@@ -108,8 +110,18 @@ namespace fuga
     complete(Station &station);
     bool
     find_rates(Station &station);
+    Drive
+    drive_of(const Station &station) const;
+    void
+    note_reserves(Station &station) const;
     double
     driving_force() const;
+    /** The load time, or the length of a path beyond a limit load, that others are small against.
+     */
+    double
+    parameter_scale() const;
+    bool
+    loses_control(const Station &station) const;
     double
     error_of_rounding(const double shortest);
     bool

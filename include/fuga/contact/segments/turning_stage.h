@@ -72,7 +72,7 @@ namespace fuga
       rates
     };
 
-    /** @p stiffness: of a tangential bar of each element, nothing else moving: the size of terms
+    /** @p stiffness: of the tangential bars of each element, nothing else moving: the size of terms
      * [MN/m]. */
     TurningStageSolver(const Vector &stiffness, IterationCount &count);
 
