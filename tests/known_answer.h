@@ -25,7 +25,7 @@ namespace fuga::tests
   /**
    * Expects @p ours within @p tolerance of the known answer. If the environment variable
    * FUGA_VERIFICATION names a file, appends both to it as one line of JSON: the rows of
-   * doc/verification.md (source/python/verification_page.py).
+   * doc/verification.md (tools/verification_page.py).
    */
   void
   expect_answer(const KnownAnswer &known, const double ours, const double tolerance);

@@ -21,7 +21,7 @@ import numpy
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MODULUS, RADIUS, FRICTION, SIZE, LEVEL, GROWTH, STEPS = 1000.0, 50.0, 0.3, 16.0, 4, 1.8, 5
 
 

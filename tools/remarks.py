@@ -3,7 +3,7 @@
 """The hand-written part of a generated page: a file of doc/remarks, marked as such."""
 import os
 
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "doc", "remarks")
+FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "doc", "remarks")
 
 
 def by_hand(name, link, text):

@@ -10,17 +10,21 @@ DIR keeps the results of the runs (default: a temporary directory). Takes about 
 
 import argparse
 import os
+import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
+# The reader of results is installed with the program.
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "source/python"))
+
 from fuga_results import Results
 from paper_quantities import PaperQuantities, law_9_stiffening, percent
 from remarks import remarks
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-COMMAND = "/usr/bin/python3 source/python/paper_trends.py"
+TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+COMMAND = "/usr/bin/python3 tools/paper_trends.py"
 THICKNESS = 0.002  # m
 AS_PRINTED, READING = "1.25e-7", "1.25e-4"  # m/MPa: the printed number as m^3/MN and as m^3/kN
 SOFTER = "1.25e-3"

@@ -10,6 +10,7 @@ Reads RESULTS_DIR/VARIANT_i and writes paper_contact_stresses and paper_relative
 """
 
 import os
+import pathlib
 import sys
 
 import matplotlib
@@ -18,6 +19,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+
+# The reader of results is installed with the program.
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "source/python"))
 
 from fuga_results import HATCHES, STATE_COLOURS, STATES, Results
 from paper_quantities import MILLIMETRES, PaperQuantities, law_9_stiffening, percent

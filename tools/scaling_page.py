@@ -22,8 +22,8 @@ import tempfile
 
 from remarks import remarks
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-COMMAND = "/usr/bin/python3 source/python/scaling_page.py"
+TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+COMMAND = "/usr/bin/python3 tools/scaling_page.py"
 
 SPACE = "Dam block in space"
 PLANE = "Scene G in the plane"
