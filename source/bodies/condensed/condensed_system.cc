@@ -13,6 +13,25 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** One part of all patterns as columns of a matrix; an empty matrix if no pattern has it. */
+    DenseMatrix
+    columns_of(const std::vector<LoadPattern> &patterns, const Vector LoadPattern::*part)
+    {
+      std::size_t n_rows = 0;
+      for (const LoadPattern &pattern : patterns)
+        n_rows = std::max(n_rows, (pattern.*part).size());
+      if (n_rows == 0)
+        return {};
+      DenseMatrix matrix(n_rows, patterns.size());
+      for (std::size_t j = 0; j < patterns.size(); ++j)
+        std::copy((patterns[j].*part).begin(), (patterns[j].*part).end(), matrix.column(j));
+      return matrix;
+    }
+  } // namespace
+
+
   double
   LinearResponse::value(const Vector &x, const Vector &a) const
   {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/elasticity/cell_stiffness.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/space/node_graph.h>
 

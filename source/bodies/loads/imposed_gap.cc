@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/loads/imposed_gap.h>
+#include <fuga/bodies/model_names.h>
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <deal.II/base/function_parser.h>
 
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/loads/load_assembly.h>
 #include <fuga/bodies/loads/temperature_field.h>
+#include <fuga/bodies/model_names.h>
 
 namespace fuga
 {

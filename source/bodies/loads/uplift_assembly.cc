@@ -356,21 +356,6 @@ namespace fuga
   }
 
 
-  DenseMatrix
-  columns_of(const std::vector<LoadPattern> &patterns, const Vector LoadPattern::*part)
-  {
-    std::size_t n_rows = 0;
-    for (const LoadPattern &pattern : patterns)
-      n_rows = std::max(n_rows, (pattern.*part).size());
-    if (n_rows == 0)
-      return {};
-    DenseMatrix matrix(n_rows, patterns.size());
-    for (std::size_t j = 0; j < patterns.size(); ++j)
-      std::copy((patterns[j].*part).begin(), (patterns[j].*part).end(), matrix.column(j));
-    return matrix;
-  }
-
-
   template class UpliftAssembly<2>;
   template class UpliftAssembly<3>;
 } // namespace fuga

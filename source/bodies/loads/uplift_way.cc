@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 #include <fuga/base/errors.h>
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/loads/load_assembly.h>
 #include <fuga/bodies/loads/uplift_way.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/point_matcher.h>
 #include <fuga/bodies/space/face_map.h>
 

@@ -14,14 +14,14 @@ namespace fuga
   {
     /** Fractions of a stage at which a course is looked at: irregular, so that no usual periodic
      * function seems to stand still. */
-    constexpr double fractions[] = {0., 0.1931, 0.4391, 0.6877, 0.8123, 1.};
+    constexpr double sampled_fractions[] = {0., 0.1931, 0.4391, 0.6877, 0.8123, 1.};
 
     template <typename Course>
     bool
     moves(const Course &course, const double begin)
     {
       const double first = course(begin);
-      for (const double fraction : fractions)
+      for (const double fraction : sampled_fractions)
         if (course(begin + fraction) != first)
           return true;
       return false;

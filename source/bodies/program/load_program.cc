@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/loads/depth_pressure.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/program/load_jump.h>
 #include <fuga/bodies/program/load_knots.h>
 #include <fuga/bodies/program/load_patterns.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/elasticity/elastic_stress.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/program/monitor.h>
 
 #include <limits>

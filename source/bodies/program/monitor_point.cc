@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <fuga/base/errors.h>
 #include <fuga/base/similar_names.h>
-#include <fuga/bodies/elasticity/boundary_conditions.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/point_text.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/program/monitor_point.h>

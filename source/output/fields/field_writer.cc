@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/space/discretization.h>
 #include <fuga/output/fields/field_writer.h>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/condensed/model_sizes.h>
-#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/loads/level_history.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/point_matcher.h>
 #include <fuga/bodies/point_text.h>
 #include <fuga/output/files/text_table.h>

@@ -4,22 +4,12 @@
 #ifndef fuga_bodies_elasticity_boundary_conditions_h
 #define fuga_bodies_elasticity_boundary_conditions_h
 
-#include <fuga/bodies/model_definition.h>
-#include <fuga/mesh/joint_splitter.h>
+#include <fuga/bodies/model_names.h>
 
 namespace fuga
 {
   template <int dim>
   class Discretization;
-
-  /**
-   * Checks that bodies, boundaries and points of the model and of the mesh meet: every body has one
-   * material; every name of a condition or load exists; every labelled boundary is a support, named
-   * free, loaded, or the lip of a joint; a settlement moves supports only.
-   * @throws InputError with the name, what exists, and the remedy.
-   */
-  void
-  check_names(const JointedMesh &mesh, const ModelDefinition &model);
 
   /** @throws InputError with coordinates if faces of the outer boundary belong to no group. */
   template <int dim>
@@ -33,18 +23,6 @@ namespace fuga
   find_fixed_dofs(const Discretization<dim> &discretization,
                   const JointedMesh &mesh,
                   const ModelDefinition &model);
-
-  /** Index of @p name in @p names, or their number if it is not there. */
-  unsigned int
-  index_of(const std::vector<std::string> &names, const std::string &name);
-
-  /** For every one of @p names whether it is among @p targets. */
-  std::vector<bool>
-  selection(const std::vector<std::string> &names, const std::vector<std::string> &targets);
-
-  /** Vertices of the points that are called @p name. */
-  std::vector<unsigned int>
-  vertices_of_point(const JointedMesh &mesh, const std::string &name);
 
   /** All nodes of the boundary or of the points that are called @p name, in increasing order. */
   template <int dim>

@@ -139,10 +139,6 @@ namespace fuga
     /** Contact elements at the nodes of every face, with their weights. */
     std::vector<std::vector<typename ContactBars<dim>::Shares>> elements;
   };
-
-  /** One part of all patterns as columns of a matrix; an empty matrix if no pattern has it. */
-  DenseMatrix
-  columns_of(const std::vector<LoadPattern> &patterns, const Vector LoadPattern::*part);
 } // namespace fuga
 
 #endif
