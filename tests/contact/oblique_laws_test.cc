@@ -15,22 +15,6 @@ namespace
   class ObliqueLaws : public testing::TestWithParam<SceneCase>
   {
   };
-
-  PlaneScene
-  oblique_scene(const SceneCase &scene_case, const unsigned int seed)
-  {
-    std::mt19937 generator(seed);
-    PlaneScene scene = make_scene(scene_case, seed);
-    scene.system     = random_bodies(3, generator);
-    scene.elements.resize(3);
-    for (std::size_t k = 0; k < scene.elements.size(); ++k)
-      {
-        scene.elements[k].normal_bar            = static_cast<unsigned int>(3 * k);
-        scene.elements[k].tangential_bar        = static_cast<unsigned int>(3 * k + 1);
-        scene.elements[k].second_tangential_bar = static_cast<unsigned int>(3 * k + 2);
-      }
-    return scene;
-  }
 } // namespace
 
 // The bound of the certificate is the program's own.

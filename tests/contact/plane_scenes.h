@@ -38,6 +38,11 @@ namespace fuga::tests
   PlaneScene
   make_scene(const SceneCase &scene_case, const unsigned int seed);
 
+  /** Three elements with two tangents and the laws of a case, between random bodies, under loads
+   * whose directions turn. */
+  PlaneScene
+  oblique_scene(const SceneCase &scene_case, const unsigned int seed);
+
   inline std::string
   name_of_case(const testing::TestParamInfo<SceneCase> &info)
   {

@@ -142,6 +142,19 @@ namespace fuga
       direction_of(T));
   }
 
+  // A linear layer deforms by D T, which is not in the dislocations; another one less, or more.
+  TangentVector
+  present_slip(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    const TangentVector d = tangential(element, at.dislocations);
+    if (!has_nonlinear_shear(element))
+      return d;
+    return sum(
+      sum(d, bar_compliance(*element.shear_law, element.area), tangential(element, at.forces)),
+      -1.,
+      shear_deformation(element, at, k));
+  }
+
   LayerForces
   layer_forces(const ContactElement &element, const JointState &at, const std::size_t k)
   {

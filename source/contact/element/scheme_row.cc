@@ -96,23 +96,32 @@ namespace fuga
       return row;
     }
 
-    /** T·n = k_s (d + D T)·n across the slip, n ⟂ e, with the secant stiffness of the layer. */
+    /**
+     * (1/k_s - D + c) T·n = d·n across the slip, n ⟂ e, with the secant stiffness k_s of the layer
+     * (1/D of a linear one) and c = @p turning, for in a finite step the slip has the direction of
+     * T. Multiplied by k/(1 + k c), with k = k_s, or any stiffness if the layer is linear.
+     */
     SchemeRow
     across_row(const ContactElement &element,
                const std::size_t k,
                const TangentVector &e,
                const LayerTangent &tangent,
-               const LayeredSystem &system)
+               const LayeredSystem &system,
+               const double turning)
     {
-      SchemeRow row           = free_row(element, k, 2);
-      row.demand              = Demand::layer_across;
-      const TangentVector n   = normal_to(e);
-      const double compliance = system.compliance(element.second_tangential_bar);
-      row.column              = {{0., n[0], n[1]}};
+      SchemeRow row          = free_row(element, k, 2);
+      row.demand             = Demand::layer_across;
+      const TangentVector n  = normal_to(e);
+      const std::size_t bar  = element.second_tangential_bar;
+      const bool curved      = has_nonlinear_shear(element);
+      const double stiffness = curved ? tangent.across : system.stiffness()(bar, bar);
+      const double elastic   = curved ? 1. - tangent.across * system.compliance(bar) : 0.;
+      const double turn      = stiffness * turning;
+      row.column             = {{0., n[0], n[1]}};
       for (std::size_t a = 0; a < 2; ++a)
         {
-          row.stiffness[1 + a] = tangent.across * n[a];
-          row.own[1 + a]       = (1. - tangent.across * compliance) * n[a];
+          row.stiffness[1 + a] = stiffness / (1. + turn) * n[a];
+          row.own[1 + a]       = (elastic + turn) / (1. + turn) * n[a];
         }
       return row;
     }
@@ -126,7 +135,8 @@ namespace fuga
               const Strength &strength,
               const LayerTangent &tangent,
               const LayeredSystem &system,
-              std::vector<SchemeRow> &rows)
+              std::vector<SchemeRow> &rows,
+              const std::optional<double> &turning)
   {
     if (state == ContactState::open)
       {
@@ -141,8 +151,8 @@ namespace fuga
         if (has_nonlinear_closure(element) || strength.dilatancy != 0.)
           rows.push_back(sliding_normal_row(element, k, e, strength.dilatancy, tangent, system));
         rows.push_back(sliding_row(element, k, e, strength.friction));
-        if (element.has_second_tangential_bar() && has_nonlinear_shear(element))
-          rows.push_back(across_row(element, k, e, tangent, system));
+        if (element.has_second_tangential_bar() && (has_nonlinear_shear(element) || turning))
+          rows.push_back(across_row(element, k, e, tangent, system, turning.value_or(0.)));
         return;
       }
     if (has_nonlinear_closure(element))

@@ -117,28 +117,25 @@ namespace fuga
     return result;
   }
 
-  // Only on request, and only where nothing between matters to the end: a straight path without
-  // strength that could be lost, or water that could come in. Whatever the step cannot solve is
-  // left to the events.
+  // Only on request, and not where water could come in, or before strength that was lost has been
+  // given up. Whatever the step cannot solve is left to the events.
   bool
   EventPath::jump_to_corner(JointState &state,
                             const std::vector<double> &levels,
                             PathObserver &observer,
                             PathResult &result)
   {
-    if (options.follow == PathOptions::Follow::events || has_cones || scheme.is_nonlinear() ||
-        system.water_in_joints() != nullptr || state.is_unsettled() ||
-        history.strength_share_rate(state.t) != 0.)
+    if (options.follow == PathOptions::Follow::events || system.water_in_joints() != nullptr ||
+        state.is_unsettled() ||
+        (scheme.is_nonlinear() && options.iteration == PathOptions::Iteration::constant_stiffness))
       return false;
-    for (const ContactElement &element : elements)
-      if (!element.friction.is_plain())
-        return false;
-    const double corner = history.next_corner(state.t);
+    const Course course = next_course(state);
+    const double corner = course.t_end;
     if (next_level < levels.size() && levels[next_level] < corner)
       return false;
-    ImplicitStep step(elements, system, scheme);
-    const std::optional<JointState> end = step.solve(state, corner, history.factors(corner));
-    result.n_schemes += static_cast<unsigned int>(step.n_schemes);
+    ImplicitStep step({elements, system, boundary, scheme}, course);
+    const std::optional<JointState> end = step.solve(state);
+    result.n_schemes += static_cast<unsigned int>(step.n_schemes());
     if (!end)
       return false;
     state = *end;

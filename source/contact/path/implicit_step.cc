@@ -1,119 +1,337 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/path/implicit_step.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
+#include <map>
 
 namespace fuga
 {
   namespace
   {
-    constexpr std::size_t max_schemes = 200;
+    /** Violations below this share of the largest force are rounding. */
+    constexpr double violation_rounding = 1e-12;
+    /** Schemes tried for one load, and how often the states of one may return. */
+    constexpr int max_iterations = 100, max_returns = 4;
+    /** Correction, relative to the largest jump, that ends the iteration. */
+    constexpr double negligible_change = 1e-13;
+    /** Loads tried on the way, and the shortest piece of it. */
+    constexpr int max_loads         = 100;
+    constexpr double shortest_piece = 1. / 256.;
+    /** Share of the room to the closure limit that lips may close in one iteration. */
+    constexpr double fraction_to_limit = 0.9;
   } // namespace
 
-  ImplicitStep::ImplicitStep(const std::vector<ContactElement> &contact_elements,
-                             const LayeredSystem &layered_system,
-                             WorkingScheme &working_scheme)
-    : elements(contact_elements), system(layered_system), scheme(working_scheme)
+  ImplicitStep::ImplicitStep(const PathContext &path_context, const Course &path_course)
+    : context(path_context), course(path_course)
   {
+  }
+
+  // Each load on the way is a step from the beginning; but what is lost on the way stays lost.
+  std::optional<JointState>
+  ImplicitStep::solve(const JointState &from)
+  {
+    start              = from;
+    JointState reached = from;
+    double done = 0., piece = 1.;
+    std::optional<JointState> end;
+    for (int i = 0; i < max_loads && !end && piece >= shortest_piece; ++i)
+      {
+        const double share = done + piece < 1. - 0.5 * shortest_piece ? done + piece : 1.;
+        const std::vector<Strength> strengths = start.strengths;
+        std::optional<JointState> next        = solve(from, share * course.length, reached);
+        if (!next)
+          {
+            start.strengths = strengths;
+            piece *= 0.25;
+            continue;
+          }
+        if (share == 1.)
+          end = std::move(next);
+        else
+          reached = std::move(*next);
+        done = share;
+        piece *= 2.;
+      }
+    context.scheme.let_turn({});
+    return end;
   }
 
   std::optional<JointState>
-  ImplicitStep::solve(const JointState &from, const double t, const Vector &factors)
+  ImplicitStep::solve(const JointState &from, const double tau, const JointState &guess)
   {
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      scheme.set_state(k, from.states[k]);
-    std::set<std::vector<ContactState>> visited;
-    while (visited.size() < max_schemes && visited.insert(scheme.all_states()).second)
-      {
-        ++n_schemes;
-        JointState state = from;
-        state.t          = t;
-        if (!satisfy_scheme(from, factors, state))
-          return {};
-        if (!switch_violating(from, state))
-          return state;
-      }
-    return {};
+    JointState state = guess;
+    state.slips      = from.slips;
+    state.dilations  = from.dilations;
+    state.unreleased = from.unreleased;
+    release(course.drive, tau, state);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (const ContactElement &element = context.elements[k];
+          element.friction.reduced && course.share_rate != 0.)
+        reduce(start.strengths[k],
+               element.friction,
+               element.area,
+               course.share + tau * course.share_rate);
+    take_demands(state);
+    do
+      if (!find_equilibrium(tau, state))
+        return {};
+    while (lose_strength(state));
+    return finished(std::move(state));
   }
 
-  // The active rows are linear: one correction from any start solves them.
+  // Newton's method: every solution gives new demands. It has ended where they stay, and the
+  // correction is rounding.
   bool
-  ImplicitStep::satisfy_scheme(const JointState &from, const Vector &factors, JointState &state)
+  ImplicitStep::find_equilibrium(const double tau, JointState &state)
   {
-    state.states = scheme.all_states();
-    for (std::size_t k = 0; k < elements.size(); ++k)
+    std::map<std::vector<ContactState>, int> visits;
+    double last = std::numeric_limits<double>::infinity();
+    complete(tau, state);
+    for (int i = 0; i < max_iterations && !passes_limit_of_law(state); ++i)
       {
-        const ContactElement &element = elements[k];
-        if (state.states[k] != ContactState::open)
-          state.dislocations[element.normal_bar] = -element.initial_gap;
-        if (element.has_tangential_bar())
-          state.dislocations[element.tangential_bar] = from.slips[k][0];
+        ++schemes;
+        context.scheme.linearise(finished(state));
+        const std::optional<JointRates> change =
+          context.scheme.correction(context.scheme.residual(state));
+        if (!change)
+          return false;
+        const double share = safe_share(state, *change);
+        for (std::size_t bar = 0; bar < state.dislocations.size(); ++bar)
+          state.dislocations[bar] += share * change->dislocations[bar];
+        complete(tau, state);
+
+        const double size  = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
+        if (take_demands(state))
+          {
+            if (++visits[state.states] > max_returns)
+              return false;
+            complete(tau, state);
+          }
+        else if (size <= negligible_change * total ||
+                 (size > 0.3 * last && size <= 1e3 * negligible_change * total))
+          return true;
+        last = size;
       }
-    state.forces                           = system.forces(factors, state.dislocations);
-    const std::optional<JointRates> change = scheme.correction(scheme.residual(state));
-    if (!change)
-      return false;
-    for (std::size_t i = 0; i < state.dislocations.size(); ++i)
-      state.dislocations[i] += change->dislocations[i];
-    state.forces = system.forces(factors, state.dislocations);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if (elements[k].has_tangential_bar() && state.states[k] != ContactState::stick)
-        state.slips[k] = tangential(elements[k], state.dislocations);
-    return true;
+    return false;
   }
 
+  // Whether any state changes.
   bool
-  ImplicitStep::switch_violating(const JointState &from, const JointState &state)
+  ImplicitStep::take_demands(JointState &state)
   {
     bool any = false;
-    for (std::size_t k = 0; k < elements.size(); ++k)
+    Vector turning(context.elements.size(), 0.);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
-        const ContactState wanted = state_wanted(from, state, k);
-        any |= wanted != scheme.state(k);
-        scheme.set_state(k, wanted);
+        const ContactElement &element = context.elements[k];
+        const Demand demand           = demand_on(state, k);
+        const double rise =
+          start.dilations[k] + start.strengths[k].dilatancy * length(slip_of_step(state, k));
+        Strength strength = start.strengths[k];
+        if (is_slipping(demand.state) && rise >= element.friction.dilation_limit)
+          strength.dilatancy = 0.;
+        any |= demand.state != state.states[k] || !(strength == state.strengths[k]);
+        state.states[k]    = demand.state;
+        state.strengths[k] = strength;
+        turning[k]         = demand.turning;
+        context.scheme.set_state(k, demand.state, demand.direction);
+        context.scheme.set_strength(k, strength);
       }
+    context.scheme.let_turn(turning);
     return any;
   }
 
-  // Newton's guess for the augmented Lagrangian: an open element that penetrates, and one that
-  // slips backwards, take the state that force and jump, made comparable by the stiffness of the
-  // bars, tell.
-  ContactState
-  ImplicitStep::state_wanted(const JointState &from,
-                             const JointState &state,
-                             const std::size_t k) const
+  // Newton's guess for the augmented Lagrangian: what force and jump together tell. An open element
+  // presses with what its stiffness makes of the penetration. A bond that holds does not open here;
+  // whether it holds lose_strength() asks when equilibrium is found.
+  ImplicitStep::Demand
+  ImplicitStep::demand_on(const JointState &state, const std::size_t k) const
   {
-    const ContactElement &element = elements[k];
+    const ContactElement &element = context.elements[k];
+    const Strength &left          = start.strengths[k];
     const std::size_t n           = element.normal_bar;
-    const ContactState now        = state.states[k];
-    const double N                = state.forces[n];
-    const double g                = now == ContactState::open ? gap(element, state, k) : 0.;
-    // Violations below this share of the largest force or jump are rounding.
-    constexpr double rounding = 1e-12;
-    const double noise        = rounding * max_abs(state.forces);
-    const double W_n          = system.stiffness()(n, n);
-    if (now == ContactState::open ? W_n * g >= -noise : N > noise)
-      return ContactState::open;
-    if (!element.has_tangential_bar())
-      return ContactState::stick;
+    const double noise            = violation_rounding * max_abs(state.forces);
+    const bool is_open            = state.states[k] == ContactState::open;
+    const double penetration      = is_open ? std::max(-lip_opening(element, state, k), 0.) : 0.;
+    const double pressure         = is_open ? context.system.stiffness()(n, n) * penetration : 0.;
+    if (!left.has_bond() &&
+        (is_open ? pressure <= noise
+                 : state.forces[n] > tensile_strength(element, state, k) + noise))
+      return {};
+    if (!carries_shear(element, left))
+      return {ContactState::stick};
+    return demand_on_shear(
+      state, k, is_open ? left.friction * pressure : shear_strength(element, state, k), noise);
+  }
 
-    const std::size_t t   = element.tangential_bar;
-    const double W_t      = system.stiffness()(t, t);
-    const double pressing = now == ContactState::open ? -W_n * g : std::max(-N, 0.);
-    const double strength =
-      state.strengths[k].friction * pressing + cohesive_strength(element, state, k);
-    const double slipped = state.slips[k][0] - from.slips[k][0];
-    if (is_slipping(now) && slip_sign(now) * W_t * slipped >= -noise)
-      return now;
-    const double trial = (now == ContactState::open ? 0. : state.forces[t]) +
-                         (now == ContactState::stick ? 0. : W_t * slipped);
-    if (std::abs(trial) <= strength + noise)
-      return ContactState::stick;
-    return trial > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+  ImplicitStep::Demand
+  ImplicitStep::demand_on_shear(const JointState &state,
+                                const std::size_t k,
+                                const double strength,
+                                const double noise) const
+  {
+    const ContactElement &element = context.elements[k];
+    const ContactState now        = state.states[k];
+    const DenseMatrix &W          = context.system.stiffness();
+    double stiffness              = W(element.tangential_bar, element.tangential_bar);
+    if (const std::size_t bar = element.second_tangential_bar; element.has_second_tangential_bar())
+      stiffness = 0.5 * (stiffness + W(bar, bar));
+    const TangentVector slip = slip_of_step(state, k);
+    const TangentVector T =
+      now == ContactState::open ? TangentVector{} : tangential(element, state.forces);
+    const TangentVector trial = sum(T, stiffness, slip);
+    const bool keeps_slipping =
+      is_slipping(now) && stiffness * dot(context.scheme.slip_direction_of(k), slip) >= -noise;
+    if (!keeps_slipping && length(trial) <= strength + noise)
+      return {ContactState::stick};
+    Demand result;
+    if (!element.has_second_tangential_bar())
+      {
+        const double sign = keeps_slipping ? slip_sign(now) : trial[0];
+        result.state      = sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
+        return result;
+      }
+    constexpr double free = 1e100; // without strength slip turns without any force
+    result.state          = ContactState::slip_forward;
+    result.direction      = direction_of(trial);
+    const double slipped  = std::max(0., length(trial) - strength);
+    result.turning =
+      slipped < free * stiffness * strength ? slipped / (stiffness * strength) : free;
+    return result;
+  }
+
+  // All that follows from the dislocations; those of the bars that no equation of the scheme gives
+  // are what they were. Slips stay those of the beginning, from which the layers of stuck elements
+  // and the rows of the scheme reckon.
+  void
+  ImplicitStep::complete(const double tau, JointState &state) const
+  {
+    state.t        = tau == course.length ? course.t_end
+                                          : course.t + tau * (course.t_end - course.t) / course.length;
+    Vector factors = course.factors;
+    for (std::size_t j = 0; j < factors.size(); ++j)
+      factors[j] += tau * course.factor_rates[j];
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const Strength &strength      = state.strengths[k];
+        const bool slips              = is_slipping(state.states[k]);
+        const bool rises              = slips && start.strengths[k].dilatancy > 0.;
+        state.dilations[k] =
+          !rises ? start.dilations[k]
+          : strength.dilatancy == 0.
+            ? element.friction.dilation_limit
+            : start.dilations[k] + strength.dilatancy * length(slip_of_step(state, k));
+        if (state.states[k] == ContactState::open)
+          continue;
+        if (!has_nonlinear_closure(element) && !(rises && strength.dilatancy > 0.))
+          state.dislocations[element.normal_bar] = state.dilations[k] - element.initial_gap;
+        if (slips || has_nonlinear_shear(element) || !carries_shear(element, strength))
+          continue;
+        for (std::size_t i = 1; i < element.n_bars(); ++i)
+          state.dislocations[element.bar(i)] = start.slips[k][i - 1];
+      }
+    set_water(context.system, factors, state);
+    state.forces = context.system.forces(factors, state.dislocations, state.water);
+  }
+
+  TangentVector
+  ImplicitStep::slip_of_step(const JointState &state, const std::size_t k) const
+  {
+    const ContactElement &element = context.elements[k];
+    if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
+      return {};
+    return sum(present_slip(element, state, k), -1., start.slips[k]);
+  }
+
+  bool
+  ImplicitStep::passes_limit_of_law(const JointState &state) const
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        if (state.states[k] == ContactState::open)
+          continue;
+        if (has_nonlinear_closure(element) && !(-gap(element, state, k) < closure_limit(element)))
+          return true;
+        if (has_nonlinear_shear(element) && !(length(state.states[k] == ContactState::stick
+                                                       ? elastic_shear(element, state, k)
+                                                       : shear_deformation(element, state, k)) <
+                                              element.shear_law->deformation_limit()))
+          return true;
+      }
+    return false;
+  }
+
+  // A law knows nothing behind its closure limit, where open lips may move as well.
+  double
+  ImplicitStep::safe_share(const JointState &state, const JointRates &change) const
+  {
+    double share = closure_safeguard(context, state, change);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (const ContactElement &element = context.elements[k];
+          state.states[k] == ContactState::open && has_nonlinear_closure(element))
+        {
+          const double closing = -change.dislocations[element.normal_bar];
+          const double room =
+            fraction_to_limit * (closure_limit(element) + lip_opening(element, state, k));
+          if (closing > room)
+            share = std::min(share, room / closing);
+        }
+    return share;
+  }
+
+  // Bonds that would have to carry more than they can break; elements that begin to slip although
+  // they have lost nothing for it lose what that costs, and those that open as well. Equilibrium is
+  // then looked for again.
+  bool
+  ImplicitStep::lose_strength(JointState &state)
+  {
+    JointState before     = state;
+    before.states         = start.states;
+    const double no_force = violation_rounding * max_abs(state.forces);
+    bool any              = false;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const bool breaks =
+          start.strengths[k].has_bond() &&
+          state.forces[element.normal_bar] > tensile_strength(element, state, k) + no_force;
+        if (!breaks && (element.friction.is_plain() || state.states[k] == start.states[k]))
+          continue;
+        const double dilatancy = start.strengths[k].dilatancy;
+        change_state(element,
+                     k,
+                     breaks ? ContactState::open : state.states[k],
+                     context.scheme.slip_direction_of(k),
+                     no_force,
+                     before);
+        any |= !(before.strengths[k] == state.strengths[k]);
+        start.strengths[k]           = before.strengths[k];
+        start.strengths[k].dilatancy = dilatancy;
+      }
+    if (any)
+      take_demands(state);
+    return any;
+  }
+
+  JointState
+  ImplicitStep::finished(JointState state) const
+  {
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (const ContactElement &element = context.elements[k];
+          element.has_tangential_bar() &&
+          (state.states[k] != ContactState::stick || !carries_shear(element, state.strengths[k])))
+        state.slips[k] = present_slip(element, state, k);
+    return state;
   }
 } // namespace fuga

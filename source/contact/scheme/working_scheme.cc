@@ -94,6 +94,13 @@ namespace fuga
   }
 
   void
+  WorkingScheme::let_turn(const Vector &compliances)
+  {
+    outdated |= turning != compliances;
+    turning = compliances;
+  }
+
+  void
   WorkingScheme::set_strength(const std::size_t element, const Strength &strength)
   {
     outdated |= !(strengths[element] == strength);

@@ -31,7 +31,8 @@ namespace fuga
                   strengths[k],
                   nonlinear ? tangents[k] : LayerTangent(),
                   system,
-                  wanted);
+                  wanted,
+                  turning.empty() ? std::nullopt : std::optional(turning[k]));
     return wanted;
   }
 

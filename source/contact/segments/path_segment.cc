@@ -73,13 +73,7 @@ namespace fuga
         if (!element.has_tangential_bar() ||
             (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k])))
           continue;
-        TangentVector slip = tangential(element, state.dislocations);
-        if (has_nonlinear_shear(element)) // which deforms less, or more, than D says
-          slip = sum(sum(slip,
-                         bar_compliance(*element.shear_law, element.area),
-                         tangential(element, state.forces)),
-                     -1.,
-                     shear_deformation(element, state, k));
+        const TangentVector slip = present_slip(element, state, k);
         state.dilations[k] +=
           state.strengths[k].dilatancy *
           dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));

@@ -52,7 +52,7 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
-        const double share = constant ? 1. : closure_safeguard(state, *change);
+        const double share = constant ? 1. : closure_safeguard(context, state, *change);
         for (std::size_t b = 0; b < state.dislocations.size(); ++b)
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state);
@@ -86,9 +86,8 @@ namespace fuga
     return false;
   }
 
-  // Largest share of a change that keeps every layer with a closure limit short of it.
   double
-  SchemeEquilibrium::closure_safeguard(const JointState &state, const JointRates &change) const
+  closure_safeguard(const PathContext &context, const JointState &state, const JointRates &change)
   {
     const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
     double share           = 1.;

@@ -33,10 +33,9 @@ namespace fuga
       "Follow",
       &SolverSettings::follow_events,
       choice<bool>({{"events", true}, {"stage ends", false}}),
-      "Stage ends: one implicit step per stage without the events between, where layers are "
-      "linear and nothing can break. The same end state if what slips or opens in a stage "
-      "keeps "
-      "doing so; energies and events are not known then.");
+      "Stage ends: one implicit step per stage without the events between. The same end state if "
+      "what slips or opens in a stage keeps doing so, in one direction; energies and events are "
+      "not known then.");
     defaulted(
       "Bodies",
       &ModelDefinition::body_solver,

@@ -219,9 +219,7 @@ namespace fuga
     if (!have_two_tangents(bodies.elements()))
       return;
     std::string what;
-    if (!parameters.solver.follow_events && parameters.model.body_solver != BodySolver::matrix_free)
-      what = "one step per stage without events, but for Solver/Bodies = iterative matrix-free, is";
-    else if (parameters.solver.non_unique != NonUniqueChoice::stop)
+    if (parameters.solver.non_unique != NonUniqueChoice::stop)
       what = "the choice between several continuations is";
     if (!what.empty())
       throw InputError(fmt::format(

@@ -50,6 +50,10 @@ namespace fuga
   TangentVector
   shear_deformation(const ContactElement &element, const JointState &at, const std::size_t k);
 
+  /** Slip of an element that slips or is open: what its layer does not deform of the jump [m]. */
+  TangentVector
+  present_slip(const ContactElement &element, const JointState &at, const std::size_t k);
+
   /** Bar forces of a layer [MN]; N, T are zero where the respective bar is rigid or linear. */
   struct LayerForces
   {

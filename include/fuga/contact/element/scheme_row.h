@@ -7,6 +7,8 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/system/layered_system.h>
 
+#include <optional>
+
 namespace fuga
 {
   /** One number for each bar of an element: normal, first tangent, second tangent. */
@@ -67,6 +69,8 @@ namespace fuga
    * Appends the rows of element @p k in the given state, in space with the given direction of slip.
    * @p tangent is that of a nonlinear layer. An element that has no strength left, with two
    * tangential bars, carries no shear whatever its state: its slip needs no direction.
+   * @p turning: in a finite step, the slip of the step over the shear force [m/MN], by which a
+   * force across the slip turns it; along a path, where slips of the past do not turn, nothing.
    */
   void
   append_rows(const ContactElement &element,
@@ -76,7 +80,8 @@ namespace fuga
               const Strength &strength,
               const LayerTangent &tangent,
               const LayeredSystem &system,
-              std::vector<SchemeRow> &rows);
+              std::vector<SchemeRow> &rows,
+              const std::optional<double> &turning = {});
 
   /** Left minus right side of the equation behind a row, not linearised [MN]. */
   double

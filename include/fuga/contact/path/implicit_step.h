@@ -9,40 +9,75 @@
 namespace fuga
 {
   /**
-   * From a state to the load at the end of a stage in one step, without the events between: the
-   * state at the end satisfies all contact conditions with the slip of the whole step as the
-   * direction of slip. It is the state that the events lead to if every element that slips or opens
-   * in the stage keeps doing so (a monotone stage); otherwise the path matters and only the events
-   * find it.
+   * From a state to the end of a course in one step, without the events between: the state at the
+   * end satisfies all contact conditions with the slip of the whole step in the direction of the
+   * shear force there (backward Euler). It is the state that the events lead to if every element
+   * that slips or opens does so all the way, in one direction; otherwise the path matters and only
+   * the events find it. Of strength an element loses what opening or slip costs, if equilibrium
+   * without this loss needs the opening or the slip.
    *
-   * Solved by switching all elements that violate a condition at once (a primal-dual active set
-   * method) with the working schemes of the path. Needs linear or rigid layers.
+   * A semismooth Newton method on the condensed system, after Alart and Curnier: each solution is
+   * that of a working scheme, whose states and directions of slip follow from forces and jumps,
+   * made comparable by the stiffness of the bars. Where it does not converge for the whole course
+   * it begins from its solution for a part of it. (doc/theory.md, section 3)
    */
   class ImplicitStep
   {
   public:
-    ImplicitStep(const std::vector<ContactElement> &elements,
-                 const LayeredSystem &system,
-                 WorkingScheme &scheme);
+    ImplicitStep(const PathContext &context, const Course &course);
 
-    /** Solves for load factors @p factors at load time @p t; nothing if no scheme satisfies all conditions. */
+    /** The end of the course in a step from @p from; nothing if none was found. */
     std::optional<JointState>
-    solve(const JointState &from, const double t, const Vector &factors);
+    solve(const JointState &from);
 
-    /** Schemes tried so far. */
-    std::size_t n_schemes = 0;
+    /** Schemes solved so far. */
+    std::size_t
+    n_schemes() const
+    {
+      return schemes;
+    }
 
   private:
-    bool
-    satisfy_scheme(const JointState &from, const Vector &factors, JointState &state);
-    bool
-    switch_violating(const JointState &from, const JointState &state);
-    ContactState
-    state_wanted(const JointState &from, const JointState &state, const std::size_t k) const;
+    /** What an element should do according to forces and jumps. */
+    struct Demand
+    {
+      ContactState state      = ContactState::open;
+      TangentVector direction = {{1., 0.}};
+      /** Slip over shear force, see WorkingScheme::let_turn() [m/MN]. */
+      double turning = 0.;
+    };
 
-    const std::vector<ContactElement> &elements;
-    const LayeredSystem &system;
-    WorkingScheme &scheme;
+    std::optional<JointState>
+    solve(const JointState &from, const double tau, const JointState &guess);
+    bool
+    find_equilibrium(const double tau, JointState &state);
+    bool
+    take_demands(JointState &state);
+    Demand
+    demand_on(const JointState &state, const std::size_t k) const;
+    Demand
+    demand_on_shear(const JointState &state,
+                    const std::size_t k,
+                    const double strength,
+                    const double noise) const;
+    void
+    complete(const double tau, JointState &state) const;
+    TangentVector
+    slip_of_step(const JointState &state, const std::size_t k) const;
+    double
+    safe_share(const JointState &state, const JointRates &change) const;
+    bool
+    passes_limit_of_law(const JointState &state) const;
+    bool
+    lose_strength(JointState &state);
+    JointState
+    finished(JointState state) const;
+
+    PathContext context;
+    const Course &course;
+    /** Where the step begins, with the strength that is left at its end. */
+    JointState start;
+    std::size_t schemes = 0;
   };
 } // namespace fuga
 

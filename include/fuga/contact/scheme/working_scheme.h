@@ -127,6 +127,11 @@ namespace fuga
               const ContactState state,
               const TangentVector &direction = {{1., 0.}});
 
+    /** A finite step begins: directions of slip turn, each by its @p compliances times the force
+     * across it [m/MN] (append_rows()). Without numbers it ends. */
+    void
+    let_turn(const Vector &compliances);
+
     /** The direction in which an element slips; zero if it does not. */
     TangentVector
     slip_direction_of(const std::size_t element) const
@@ -311,6 +316,8 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     bool nonlinear = false;
+    /** See let_turn(); empty along a path. */
+    Vector turning;
     UpdatedInverse inverse;
     /** Element of each bar. */
     std::vector<std::size_t> element_of_bar;

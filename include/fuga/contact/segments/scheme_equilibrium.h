@@ -31,14 +31,15 @@ namespace fuga
     passes_closure_limit(const JointState &state) const;
 
   private:
-    double
-    closure_safeguard(const JointState &state, const JointRates &change) const;
-
     PathContext context;
     const Course &course;
     const PathOptions options;
     IterationCount &count;
   };
+
+  /** Largest share of a change that keeps every layer with a closure limit short of it. */
+  double
+  closure_safeguard(const PathContext &context, const JointState &state, const JointRates &change);
 } // namespace fuga
 
 #endif
