@@ -77,7 +77,16 @@ namespace fuga
     const auto stress  = [&](const double closure) {
       return closure < limit ? normal_stress(closure) : std::numeric_limits<double>::infinity();
     };
-    double low  = normal_stress(w);
+    double low = normal_stress(w);
+    // Where the stiffness stops falling the widening is lost at once, so that a layer which shear
+    // alone keeps pressed could be under that tension as well: it stays pressed.
+    if (low <= -largest_tension * scale)
+      {
+        const double above = std::nextafter(-largest_tension * scale, 0.);
+        if (normal_deformation(above) - widening(above) > w)
+          return low;
+        low = above;
+      }
     double high = stress(w + widening(low));
     if (std::isinf(high))
       for (high = std::max(2. * low, scale);

@@ -67,6 +67,27 @@ TEST(ShearCoupling, InversesReturn)
         }
 }
 
+// Shear alone keeps the layer pressed, however far its faces are apart: beyond the tension 0.9·3,
+// at w = -0.675, where the shear stiffness stops falling. By eq. 9b from given stresses.
+TEST(ShearCoupling, PressedByShearWhileFacesPart)
+{
+  const double rho_n = 0.25, rho_t = 0.5, sigma_r = 3., m = 0.3;
+  const auto linear = make_linear_law(rho_n);
+  const ShearCoupling layer(ShearCoupling::Kind::pressure, *linear, rho_t, sigma_r, m);
+  for (const double sigma : {-1., 1e-3, 0.5, 2.})
+    for (const double e : {-5., 5., 40.})
+      {
+        const double k = std::pow(1. + sigma / sigma_r, m) / rho_t;
+        const double w = rho_n * sigma - 0.5 * m * k / (sigma_r + sigma) * e * e;
+        ASSERT_LT(w, -0.9 * sigma_r * rho_n);
+        const auto r = layer.response(w, e);
+        EXPECT_NEAR(r.sigma, sigma, 1e-12 * std::abs(w / rho_n));
+        EXPECT_NEAR(r.tau, k * e, 1e-12 * std::abs(w / rho_n));
+        EXPECT_NEAR(layer.shear_deformation(w, k * e), e, 1e-12 * std::abs(e));
+      }
+  EXPECT_EQ(layer.response(-0.8, 0.).sigma, -3.2);
+}
+
 // So much shear that the layer would be wider than its closure limit lets it be, were it not for
 // the pressure that this causes: w + widening(σ_n(w)) = 0.9 + 0.27 is beyond the limit 1. The
 // inverse of a pressure is explicit.
