@@ -190,12 +190,12 @@ def limit_by_hand(corners):
     return FRICTION * sum(pressures) - dot(weight, line), line
 
 
-def run(mesh_file, joints, stiffness, friction, coefficients, stages=WEIGHT_THEN_PUSH):
+def run(mesh_file, joints, stiffness, friction, coefficients, stages=WEIGHT_THEN_PUSH, dilatancy=0):
     """@p joints: names with the body above each; @p coefficients: force per weight at the end of the second stage."""
     x, y, z = coefficients
     _, code, summary, text = spatial_model.run(FUGA, mesh_file.with_name(f"{mesh_file.stem}_{stiffness}.prm"), PARAMETERS.format(
         mesh=mesh_file.name, bodies="".join(spatial_model.body(name, 1e7, DENSITY) for name in sorted(set(joints.values()))),
-        joints="".join(spatial_model.joint(name, body, "rock", friction, stiffness) for name, body in joints.items()),
+        joints="".join(spatial_model.joint(name, body, "rock", friction, stiffness, dilatancy) for name, body in joints.items()),
         horizontal=math.hypot(x, y), direction=f"{x!r}; {y!r}", vertical=z, stages=stages))
     return code, summary, text
 

@@ -14,8 +14,8 @@ def body(name, young_modulus, density):
 """
 
 
-def joint(name, plus, minus, friction, stiffness):
-    """@p stiffness: the normal one [kPa/m], of which the shear stiffness is half, or "rigid"."""
+def joint(name, plus, minus, friction, stiffness, dilatancy=0):
+    """@p stiffness: the normal one [kPa/m], of which the shear stiffness is half, or "rigid"; @p dilatancy: an angle."""
     layer = ("    set Normal law = rigid\n    set Shear law = rigid\n" if stiffness == "rigid" else
              f"    set Normal stiffness = {stiffness}\n    set Shear stiffness  = {float(stiffness) / 2}\n")
     return f"""  subsection {name}
@@ -23,6 +23,7 @@ def joint(name, plus, minus, friction, stiffness):
     set Plus body  = {plus}
     set Minus body = {minus}
     set Friction coefficient = {friction}
+    set Dilatancy angle = {dilatancy!r}
 {layer}  end
 """
 
