@@ -73,4 +73,22 @@ namespace fuga
       }
     return high;
   }
+
+  double
+  detour(const CubicOnUnitInterval &first, const CubicOnUnitInterval &second)
+  {
+    const double chord[] = {first.value(1.) - first.value(0.), second.value(1.) - second.value(0.)};
+    const double size    = std::hypot(chord[0], chord[1]);
+    const double r       = std::sqrt(0.15);
+    const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
+    const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
+    double sum               = 0.;
+    for (int i = 0; i < 3; ++i)
+      {
+        const double a = first.slope(abscissae[i]), b = second.slope(abscissae[i]);
+        const double along = size > 0. ? (chord[0] * a + chord[1] * b) / size : 0.;
+        sum += weights[i] * (std::hypot(a, b) - along);
+      }
+    return sum;
+  }
 } // namespace fuga

@@ -48,18 +48,6 @@ namespace fuga
       return result;
     }
 
-    /** Length of the way along two cubics: the chord, and by how much the way is longer. Without a
-     * turn this is the chord itself, whatever rounding says. */
-    double
-    length_of_way(const CubicsInPlane &slip, const TangentVector &chord)
-    {
-      const TangentVector along_chord = direction(chord);
-      return length(chord) + integral([&](const double x) {
-               const TangentVector slope = {{slip[0].slope(x), slip[1].slope(x)}};
-               return length(slope) - dot(along_chord, slope);
-             });
-    }
-
     /** A smooth piece of the path; quantities along it are cubics of x ∈ [0, 1]. */
     struct Piece
     {
@@ -150,7 +138,7 @@ namespace fuga
                                     strength.dilatancy * along_slip(k, from.state, rate0),
                                     to.state.dilations[k],
                                     strength.dilatancy * along_slip(k, from.state, rate1)));
-    check_rise(k, from.state, to.state, slipping ? length_of_way(slip, slid) : 0.);
+    check_rise(k, from.state, to.state, slipping ? length(slid) + detour(slip[0], slip[1]) : 0.);
     return result;
   }
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/cubic.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/implicit_runge_kutta.h>
 #include <fuga/contact/segments/layer_work.h>
@@ -189,48 +188,11 @@ namespace fuga
     error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /
                        (turning_step_tolerance * force_scale + force_noise(to.point.state)));
-    error = std::max(error, work_defect(from, to, length, work));
+    error = std::max({error, work_defect(from, to, length, work), rise_defect(from, to, length)});
     if (context.scheme.is_nonlinear())
       error = std::max(
         error, energy_defect(context, from.point, to.point, length, course.length - to.tau, count));
     return std::isfinite(error);
-  }
-
-  // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
-  // in the work of friction, relative to the share that is allowed.
-  double
-  TurningSegment::work_defect(const Station &from,
-                              const Station &to,
-                              const double length,
-                              const double work) const
-  {
-    constexpr double allowed_share = 5e-11;
-    constexpr double least_share   = 1e-13;
-    const double r                 = std::sqrt(0.15);
-    const double abscissae[]       = {0.5 - r, 0.5, 0.5 + r};
-    const double weights[]         = {5. / 18., 8. / 18., 5. / 18.};
-    double of_cubics               = 0.;
-    for (const std::size_t k : turning)
-      {
-        const ContactElement &element = context.elements[k];
-        const PathPoint &a = from.point, &b = to.point;
-        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
-                            b_rate = slip_rate(element, b.state, k, b.rates);
-        for (std::size_t i = 0; i < 2; ++i)
-          {
-            const std::size_t bar = element.bar(1 + i);
-            const CubicOnUnitInterval force(a.state.forces[bar],
-                                            a.rates.forces[bar] * length,
-                                            b.state.forces[bar],
-                                            b.rates.forces[bar] * length);
-            const CubicOnUnitInterval slip(
-              a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
-            for (int g = 0; g < 3; ++g)
-              of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
-          }
-      }
-    return std::abs(of_cubics - work) /
-           (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
   }
 
   // While slip directions turn into those of a mechanism, the load approaches its limit as slips

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-// Where a curved piece of the path meets the first boundary of the contact conditions.
+// Where a curved piece of the path meets the first boundary of the contact conditions, and what an observer of its ends gets wrong.
 namespace fuga
 {
   // The share of the way from a to b at which the first reserve is used up, by cubics and, for
@@ -120,5 +120,73 @@ namespace fuga
         if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
           lost_slip.push_back(slipping[i]);
     return low;
+  }
+
+  // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
+  // in the work of friction, relative to the share that is allowed.
+  double
+  TurningSegment::work_defect(const Station &from,
+                              const Station &to,
+                              const double length,
+                              const double work) const
+  {
+    constexpr double allowed_share = 5e-11;
+    constexpr double least_share   = 1e-13;
+    const double r                 = std::sqrt(0.15);
+    const double abscissae[]       = {0.5 - r, 0.5, 0.5 + r};
+    const double weights[]         = {5. / 18., 8. / 18., 5. / 18.};
+    double of_cubics               = 0.;
+    for (const std::size_t k : turning)
+      {
+        const ContactElement &element = context.elements[k];
+        const PathPoint &a = from.point, &b = to.point;
+        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
+                            b_rate = slip_rate(element, b.state, k, b.rates);
+        for (std::size_t i = 0; i < 2; ++i)
+          {
+            const std::size_t bar = element.bar(1 + i);
+            const CubicOnUnitInterval force(a.state.forces[bar],
+                                            a.rates.forces[bar] * length,
+                                            b.state.forces[bar],
+                                            b.rates.forces[bar] * length);
+            const CubicOnUnitInterval slip(
+              a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
+            for (int g = 0; g < 3; ++g)
+              of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
+          }
+      }
+    return std::abs(of_cubics - work) /
+           (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
+  }
+
+  // What an observer that takes slips for cubics between the ends of a step gets wrong in the rise
+  // of the lips, relative to the share of the jumps reached so far that is allowed.
+  double
+  TurningSegment::rise_defect(const Station &from, const Station &to, const double length) const
+  {
+    constexpr double allowed_share = 2e-10;
+    double worst                   = 0.;
+    for (const std::size_t k : turning)
+      {
+        const ContactElement &element = context.elements[k];
+        const PathPoint &a = from.point, &b = to.point;
+        const double rise = a.state.strengths[k].dilatancy;
+        if (rise == 0.)
+          continue;
+        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
+                            b_rate = slip_rate(element, b.state, k, b.rates);
+        const auto slip            = [&](const std::size_t i) {
+          return CubicOnUnitInterval(
+            a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
+        };
+        const double way =
+          fuga::length(sum(b.state.slips[k], -1., a.state.slips[k])) + detour(slip(0), slip(1));
+        worst = std::max(worst, std::abs(b.state.dilations[k] - a.state.dilations[k] - rise * way));
+      }
+    if (worst == 0.)
+      return 0.;
+    const JointState &state = to.point.state;
+    return worst /
+           (allowed_share * max_abs(context.system.jumps(state.dislocations, state.forces)));
   }
 } // namespace fuga

@@ -37,6 +37,12 @@ namespace fuga
     /** Coefficients of 1, x, x², x³. */
     double c0, c1, c2, c3;
   };
+
+  /** How much longer the way along two cubics is than the chord between its ends, by Gauss's rule
+   * with three points: ∫ |s'| - e·s' with e along the chord. Without a turn it is zero, whatever
+   * rounding says. */
+  double
+  detour(const CubicOnUnitInterval &first, const CubicOnUnitInterval &second);
 } // namespace fuga
 
 #endif

@@ -132,6 +132,8 @@ namespace fuga
                 const double length,
                 const double work) const;
     double
+    rise_defect(const Station &from, const Station &to, const double length) const;
+    double
     first_event(const Station &a, const Station &b) const;
     bool
     grows_beyond_bounds() const;
