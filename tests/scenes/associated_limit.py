@@ -109,7 +109,8 @@ def main():
                     check(title, result, 0.8, limits_in_space.APPROACHED)
                 elif result[0] != 0:
                     check.complaints.append(f"{title}: exit code {result[0]}\n{result[2][-1500:]}")
-    sys.exit("\n".join(check.complaints))
+    print("\n".join(check.complaints) or "the limit loads are those of the cone program")
+    sys.exit(1 if check.complaints else 0)
 
 
 main()
