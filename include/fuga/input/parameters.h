@@ -129,6 +129,7 @@ namespace fuga
     NonUniqueChoice non_unique = NonUniqueChoice::stop;
     /** Beyond a limit load by arc length, until the largest jump has grown by this [m]; 0: by
      * default. */
+    bool follow_jumps               = false;
     bool beyond_limit               = false;
     double beyond_jump              = 0.;
     IterationKind iteration         = IterationKind::newton;

@@ -60,11 +60,15 @@ namespace fuga
     if (!is_limit && result.tried.empty())
       return {};
     throw NumericalFailure(fmt::format(
-      "No equilibrium was found behind load time {:.12g}, and no motion proves that there is none. "
-      "{}. {}. The structure may stand; try softer joints.",
+      "{} load time {:.12g}, and no motion proves that there is none. "
+      "{}. {}. The structure may stand; try softer joints{}.",
+      result.jump.found ? "No continuous path was found behind" : "No equilibrium was found behind",
       state.t,
       is_limit ? "The motion found: " + figures(of_path) : result.tried,
       motion ? "The rigid motion of the bodies that the load drives most: " + figures(of_judge)
-             : "The load drives no rigid motion of the bodies that their joints allow"));
+             : "The load drives no rigid motion of the bodies that their joints allow",
+      result.jump.found
+        ? ", or let it jump to the equilibrium found near by (Solver/No continuation = jump)"
+        : ""));
   }
 } // namespace fuga

@@ -5,6 +5,7 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/implicit_step.h>
+#include <fuga/contact/path/slow_motion.h>
 #include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/strength_reduction.h>
 #include <fuga/contact/segments/turning_segment.h>
@@ -80,6 +81,8 @@ namespace fuga
                 continue;
               }
             lose_equilibrium(state, continuation, observer, result);
+            if (jump_to_equilibrium(state, levels, observer, result))
+              continue;
             if (result.verdict != Verdict::non_unique_continuation)
               go_beyond_limit(state, 0., observer, result);
             return result;
@@ -102,6 +105,8 @@ namespace fuga
           {
             result.verdict = Verdict::no_continuation;
             find_critical_elements(state, result);
+            if (jump_to_equilibrium(state, levels, observer, result))
+              continue;
             go_beyond_limit(state, near_limit, observer, result);
             return result;
           }
@@ -143,6 +148,62 @@ namespace fuga
     result.t = state.t;
     ++result.n_jumps;
     for (; next_level < levels.size() && levels[next_level] <= corner; ++next_level)
+      observer.reached(next_level, state);
+    return true;
+  }
+
+  // An equilibrium at the same load may be the present one itself: the load is a little larger.
+  bool
+  EventPath::jump_to_equilibrium(JointState &state,
+                                 const std::vector<double> &levels,
+                                 PathObserver &observer,
+                                 PathResult &result)
+  {
+    if (result.verdict != Verdict::no_continuation)
+      return false;
+    constexpr double little = 1e-6; // of a stage
+    Course course           = next_course(state);
+    if (course.kind == Course::Kind::loading)
+      {
+        const bool has_level = next_level < levels.size() && levels[next_level] > state.t;
+        course.t_end =
+          std::min({course.t_end, state.t + little, has_level ? levels[next_level] : course.t_end});
+        course.length = course.t_end - state.t;
+      }
+    std::optional<JumpEnd> end;
+    try
+      {
+        end = find_equilibrium_nearby(elements, system, course, state);
+      }
+    catch (const NumericalFailure &)
+      {
+        // then none was found
+      }
+    result.jump = end ? end->jump : Jump();
+    if (!end || !options.follow_jumps)
+      return false;
+    std::vector<ContactEvent> events;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (state.states[k] != end->state.states[k])
+        {
+          ContactEvent event;
+          event.t       = end->state.t;
+          event.element = k;
+          event.from    = state.states[k];
+          event.to      = end->state.states[k];
+          events.push_back(event);
+        }
+    state           = end->state;
+    result.verdict  = Verdict::done;
+    result.critical = {};
+    result.tried.clear();
+    result.t = state.t;
+    ++result.n_followed_jumps;
+    standstill.forget();
+    resticking.clear();
+    observer.jumped(state);
+    report(events, state, observer, result);
+    for (; next_level < levels.size() && levels[next_level] <= state.t; ++next_level)
       observer.reached(next_level, state);
     return true;
   }

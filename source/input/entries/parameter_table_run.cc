@@ -56,6 +56,13 @@ namespace fuga
       "What to do where friction is beyond its critical value and the joints can go on in "
       "several ways: stop with a verdict that says where, or follow the first "
       "continuation found, or the one that dissipates most.");
+    defaulted(
+      "No continuation",
+      &SolverSettings::follow_jumps,
+      choice<bool>({{"stop", false}, {"jump", true}}),
+      "What to do where no continuous path goes on although there is an equilibrium near by: "
+      "stop with a verdict that names it, or jump there and go on. Energies are not known "
+      "behind a jump. A limit load, where no equilibrium is near, ends the run anyway.");
     defaulted("Beyond limit load",
               &SolverSettings::beyond_limit,
               choice<bool>({{"stop", false}, {"arc length", true}}),

@@ -162,10 +162,16 @@ namespace fuga
     {
       const PathResult &path = summary.path;
       Json json;
-      json["total"]             = summary.n_events;
-      json["by_kind"]           = object(summary.events_by_kind);
-      json["steps"]             = path.n_steps;
-      json["implicit_steps"]    = path.n_jumps;
+      json["total"]          = summary.n_events;
+      json["by_kind"]        = object(summary.events_by_kind);
+      json["steps"]          = path.n_steps;
+      json["implicit_steps"] = path.n_jumps;
+      if (path.jump.found)
+        json["jump"] = {{"t", path.jump.t},
+                        {"size", path.jump.size},
+                        {"released_energy", path.jump.released},
+                        {"friction_work", path.jump.dissipated},
+                        {"followed", path.n_followed_jumps}};
       json["zero_length_steps"] = path.n_zero_steps;
       json["schemes_tried"]     = path.n_schemes;
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},

@@ -279,6 +279,7 @@ namespace fuga
           options.non_unique = PathOptions::NonUnique::largest_dissipation;
           break;
       }
+    options.follow_jumps   = parameters.solver.follow_jumps;
     options.beyond_limit   = parameters.solver.beyond_limit;
     options.beyond_jump    = parameters.solver.beyond_jump;
     options.tolerance      = parameters.solver.iteration_tolerance;

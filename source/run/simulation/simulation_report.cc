@@ -158,6 +158,13 @@ namespace fuga
         describe_critical(outcome.path),
         outcome.path.n_non_unique,
         parameters.solver.non_unique == NonUniqueChoice::first ? "first" : "largest dissipation"));
+    if (outcome.path.n_followed_jumps > 0)
+      log.warning(
+        fmt::format("The path is not continuous: {} jump(s), the last one at t = {:.12g}; "
+                    "energies are not known behind the first one{}.",
+                    outcome.path.n_followed_jumps,
+                    outcome.path.jump.t,
+                    describe_jump(outcome.path.jump)));
     if (parameters.solver.beyond_limit && outcome.path.beyond.end == BeyondLimit::End::none &&
         (outcome.path.verdict == Verdict::limit_load ||
          outcome.path.verdict == Verdict::no_continuation))
@@ -205,11 +212,30 @@ namespace fuga
 
   template <int dim>
   std::string
+  Simulation<dim>::describe_jump(const Jump &jump) const
+  {
+    if (!jump.found)
+      return "";
+    const Units &units = parameters.output.units;
+    return fmt::format(
+      "; a jump of {:.4g} {} leads to an equilibrium near by and sets free {:.4g} {}, "
+      "of which friction takes {:.4g} in a slow motion (Solver/No continuation = "
+      "jump goes on from there)",
+      jump.size,
+      units.length,
+      jump.released,
+      units.energy(),
+      jump.dissipated);
+  }
+
+  template <int dim>
+  std::string
   Simulation<dim>::reason_of(const PathResult &result) const
   {
     return result.verdict == Verdict::limit_load
              ? "mechanism: " + mechanism_name(result.mechanism)
-             : "although nothing moves freely, " + describe_critical(result);
+             : "although nothing moves freely, " + describe_critical(result) +
+                 describe_jump(result.jump);
   }
 
   template <int dim>

@@ -86,6 +86,31 @@ namespace fuga
     visit("n_steps", n_steps);
   }
 
+  /** From a state that no continuous path leaves to another equilibrium near by. */
+  struct Jump
+  {
+    bool found = false;
+    /** Load time before it. */
+    double t = 0.;
+    /** Largest change of a jump of the joints [m]. */
+    double size = 0.;
+    /** What bodies, layers and loads give off, and what of it friction takes in a slow motion; the
+     * rest becomes motion [MNm]. */
+    double released = 0., dissipated = 0.;
+  };
+
+  template <typename OneJump, typename Visitor, only_for<OneJump, Jump> = 0>
+  void
+  for_each_field(OneJump &jump, Visitor &&visit)
+  {
+    auto &[found, t, size, released, dissipated] = jump;
+    visit("found", found);
+    visit("t", t);
+    visit("size", size);
+    visit("released", released);
+    visit("dissipated", dissipated);
+  }
+
   struct PathResult
   {
     Verdict verdict         = Verdict::done;
@@ -105,6 +130,9 @@ namespace fuga
     std::size_t n_non_unique = 0;
     CriticalFriction critical;
     BeyondLimit beyond;
+    /** The last one, and how many the path followed. */
+    Jump jump;
+    std::size_t n_followed_jumps = 0;
     /** What was tried, where a path ends with `no_continuation` only because no way on was found:
      * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
     std::string tried;
@@ -127,6 +155,8 @@ namespace fuga
            n_non_unique,
            critical,
            beyond,
+           jump,
+           n_followed_jumps,
            tried] = result;
     visit("verdict", verdict);
     visit("t", t);
@@ -141,6 +171,8 @@ namespace fuga
     visit("n_non_unique", n_non_unique);
     visit("critical", critical);
     visit("beyond", beyond);
+    visit("jump", jump);
+    visit("n_followed_jumps", n_followed_jumps);
     visit("tried", tried);
   }
 

@@ -43,6 +43,9 @@ namespace fuga
 
     Follow follow        = Follow::events;
     NonUnique non_unique = NonUnique::stop;
+    /** Where no continuous path goes on, the path jumps to an equilibrium near by if there is one.
+     */
+    bool follow_jumps = false;
     /** Goes on beyond a limit load, the load falling or constant. */
     bool beyond_limit = false;
     /** How far the largest jump grows there [m]; 0: ten times the largest jump at the limit. */

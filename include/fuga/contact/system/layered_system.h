@@ -41,6 +41,13 @@ namespace fuga
       return compliances.size();
     }
 
+    /** The bodies, and what acts on them. */
+    const ContactSystem &
+    contact_system() const
+    {
+      return bodies;
+    }
+
     /** W [MN/m]. */
     const DenseMatrix &
     stiffness() const

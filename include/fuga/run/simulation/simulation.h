@@ -162,6 +162,10 @@ namespace fuga
     end_early();
     std::string
     describe_critical(const PathResult &result) const;
+    /** The equilibrium near by to which the path does not go on continuously; empty if none is
+     * known. */
+    std::string
+    describe_jump(const Jump &jump) const;
     std::string
     reason_of(const PathResult &result) const;
     void

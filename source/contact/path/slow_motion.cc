@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/path/implicit_step.h>
+#include <fuga/contact/path/slow_motion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Resistance at first and at most, in units of the largest stiffness of the bodies, and how it
+     * falls and rises. */
+    constexpr double first_resistance = 10., largest_resistance = 1e6;
+    constexpr double fall = 0.5, rise = 4.;
+    constexpr int max_motions = 300;
+    /** The motion rests where the resistance takes less than this share of the largest force. */
+    constexpr double at_rest = 1e-10;
+    /** Motion without bound, in units of the largest deformation before it. */
+    constexpr double far = 1e3;
+
+    /** Bodies between whose faces something viscous resists all jumps, from δ0 on:
+     * (S + κ BᵀB) x + Bᵀp = F a + κ Bᵀδ0. */
+    class DampedBodies : public ContactSystem
+    {
+    public:
+      DampedBodies(const ContactSystem &bodies,
+                   const Vector &factors,
+                   const double resistance,
+                   const Vector &jumps_before)
+        : S(bodies.stiffness()), F(S.n_rows(), 1), B(bodies.jump_operator())
+      {
+        const Vector loads = multiply(bodies.load_patterns(), factors);
+        const Vector x0    = B.empty() ? jumps_before : multiply_transposed(B, jumps_before);
+        for (std::size_t j = 0; j < S.n_rows(); ++j)
+          {
+            F(j, 0) = loads[j] + resistance * x0[j];
+            if (B.empty())
+              S(j, j) += resistance;
+            else
+              {
+                const Vector column =
+                  multiply_transposed(B, Vector(B.column(j), B.column(j) + B.n_rows()));
+                for (std::size_t i = 0; i < column.size(); ++i)
+                  S(i, j) += resistance * column[i];
+              }
+          }
+        if (bodies.imposed_jumps().empty())
+          return;
+        const Vector imposed = multiply(bodies.imposed_jumps(), factors);
+        E                    = DenseMatrix(imposed.size(), 1);
+        std::copy(imposed.begin(), imposed.end(), E.column(0));
+      }
+
+      const DenseMatrix &
+      stiffness() const override
+      {
+        return S;
+      }
+
+      const DenseMatrix &
+      load_patterns() const override
+      {
+        return F;
+      }
+
+      const DenseMatrix &
+      jump_operator() const override
+      {
+        return B;
+      }
+
+      const DenseMatrix &
+      imposed_jumps() const override
+      {
+        return E;
+      }
+
+      const DenseMatrix &
+      rigid_motions() const override
+      {
+        return none;
+      }
+
+      const DenseMatrix &
+      rigid_motion_loads() const override
+      {
+        return none;
+      }
+
+    private:
+      DenseMatrix S, F, E;
+      const DenseMatrix &B;
+      const DenseMatrix none;
+    };
+
+    /** One implicit step to loads that do not change, with what broken bonds still carry given up.
+     */
+    std::optional<JointState>
+    step(const std::vector<ContactElement> &elements,
+         const LayeredSystem &system,
+         const Vector &factors,
+         const JointState &from)
+    {
+      Course course;
+      course.t = course.t_end = from.t;
+      course.factors          = factors;
+      course.factor_rates     = Vector(factors.size(), 0.);
+      course.drive.release    = from.unreleased;
+      for (double &force : course.drive.release)
+        force = -force;
+      course.length = 1.;
+      const ContactBoundary boundary(elements, system);
+      WorkingScheme scheme(elements, system);
+      return ImplicitStep({elements, system, boundary, scheme}, course).solve(from);
+    }
+
+    /** Work of friction in a step, by the forces at its end. */
+    double
+    friction_work(const std::vector<ContactElement> &elements,
+                  const JointState &from,
+                  const JointState &to)
+    {
+      double work = 0.;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        if (is_slipping(to.states[k]))
+          work += dot(tangential(elements[k], to.forces), sum(to.slips[k], -1., from.slips[k])) +
+                  to.forces[elements[k].normal_bar] * (to.dilations[k] - from.dilations[k]);
+      return work;
+    }
+
+    /** Energy of the nonlinear layers beyond ½ D p², which the linear part of the system knows. */
+    double
+    energy_beyond_linear(const std::vector<ContactElement> &elements,
+                         const LayeredSystem &system,
+                         const JointState &state)
+    {
+      double energy = 0.;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        {
+          energy += nonlinear_energy(elements[k], state, k);
+          for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
+            if (const std::size_t bar = elements[k].bar(i); system.is_curved(bar))
+              energy -= 0.5 * system.compliance(bar) * state.forces[bar] * state.forces[bar];
+        }
+      return energy;
+    }
+
+    /** What bodies, layers and loads give off from one equilibrium to another at the same load:
+     * along dislocations the potential changes by -p·dd, and p is linear in d. */
+    double
+    released_energy(const std::vector<ContactElement> &elements,
+                    const LayeredSystem &system,
+                    const JointState &from,
+                    const JointState &to)
+    {
+      double released =
+        energy_beyond_linear(elements, system, from) - energy_beyond_linear(elements, system, to);
+      for (std::size_t i = 0; i < from.forces.size(); ++i)
+        released +=
+          0.5 * (from.forces[i] + to.forces[i]) * (to.dislocations[i] - from.dislocations[i]);
+      return released;
+    }
+
+    double
+    largest_difference(const Vector &a, const Vector &b)
+    {
+      double result = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        result = std::max(result, std::abs(a[i] - b[i]));
+      return result;
+    }
+
+    /** B x: jumps without those imposed. */
+    Vector
+    jumps_of_bodies(const LayeredSystem &system, const Vector &factors, const JointState &state)
+    {
+      Vector jumps = system.jumps(state.dislocations, state.forces);
+      if (const DenseMatrix &E = system.contact_system().imposed_jumps(); !E.empty())
+        {
+          const Vector imposed = multiply(E, factors);
+          for (std::size_t i = 0; i < jumps.size(); ++i)
+            jumps[i] -= imposed[i];
+        }
+      return jumps;
+    }
+  } // namespace
+
+  std::optional<JumpEnd>
+  find_equilibrium_nearby(const std::vector<ContactElement> &elements,
+                          const LayeredSystem &system,
+                          const Course &course,
+                          const JointState &from)
+  {
+    const ContactSystem &bodies = system.contact_system();
+    if (bodies.water_in_joints() != nullptr)
+      return {};
+    JumpEnd end{from, {}};
+    JointState &state = end.state;
+    state.t           = course.t_end;
+    Vector factors    = course.factors;
+    for (std::size_t j = 0; j < factors.size(); ++j)
+      factors[j] += course.length * course.factor_rates[j];
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        if (elements[k].friction.reduced)
+          reduce(state.strengths[k],
+                 elements[k].friction,
+                 elements[k].area,
+                 course.share + course.length * course.share_rate);
+
+    const double stiffness    = largest_diagonal(bodies.stiffness());
+    const Vector jumps_before = jumps_of_bodies(system, course.factors, from);
+    const double reach = far * std::max(max_abs(jumps_before), max_abs(from.forces) / stiffness);
+    double resistance  = first_resistance * stiffness;
+    Vector jumps       = jumps_before;
+    for (int i = 0; i < max_motions && resistance <= largest_resistance * stiffness; ++i)
+      {
+        const DampedBodies damped(bodies, factors, resistance, jumps);
+        const LayeredSystem layered(damped, elements);
+        std::optional<JointState> next = step(elements, layered, {1.}, state);
+        if (!next)
+          {
+            resistance *= rise;
+            continue;
+          }
+        end.jump.dissipated += friction_work(elements, state, *next);
+        state                    = std::move(*next);
+        const Vector jumps_after = jumps_of_bodies(system, factors, state);
+        const double moved       = largest_difference(jumps_after, jumps);
+        jumps                    = jumps_after;
+        if (largest_difference(jumps, jumps_before) > reach)
+          return {};
+        if (resistance * moved <= at_rest * max_abs(state.forces))
+          if (std::optional<JointState> equilibrium = step(elements, system, factors, state))
+            {
+              end.jump.dissipated += friction_work(elements, state, *equilibrium);
+              state          = std::move(*equilibrium);
+              end.jump.found = true;
+              end.jump.t     = from.t;
+              end.jump.size =
+                largest_difference(jumps_of_bodies(system, factors, state), jumps_before);
+              end.jump.released = released_energy(elements, system, from, state);
+              return end;
+            }
+        resistance *= fall;
+      }
+    return {};
+  }
+} // namespace fuga
