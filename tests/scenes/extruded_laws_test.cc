@@ -37,23 +37,39 @@ namespace
   };
 } // namespace
 
-// Two elements deep between planes that hold both ends across: plane strain, with two tangents in
-// the middle. Pressed, pushed until faces slide and open, and let go in part. 1e-9 of the largest
-// value, and of a stage for the times; ten times that where a search drives the path, whose limit
-// is a difference of nearly equal strengths and loads.
+namespace
+{
+  /** Pressed, pushed until faces slide and open, and let go in part: in the plane, and two elements
+   * deep between planes that hold both ends across (plane strain, with two tangents in the middle).
+   */
+  struct BothRuns
+  {
+    SceneRun flat, deep;
+  };
+
+  BothRuns
+  run_both(const std::vector<std::string> &entries, const int levels)
+  {
+    const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 6), uniform(0., 1., 3));
+    Json scene           = rough_blocks();
+    add_load(scene, "press", "pressure", "top", "1 + 0.3*x");
+    add_load(scene, "push", "traction", "top", "0.45; 0.4*(1 - x)");
+    scene["Stages"]["press"]["Loads"]  = "press: t";
+    scene["Stages"]["push"]            = {{"Loads", "push: t"}, {"Levels", levels}};
+    scene["Stages"]["let go"]["Loads"] = "push: 1 - 0.7*t";
+    const std::string in_plane         = write_scene(plane, scene);
+    SceneRun flat                      = run_scene(in_plane, entries);
+    scene["Loads"]["push"]["Value"]    = "0.45; 0.4*(1 - x); 0";
+    return {flat,
+            run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z")), entries)};
+  }
+} // namespace
+
+// 1e-9 of the largest value, and of a stage for the times; ten times that where a search drives the
+// path, whose limit is a difference of nearly equal strengths and loads.
 TEST_P(ExtrudedLaws, HaveTheEventsOfThePlane)
 {
-  const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 6), uniform(0., 1., 3));
-  Json scene           = rough_blocks();
-  add_load(scene, "press", "pressure", "top", "1 + 0.3*x");
-  add_load(scene, "push", "traction", "top", "0.45; 0.4*(1 - x)");
-  scene["Stages"]["press"]["Loads"]  = "press: t";
-  scene["Stages"]["push"]            = {{"Loads", "push: t"}, {"Levels", 3}};
-  scene["Stages"]["let go"]["Loads"] = "push: 1 - 0.7*t";
-  const SceneRun flat                = run_scene(write_scene(plane, scene), GetParam().entries);
-  scene["Loads"]["push"]["Value"]    = "0.45; 0.4*(1 - x); 0";
-  const SceneRun deep = run_scene(write_scene(extruded(plane, {0., 0.5, 1.}), in_space(scene, "z")),
-                                  GetParam().entries);
+  const auto [flat, deep] = run_both(GetParam().entries, 3);
   EXPECT_EQ(flat.exit_code, deep.exit_code);
   EXPECT_LE(deep.certificate(), 1e-9);
   ASSERT_GT(flat.events.rows.size(), 2u); // the scene is worth comparing
@@ -64,6 +80,24 @@ TEST_P(ExtrudedLaws, HaveTheEventsOfThePlane)
   EXPECT_NEAR(deep.last_t(), flat.last_t(), 1e-8);
   for (const char *column : {"N", "T1", "slip1", "jump_n", "jump_t1"})
     for (const double t : {1., 4. / 3., std::min(2., flat.last_t())})
+      EXPECT_LE(difference_from_plane(deep, 3, flat, column, t, 1e-9), 1e-8)
+        << column << " t = " << t;
+}
+
+// By one step per stage, found with every law.
+TEST_P(ExtrudedLaws, HaveTheStepsOfThePlane)
+{
+  std::vector<std::string> entries = GetParam().entries;
+  entries.push_back("Solver/Follow=stage ends");
+  const auto [flat, deep] = run_both(entries, 1);
+  EXPECT_EQ(flat.exit_code, deep.exit_code);
+  EXPECT_LE(deep.certificate(), 1e-9);
+  EXPECT_NEAR(deep.last_t(), flat.last_t(), 1e-8);
+  const int steps = flat.summary.at("events").at("implicit_steps").get<int>();
+  EXPECT_GE(steps, 2);
+  EXPECT_EQ(deep.summary.at("events").at("implicit_steps").get<int>(), steps);
+  for (const char *column : {"N", "T1", "slip1", "jump_n", "jump_t1"})
+    for (const double t : {1., 2.})
       EXPECT_LE(difference_from_plane(deep, 3, flat, column, t, 1e-9), 1e-8)
         << column << " t = " << t;
 }
