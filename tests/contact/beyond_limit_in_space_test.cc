@@ -6,6 +6,8 @@
 #include "contact/beyond_record.h"
 #include "contact/cone_toy.h"
 
+#include <fuga/contact/virgin_state.h>
+
 using namespace fuga;
 using namespace fuga::tests;
 
@@ -102,6 +104,95 @@ TEST(BeyondLimitInSpace, LoadFallsAsTheSlipTurns)
     }
   EXPECT_GT(std::abs(node.y[3] - alpha), 0.1); // it does turn
   EXPECT_LT(node.y[2], 1.85);                  // and the load does fall
+}
+
+// The same node pulled back at its strength, from λ = 2: it may stick, or slide on along the
+// falling branch, whose scheme has the determinant cos²α + k sin²α - f 0.6 cos α < 0.
+TEST(CriticalFrictionInSpace, TwoContinuationsOfANodeThatTurns)
+{
+  const double alpha = 0.3, k = 0.4, last = 1.9;
+  DenseMatrix S(3, 3);
+  S(0, 0) = S(1, 1) = 1.;
+  S(0, 1) = S(1, 0)      = -TurningNode::coupling;
+  S(2, 2)                = k;
+  const ToySystem system = oblique_load(S, alpha);
+  const ConeJoint joint(1, 1., make_rigid_law(), make_rigid_law(), TurningNode::f);
+  const LoadHistory history({0., 1., 2., 3.}, {{0., 0.}, {1., 0.}, {1., 2.}, {1., last}});
+  const LayeredSystem layered(system, joint.elements);
+  const auto follow = [&](const PathOptions::NonUnique choice) {
+    PathOptions options;
+    options.non_unique = choice;
+    EventPath path(joint.elements, layered, history, options);
+    BeyondRun run{{}, BeyondRecord(system, joint.elements, history)};
+    run.result = path.run({1., 2., 3.}, run.record);
+    EXPECT_LE(run.record.worst.worst(), 1e-9);
+    return run;
+  };
+  const BeyondRun stop = follow(PathOptions::NonUnique::stop);
+  EXPECT_EQ(stop.result.verdict, Verdict::non_unique_continuation);
+  EXPECT_EQ(stop.result.t, 2.);
+  EXPECT_EQ(stop.result.critical.n_branches, 2u);
+  EXPECT_TRUE(stop.result.critical.all_counted);
+  std::vector<int> signs = stop.result.critical.determinant_signs;
+  std::sort(signs.begin(), signs.end());
+  EXPECT_EQ(signs, (std::vector<int>{-1, 1}));
+
+  const BeyondRun first = follow(PathOptions::NonUnique::first);
+  EXPECT_EQ(first.result.verdict, Verdict::done);
+  EXPECT_NEAR(length(first.record.levels.back().slips[0]), 0., 1e-12);
+
+  const BeyondRun most = follow(PathOptions::NonUnique::largest_dissipation);
+  EXPECT_EQ(most.result.verdict, Verdict::done);
+  const JointState &end = most.record.levels.back();
+  TurningNode node{k, alpha};
+  node.slide_to(end.slips[0][0]);
+  EXPECT_NEAR(node.y[2], last, 1e-9);
+  EXPECT_NEAR(end.slips[0][1], node.y[1], 1e-9);
+  EXPECT_GT(end.slips[0][1], 0.01);
+}
+
+// At the apex. For one element in the plane f_c = W_tt/|W_tn| is known: above it uniqueness must
+// not be certain. And where it is certain, of two elements on random bodies, a search from all
+// states and eight directions finds no second continuation.
+TEST(CriticalFrictionInSpace, WhatIsCertainAtTheApexIsTrue)
+{
+  const auto is_certain = [](const ToySystem &system, const double f, std::mt19937 &generator) {
+    const std::size_t n = system.S.n_rows() / 3;
+    const ConeJoint joint(n, 1., make_rigid_law(), make_rigid_law(), f);
+    const LayeredSystem layered(system, joint.elements);
+    WorkingScheme scheme(joint.elements, layered);
+    RateProblem problem(joint.elements, layered, scheme);
+    const JointState state = virgin_state(joint.elements, 3 * n, false);
+    std::vector<BoundaryElement> set;
+    for (std::size_t k = 0; k < n; ++k)
+      set.push_back({k, true, ShearPosition::at_apex});
+    std::uniform_real_distribution<double> any(-1., 1.);
+    Vector factors;
+    for (std::size_t j = 0; j < system.F.n_columns(); ++j)
+      factors.push_back(any(generator));
+    const Drive drive        = {multiply(layered.reactions(), factors), {}, {}};
+    const Continuation found = problem.solve(state, set, drive);
+    const bool certain       = !problem.may_have_others(set, found);
+    if (certain)
+      {
+        EXPECT_TRUE(found.exists);
+        EXPECT_EQ(problem.branches(state, set, drive).size(), 1u);
+      }
+    return certain;
+  };
+  std::mt19937 generator(1);
+  DenseMatrix S(3, 3);
+  S(0, 0) = S(1, 1) = S(2, 2) = 1.;
+  S(0, 1) = S(1, 0)    = -TurningNode::coupling;
+  const ToySystem node = oblique_load(S, 0.3);
+  EXPECT_TRUE(is_certain(node, 0.3, generator));
+  EXPECT_FALSE(is_certain(node, 1.01 / TurningNode::coupling, generator));
+  std::size_t n_certain = 0, n_uncertain = 0;
+  for (int i = 0; i < 40; ++i)
+    for (const double f : {0.3, 1., 4.})
+      (is_certain(random_bodies(2, generator), f, generator) ? n_certain : n_uncertain) += 1;
+  EXPECT_GT(n_certain, 10u);
+  EXPECT_GT(n_uncertain, 10u);
 }
 
 // Nothing but the joint, C_t = 1, holds the node along x, and a spring of stiffness 1 along y. So

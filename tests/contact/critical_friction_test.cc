@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "contact/toy_system.h"
+#include "contact/cone_toy.h"
+#include "contact/lifted_problem.h"
 #include "judges/from_contact.h"
 #include "judges/judges.h"
 
@@ -49,7 +50,43 @@ namespace
       record                  = std::make_unique<Record>(system, joint.elements, *history);
       const PathResult result = path.run(levels, *record);
       EXPECT_LE(record->worst.worst(), 1e-12);
+      expect_the_same_in_space(result, levels, options);
       return result;
+    }
+
+    /** With two tangents, turned by any angle. */
+    void
+    expect_the_same_in_space(const PathResult &plane,
+                             const std::vector<double> &levels,
+                             const PathOptions &options) const
+    {
+      const LiftedProblem lifted(system, joint.elements);
+      const LayeredSystem layered_in_space(lifted.system, lifted.elements);
+      EventPath path(lifted.elements, layered_in_space, *history, options);
+      Record in_space(lifted.system, lifted.elements, *history);
+      const PathResult space = path.run(levels, in_space);
+      EXPECT_LE(in_space.worst.worst(), 1e-12);
+      EXPECT_EQ(space.verdict, plane.verdict);
+      EXPECT_NEAR(space.t, plane.t, 1e-12);
+      EXPECT_EQ(space.n_non_unique, plane.n_non_unique);
+      EXPECT_EQ(space.critical.elements, plane.critical.elements);
+      EXPECT_EQ(space.critical.n_branches, plane.critical.n_branches);
+      EXPECT_TRUE(space.tried.empty());
+      std::vector<ContactEvent> events; // in space an element that turns goes on slipping
+      std::copy_if(record->events.begin(),
+                   record->events.end(),
+                   std::back_inserter(events),
+                   [](const ContactEvent &event) {
+                     return !is_slipping(event.from) || !is_slipping(event.to);
+                   });
+      ASSERT_EQ(in_space.events.size(), events.size());
+      for (std::size_t i = 0; i < events.size(); ++i)
+        EXPECT_NEAR(in_space.events[i].t, events[i].t, 1e-12);
+      ASSERT_EQ(in_space.levels.size(), record->levels.size());
+      for (std::size_t i = 0; i < record->levels.size(); ++i)
+        EXPECT_LE(largest_difference(in_space.levels[i].forces,
+                                     LiftedProblem::lift(record->levels[i].forces)),
+                  1e-12);
     }
 
     ToyJoint joint;
@@ -147,6 +184,32 @@ namespace
       problem = std::make_unique<RateProblem>(elements, *layered, *scheme);
       drive   = {multiply(layered->reactions(), Vector{1.}), {}, {}};
       return problem->solve(state, set, drive);
+    }
+
+    /** Whether all continuations are those in the plane if there are two tangents. */
+    void
+    expect_branches_in_space(const std::size_t n_branches) const
+    {
+      const LiftedProblem lifted(system, elements);
+      std::vector<BoundaryElement> turned = set;
+      for (BoundaryElement &candidate : turned)
+        {
+          candidate.direction =
+            sum({{0., 0.}}, candidate.sign, LiftedProblem::tangent(candidate.element));
+          candidate.sign = 1.;
+        }
+      const LayeredSystem layered_in_space(lifted.system, lifted.elements);
+      WorkingScheme scheme_in_space(lifted.elements, layered_in_space);
+      RateProblem in_space(lifted.elements, layered_in_space, scheme_in_space);
+      const JointState lifted_state = LiftedProblem::lift(state);
+      const Drive driven            = {multiply(layered_in_space.reactions(), Vector{1.}), {}, {}};
+      const Continuation found      = in_space.solve(lifted_state, turned, driven);
+      EXPECT_EQ(found.exists, n_branches > 0);
+      EXPECT_TRUE(in_space.can_be_enumerated(turned));
+      if (!found.exists)
+        return;
+      EXPECT_TRUE(n_branches == 1 || in_space.may_have_others(turned, found));
+      EXPECT_EQ(in_space.branches(lifted_state, turned, driven).size(), n_branches);
     }
 
     double
@@ -272,6 +335,7 @@ TEST(CriticalFriction, RandomSetsEqualEnumeration)
         ASSERT_EQ(continuation.exists, all.count() > 0);
         n_none += all.count() == 0 ? 1 : 0;
         n_several += all.count() > 1 ? 1 : 0;
+        scene.expect_branches_in_space(all.count());
         if (!continuation.exists)
           continue;
         double nearest = std::numeric_limits<double>::infinity();
@@ -303,8 +367,8 @@ TEST(CriticalFriction, SearchBeyondEnumeration)
   for (const unsigned int seed : hard_seeds)
     {
       RandomStrength scene(seed, 7, 3., 2);
-      EXPECT_FALSE(RateProblem::can_be_enumerated(scene.set));
       const Continuation continuation = scene.solve();
+      EXPECT_FALSE(scene.problem->can_be_enumerated(scene.set));
       n_searched += continuation.method == RateMethod::search ? 1 : 0;
       n_found += continuation.exists ? 1 : 0;
     }

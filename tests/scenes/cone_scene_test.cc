@@ -79,32 +79,6 @@ TEST(ConeScenes, BlockSlidesInTheDirectionOfThePush)
   EXPECT_NEAR(std::hypot(T, T2), 0.5 * -run.resultant("N", end), 2e-6);
 }
 
-// What friction in two directions cannot do is refused before anything is computed, by name.
-TEST(ConeScenes, WhatIsNotAvailableIsRefused)
-{
-  const GmshMesh plane = two_blocks_mesh(uniform(0., 2., 2), uniform(0., 1., 1));
-  Json scene           = in_space(rough_blocks(), "free");
-  add_load(scene, "press", "pressure", "top", "1");
-  scene["Stages"]["press"]["Loads"] = "press: t";
-  const std::string file            = write_scene(extruded(plane, {0., 1.}), scene);
-  using Overrides                   = std::vector<std::string>;
-  for (const auto &[overrides, message] :
-       {std::pair(Overrides{"Solver/Non-unique=first"}, "several continuations")})
-    {
-      std::string complaint = "none";
-      try
-        {
-          run_scene(file, overrides);
-        }
-      catch (const InputError &error)
-        {
-          complaint = error.what();
-        }
-      EXPECT_NE(complaint.find(message), std::string::npos) << complaint;
-      EXPECT_NE(complaint.find("scene.json"), std::string::npos) << complaint;
-    }
-}
-
 namespace
 {
   /** The block of BlockSlidesInTheDirectionOfThePush under half of the push it can bear. */

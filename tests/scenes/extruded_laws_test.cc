@@ -35,6 +35,10 @@ namespace
   class ExtrudedLaws : public testing::TestWithParam<Law>
   {
   };
+
+  class ExtrudedBeyondLimit : public testing::TestWithParam<Law>
+  {
+  };
 } // namespace
 
 namespace
@@ -135,3 +139,48 @@ INSTANTIATE_TEST_SUITE_P(
     Law{"strength_reduction", {"Safety/Strength reduction=yes", "Joints/joint/Cohesion=0.1"}},
     Law{"load_factor", {"Safety/Load factor=push"}}),
   [](const auto &one) { return one.param.name; });
+
+// Pushed four times as far, the blocks slide, and the path goes on: at constant load, or, where
+// strength is lost, as the load falls. The joint's resultants at the limit and at every step beyond
+// it, to 1e-8 of the largest.
+TEST_P(ExtrudedBeyondLimit, HaveThePathOfThePlane)
+{
+  std::vector<std::string> entries = GetParam().entries;
+  for (const char *entry : {"Stages/push/Loads=push: 4*t",
+                            "Stages/let go/Loads=push: 4 - 3*t",
+                            "Solver/Beyond limit load=arc length",
+                            "Solver/Largest jump beyond limit=0.002"})
+    entries.push_back(entry);
+  const auto [flat, deep] = run_both(entries, 3);
+  EXPECT_EQ(flat.exit_code, 3);
+  EXPECT_EQ(deep.exit_code, 3);
+  EXPECT_LE(deep.certificate(), 1e-9);
+  EXPECT_EQ(flat.summary.at("beyond_limit").at("end"), "largest jump");
+  EXPECT_EQ(deep.summary.at("beyond_limit").at("end"), "largest jump");
+  ASSERT_EQ(deep.events.rows.size(), 3 * flat.events.rows.size());
+  const Vector flat_times = flat.event_times(0.), times = deep.event_times(0.);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(times[i], flat_times[i / 3], 1e-8) << i;
+  ASSERT_EQ(deep.resultants.rows.size(), flat.resultants.rows.size());
+  for (const char *column : {"t", "path_length", "N", "T", "dissipation", "largest_slip"})
+    {
+      double largest = 0.;
+      for (std::size_t i = 0; i < flat.resultants.rows.size(); ++i)
+        largest = std::max(largest, std::abs(flat.resultants.number(i, column)));
+      for (std::size_t i = 0; i < flat.resultants.rows.size(); ++i)
+        EXPECT_NEAR(
+          deep.resultants.number(i, column), flat.resultants.number(i, column), 1e-8 * largest)
+          << column << " in row " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes,
+                         ExtrudedBeyondLimit,
+                         testing::Values(Law{"friction", {}},
+                                         Law{"residual",
+                                             {"Joints/joint/Residual friction coefficient=0.35"}},
+                                         Law{"brittle",
+                                             {"Joints/joint/Cohesion=0.1",
+                                              "Joints/joint/Tensile strength=0.05",
+                                              "Joints/joint/Bond lost by=slip"}}),
+                         [](const auto &one) { return one.param.name; });

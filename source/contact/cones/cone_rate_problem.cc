@@ -54,7 +54,10 @@ namespace fuga
     if (outcome != Outcome::solved)
       {
         find_mechanism(background, result);
-        return result;
+        result.by_search =
+          !result.has_mechanism && is_small() && search(result, [] { return true; });
+        if (!result.by_search)
+          return result;
       }
     slip_where_neutral();
     take_solution(result);
@@ -70,6 +73,7 @@ namespace fuga
                             const std::vector<std::size_t> &resticking,
                             ConeContinuation &result)
   {
+    candidates.clear();
     const std::optional<JointRates> stuck = background.rates(drive);
     if (!stuck)
       {
@@ -77,7 +81,6 @@ namespace fuga
         result.mechanism     = background.mechanism();
         return false;
       }
-    candidates.clear();
     bars.clear();
     free_motion.clear();
     drift.clear();
@@ -111,7 +114,10 @@ namespace fuga
       }
     std::optional<DenseMatrix> stiffness = background.stiffness_against(bars);
     if (!stiffness)
-      return false;
+      {
+        candidates.clear();
+        return false;
+      }
     W = std::move(*stiffness);
     r.clear();
     for (const std::size_t bar : bars)
@@ -121,13 +127,15 @@ namespace fuga
     diagonal.clear();
     for (const std::size_t bar : bars)
       diagonal.push_back(system.stiffness()(bar, bar));
+    std::replace(diagonal.begin(), diagonal.end(), 0., max_abs(diagonal)); // free bars have no size
     return true;
   }
 
   void
   ConeRateProblem::take_solution(ConeContinuation &result) const
   {
-    result.exists = true;
+    result.exists           = true;
+    result.determinant_sign = determinant_sign;
     for (const Candidate &candidate : candidates)
       {
         // Along a single bar slip has a sign, as in the plane.

@@ -33,9 +33,9 @@ namespace fuga
      * singular,
      * @p note_motion gets its null vector, and weak springs to the ground hold what moves freely:
      * it then moves far, in the direction in which the load drives it, so that the next scheme
-     * closes the elements that it runs into.
+     * closes the elements that it runs into. Returns the sign of the determinant.
      */
-    bool
+    int
     solve_or_regularise(const DenseMatrix &M,
                         Vector &x,
                         const std::function<void(const Vector &)> &note_motion)
@@ -66,7 +66,7 @@ namespace fuga
           note_motion(null_vector(with_springs(smallest_condition)));
           LuFactors(with_springs(ground)).solve(x);
         }
-      return regular;
+      return regular ? factors.determinant_sign() : 0;
     }
   } // namespace
 
@@ -145,7 +145,7 @@ namespace fuga
           rates[unknowns[j].row + a] += solution[j] * unknowns[j].column[a];
     };
 
-    const bool regular =
+    determinant_sign =
       solve_or_regularise(M, x, [&](const Vector &solution) { take(solution, free_motion); });
     take(x, v);
 
@@ -177,6 +177,6 @@ namespace fuga
     for (Candidate &candidate : candidates)
       if (candidate.at_apex && is_slipping(candidate.state))
         candidate.strength = candidate.friction * std::max(-q[candidate.row], 0.);
-    return regular;
+    return determinant_sign != 0;
   }
 } // namespace fuga

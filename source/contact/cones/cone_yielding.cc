@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // A load that is an unknown acts through a spring, which the motion relieves. For linear conditions
 // any spring that is stiff enough gives the motion of eq. 7a, but for its scale.
@@ -14,7 +15,7 @@ namespace fuga
   namespace
   {
     /** Stiffnesses of the spring, in units of that of the joints against the load. */
-    constexpr std::array<double, 3> springs = {{1., 30., 1000.}};
+    constexpr std::array<double, 3> springs = {{30., 1000., 1.}};
     /** A motion below this share of what the spring alone would cause is none. */
     constexpr double no_motion = 1e-9;
 
@@ -29,7 +30,8 @@ namespace fuga
   } // namespace
 
   // What multiplies the rates of dislocation: the forces of the load that work on the motion, with
-  // their part in friction, or the same weight for all that may move.
+  // their part in friction, or the same weight for all that may move. At the apex the direction of
+  // slip is that of the present rates.
   Vector
   ConeRateProblem::on_boundaries(const Vector &forces, const bool by_work) const
   {
@@ -41,10 +43,13 @@ namespace fuga
           control[n] = by_work ? forces[n] : std::sqrt(diagonal[n]);
         if (candidate.n_tangents == 0)
           continue;
-        const TangentVector T = tangential_rows(candidate, forces), e = candidate.direction;
-        const double along = dot(e, T) + candidate.friction * forces[n];
+        const TangentVector T       = tangential_rows(candidate, forces),
+                            v_t     = tangential_rows(candidate, v);
+        const bool has_no_direction = candidate.at_apex && length(v_t) == 0.;
+        const TangentVector e       = candidate.at_apex ? direction_of(v_t) : candidate.direction;
+        const double along          = dot(e, T) + candidate.friction * forces[n];
         for (std::size_t i = 0; i < candidate.n_tangents; ++i)
-          if (candidate.at_apex)
+          if (has_no_direction)
             control[n + 1 + i] = by_work ? T[i] : 0.;
           else
             control[n + 1 + i] = e[i] * (by_work ? along : std::sqrt(shear_stiffness(candidate)));
@@ -73,19 +78,23 @@ namespace fuga
   bool
   ConeRateProblem::drive_by_spring(const ReducedSystem &given,
                                    const Vector &load,
-                                   const Vector &weights,
-                                   const double k,
+                                   const bool by_work,
+                                   const double spring,
                                    const Control control,
                                    ConeContinuation &result)
   {
-    constexpr int max_repetitions         = 30;
-    constexpr double no_change            = 1e-14;
+    constexpr int max_repetitions = 60;
+    constexpr double no_change = 1e-14, accepted = 1e-10;
+    double last                           = std::numeric_limits<double>::infinity();
     const std::vector<Candidate> at_first = candidates;
     ReducedSystem driven                  = given;
     const bool repeats                    = control == Control::displacement;
-    result.load_rate                      = repeats ? 0. : k;
-    for (int i = 0; i < max_repetitions; ++i)
+    v.assign(bars.size(), 0.);
+    const double k   = spring * spring_unit(load, on_boundaries(load, by_work), diagonal);
+    result.load_rate = repeats ? 0. : k;
+    for (int i = 0; k > 0. && i < max_repetitions; ++i)
       {
+        const Vector weights = on_boundaries(load, by_work);
         for (std::size_t row = 0; row < load.size(); ++row)
           driven.r[row] = given.r[row] + result.load_rate * load[row];
         candidates = at_first;
@@ -109,8 +118,10 @@ namespace fuga
               return true;
             break;
           }
-        if (std::abs(change) <= no_change * std::abs(result.load_rate))
+        const double share = std::abs(change) / std::abs(result.load_rate);
+        if (share <= no_change || (share <= accepted && share >= 0.5 * last))
           return result.load_rate <= 0.;
+        last = share;
       }
     candidates = at_first;
     return false;
@@ -132,14 +143,11 @@ namespace fuga
     for (const std::size_t bar : bars)
       load.push_back(unit->forces[bar]);
     const ReducedSystem given = {W, r, diagonal};
-    const bool any_spring     = control == Control::motion;
     for (const bool by_work : {true, false})
       for (const double spring : springs)
         {
-          const Vector weights = on_boundaries(load, by_work);
-          const double k       = spring * spring_unit(load, weights, diagonal);
-          if (k == 0. || (!any_spring && (!by_work || spring != springs.back())) ||
-              !drive_by_spring(given, load, weights, k, control, result))
+          if ((!by_work && control == Control::displacement) ||
+              !drive_by_spring(given, load, by_work, spring, control, result))
             continue;
           slip_where_neutral();
           take_solution(result);

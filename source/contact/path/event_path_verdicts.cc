@@ -12,14 +12,24 @@ namespace fuga
 {
   namespace
   {
-    /** Elements whose state is not the same in all branches. */
+    bool
+    differs(const Branch &a, const Branch &b, const std::size_t i)
+    {
+      constexpr double same_direction = 1e-6;
+      if (a.states[i] != b.states[i])
+        return true;
+      return !a.directions.empty() && is_slipping(a.states[i]) &&
+             length(sum(a.directions[i], -1., b.directions[i])) > same_direction;
+    }
+
+    /** Elements whose state, or direction of slip, is not the same in all branches. */
     std::vector<std::size_t>
     differing_elements(const std::vector<BoundaryElement> &set, const std::vector<Branch> &branches)
     {
       std::vector<std::size_t> result;
       for (std::size_t i = 0; i < set.size(); ++i)
         if (std::any_of(branches.begin(), branches.end(), [&](const Branch &branch) {
-              return branch.states[i] != branches.front().states[i];
+              return differs(branch, branches.front(), i);
             }))
           result.push_back(set[i].element);
       return result;
@@ -64,7 +74,7 @@ namespace fuga
         result.critical.t           = state.t;
         result.critical.elements    = differing_elements(set, branches);
         result.critical.n_branches  = branches.size();
-        result.critical.all_counted = RateProblem::can_be_enumerated(set);
+        result.critical.all_counted = rate_problem.can_be_enumerated(set);
         for (const Branch &branch : branches)
           result.critical.determinant_signs.push_back(branch.determinant_sign);
       }
@@ -94,13 +104,13 @@ namespace fuga
     if (has_cones)
       {
         result.t = state.t;
-        for (std::size_t k = 0; k < elements.size(); ++k)
-          if (is_slipping(state.states[k]) && carries_shear(elements[k], state.strengths[k]))
-            critical.elements.push_back(k);
+        for (const BoundaryElement &candidate : set)
+          if (candidate.shear == ShearPosition::at_strength)
+            critical.elements.push_back(candidate.element);
         return;
       }
     critical.elements     = rate_problem.critical_elements(set);
-    critical.all_counted  = RateProblem::can_be_enumerated(set);
+    critical.all_counted  = rate_problem.can_be_enumerated(set);
     const bool none_alone = critical.elements.empty();
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength &&
@@ -113,6 +123,24 @@ namespace fuga
             critical.elements.push_back(candidate.element);
         }
     critical.determinant_signs = {scheme.determinant_sign()};
+  }
+
+  // With two tangents all states can be tried only where directions of slip are given.
+  void
+  EventPath::note_what_was_tried(const Continuation &continuation,
+                                 const std::vector<BoundaryElement> &set,
+                                 PathResult &result) const
+  {
+    result.critical.all_counted = rate_problem.can_be_enumerated(set);
+    if (result.critical.all_counted)
+      return;
+    result.tried = fmt::format(
+      "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
+      "conditions, also from a softer layer, from associated friction, with sweeps from element to "
+      "element and from {}",
+      continuation.n_schemes,
+      set.size(),
+      rate_problem.is_small() ? "all combinations of their states" : "their present states alone");
   }
 
   void
@@ -129,13 +157,7 @@ namespace fuga
       {
         find_critical_elements(state, result);
         if (has_cones)
-          result.tried = fmt::format(
-            "Newton's method tried {} sets of states of {} elements on the boundary of their "
-            "contact "
-            "conditions, also from a softer layer, from associated friction and with sweeps from "
-            "element to element",
-            continuation.n_schemes,
-            boundary.elements_on_boundary(state).size());
+          note_what_was_tried(continuation, boundary.elements_on_boundary(state), result);
         return;
       }
     take_limit(state, continuation.mechanism, result);

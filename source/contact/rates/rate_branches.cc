@@ -66,7 +66,7 @@ namespace fuga
   RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
   {
     if (has_cones)
-      return false; // nothing is known of others there
+      return !cones.has_one_solution() && (cones.is_small() || found.met_negative_determinant);
     std::vector<WorkingScheme::SlipDirection> slips;
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength)
@@ -88,14 +88,20 @@ namespace fuga
     branch.states           = states_of(set);
     branch.rates            = rates;
     branch.determinant_sign = scheme.determinant_sign();
+    note_dissipation(state, branch);
+    return branch;
+  }
+
+  void
+  RateProblem::note_dissipation(const JointState &state, Branch &branch) const
+  {
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (is_slipping(scheme.state(k)))
         {
-          const TangentVector slip = slip_rate(elements[k], state, k, rates);
+          const TangentVector slip = slip_rate(elements[k], state, k, branch.rates);
           branch.dissipation += dot(tangential(elements[k], state.forces), slip);
-          branch.dissipation_growth += dot(tangential(elements[k], rates.forces), slip);
+          branch.dissipation_growth += dot(tangential(elements[k], branch.rates.forces), slip);
         }
-    return branch;
   }
 
   // Schemes may differ where nothing moves; branches differ if forces or dislocations do.

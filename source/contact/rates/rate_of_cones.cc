@@ -47,11 +47,14 @@ namespace fuga
     take_background(state, set);
     const ConeContinuation found = cones.solve(state, set, off_boundary, drive, resticking);
     Continuation result;
-    result.exists        = found.exists;
-    result.rates         = found.rates;
-    result.n_schemes     = found.n_schemes;
-    result.has_mechanism = found.has_mechanism;
-    result.mechanism     = found.mechanism;
+    result.exists                   = found.exists;
+    result.rates                    = found.rates;
+    result.n_schemes                = found.n_schemes;
+    result.has_mechanism            = found.has_mechanism;
+    result.mechanism                = found.mechanism;
+    result.met_negative_determinant = found.exists && found.determinant_sign < 0;
+    if (found.by_search)
+      result.method = RateMethod::search;
     if (!found.exists || !take_cones(set, found))
       return result;
     // What opens may leave bodies without support.
@@ -65,6 +68,32 @@ namespace fuga
         result.mechanism     = off_boundary.mechanism();
       }
     return result;
+  }
+
+  // The set is the one that was decided last.
+  std::vector<Branch>
+  RateProblem::branches_of_cones(const JointState &state,
+                                 const std::vector<BoundaryElement> &set,
+                                 const Drive &drive)
+  {
+    take_background(state, set);
+    std::vector<Branch> found;
+    for (const ConeContinuation &solution : cones.all_solutions(off_boundary, drive))
+      if (is_new(found, solution.rates, drive))
+        {
+          Branch branch;
+          branch.states           = solution.states;
+          branch.directions       = solution.directions;
+          branch.rates            = solution.rates;
+          branch.determinant_sign = solution.determinant_sign;
+          found.push_back(branch);
+        }
+    for (std::size_t i = found.size(); i-- > 0;)
+      {
+        take(set, found[i]);
+        note_dissipation(state, found[i]);
+      }
+    return found;
   }
 
   ControlledContinuation

@@ -233,8 +233,10 @@ namespace fuga
   }
 
   bool
-  RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set)
+  RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set) const
   {
+    if (has_cones)
+      return cones.can_be_enumerated();
     double n = 1.;
     for (const BoundaryElement &candidate : set)
       n *= static_cast<double>(admissible_states(candidate).size());
@@ -263,6 +265,8 @@ namespace fuga
                         const std::vector<BoundaryElement> &set,
                         const Drive &drive)
   {
+    if (has_cones)
+      return branches_of_cones(state, set, drive);
     const std::vector<ContactState> present = states_of(set);
     std::vector<Branch> found;
     const std::optional<JointRates> rates = scheme.rates(drive);

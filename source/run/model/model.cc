@@ -207,26 +207,7 @@ namespace fuga
   void
   Model<dim>::check_joints(const std::vector<JointParameters> &joints) const
   {
-    check_cones();
     check_initial_gaps<dim>(bodies.elements(), joints, parameters.model.constants);
-  }
-
-  // What a path on cones does not know, before anything is computed.
-  template <int dim>
-  void
-  Model<dim>::check_cones() const
-  {
-    if (!have_two_tangents(bodies.elements()))
-      return;
-    std::string what;
-    if (parameters.solver.non_unique != NonUniqueChoice::stop)
-      what = "the choice between several continuations is";
-    if (!what.empty())
-      throw InputError(fmt::format(
-        "{}: in space, where friction acts along two directions, {} not available in this version. "
-        "Take it out, or hold one of the directions by supports in all joints.",
-        parameters.parameter_file,
-        what));
   }
 
   template <int dim>

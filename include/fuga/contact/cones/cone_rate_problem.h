@@ -8,6 +8,7 @@
 #include <fuga/contact/element/contact_boundary.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
+#include <functional>
 #include <optional>
 
 namespace fuga
@@ -27,6 +28,10 @@ namespace fuga
     JointRates mechanism;
     /** λ̇, where the load is an unknown. */
     double load_rate = 0.;
+    /** Sign of the determinant of the scheme: negative beyond critical friction. */
+    int determinant_sign = 0;
+    /** Only a search found it. */
+    bool by_search = false;
   };
 
   /**
@@ -60,6 +65,25 @@ namespace fuga
           WorkingScheme &background,
           const Drive &drive,
           const std::vector<std::size_t> &resticking);
+
+    /** It is certain that the last set has one solution, whatever the load (doc/theory.md, section
+     * 17). */
+    bool
+    has_one_solution() const;
+
+    /** All directions of slip of the last set are given, and its states have few enough
+     * combinations to try all. */
+    bool
+    can_be_enumerated() const;
+
+    /** The same, or the directions that are not given can be solved for. */
+    bool
+    is_small() const;
+
+    /** The solution just found, and what a search finds beside it. All there are if
+     * can_be_enumerated(); one may come twice. */
+    std::vector<ConeContinuation>
+    all_solutions(WorkingScheme &background, const Drive &drive);
 
     /** What determines the rate of a load that is an unknown. */
     enum class Control
@@ -117,6 +141,13 @@ namespace fuga
       double violation = 0.;
     };
 
+    /** A state that a candidate may take, and the direction of its slip to begin with. */
+    struct Choice
+    {
+      ContactState state;
+      TangentVector direction;
+    };
+
     enum class Outcome
     {
       solved,
@@ -145,6 +176,21 @@ namespace fuga
              ConeContinuation &result);
     void
     take_solution(ConeContinuation &result) const;
+    bool
+    has_free_directions() const;
+    std::vector<Choice>
+    choices(const Candidate &candidate) const;
+    static void
+    take(const Choice &choice, Candidate &candidate);
+    bool
+    is_solution(ConeContinuation &result);
+    void
+    try_all(ConeContinuation &result, const std::function<bool()> &note);
+    void
+    try_guesses(ConeContinuation &result, const std::function<bool()> &note);
+    /** Calls @p note at every solution until it returns true; then the candidates keep it. */
+    bool
+    search(ConeContinuation &result, const std::function<bool()> &note);
     Vector
     on_boundaries(const Vector &forces, const bool by_work) const;
     void
@@ -152,8 +198,8 @@ namespace fuga
     bool
     drive_by_spring(const ReducedSystem &given,
                     const Vector &load,
-                    const Vector &weights,
-                    const double k,
+                    const bool by_work,
+                    const double spring,
                     const Control control,
                     ConeContinuation &result);
     void
@@ -235,6 +281,8 @@ namespace fuga
     Vector diagonal;
     /** Null vector of the last singular scheme. */
     Vector free_motion;
+    /** Of the last scheme; 0 if it is singular. */
+    int determinant_sign = 0;
     /** What the last sweep of those that did not come to rest changed. */
     Vector drift;
   };

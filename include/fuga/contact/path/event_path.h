@@ -96,6 +96,10 @@ namespace fuga
     std::unique_ptr<PathSegment>
     make_segment(const Course &course, const PathPoint &start);
     void
+    note_what_was_tried(const Continuation &continuation,
+                        const std::vector<BoundaryElement> &set,
+                        PathResult &result) const;
+    void
     lose_equilibrium(JointState &state,
                      const Continuation &continuation,
                      PathObserver &observer,

@@ -54,6 +54,8 @@ namespace fuga
   {
     /** States of the boundary elements. */
     std::vector<ContactState> states;
+    /** With two tangential bars, those of their slips. */
+    std::vector<TangentVector> directions;
     JointRates rates;
     /** Sign of the determinant of its scheme: negative beyond critical friction. */
     int determinant_sign = 0;
@@ -144,7 +146,11 @@ namespace fuga
     void
     take(const std::vector<BoundaryElement> &set, const Branch &branch)
     {
-      set_states(set, branch.states);
+      for (std::size_t i = 0; i < set.size(); ++i)
+        scheme.set_state(set[i].element,
+                         branch.states[i],
+                         branch.directions.empty() ? TangentVector{{1., 0.}}
+                                                   : branch.directions[i]);
     }
 
     /**
@@ -168,9 +174,17 @@ namespace fuga
                   const Drive &release,
                   const Drive &unit_load);
 
-    /** The states of @p set have few enough combinations to try all. */
-    static bool
-    can_be_enumerated(const std::vector<BoundaryElement> &set);
+    /** The states of @p set have few enough combinations to try all. With two tangential bars, where
+     * directions of slip are all given, that is so for the set decided last. */
+    bool
+    can_be_enumerated(const std::vector<BoundaryElement> &set) const;
+
+    /** With two tangential bars, the search tried all combinations of states of the last set. */
+    bool
+    is_small() const
+    {
+      return cones.is_small();
+    }
 
     static constexpr std::size_t max_enumerated = 6;
 
@@ -248,6 +262,12 @@ namespace fuga
                     const Drive &drive,
                     Continuation &result);
 
+    std::vector<Branch>
+    branches_of_cones(const JointState &state,
+                      const std::vector<BoundaryElement> &set,
+                      const Drive &drive);
+    void
+    note_dissipation(const JointState &state, Branch &branch) const;
     Branch
     present_branch(const JointState &state,
                    const std::vector<BoundaryElement> &set,

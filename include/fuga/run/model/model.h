@@ -65,8 +65,7 @@ namespace fuga
     std::string
     motion(const std::vector<ContactElement> &elements, const PathResult &result) const;
 
-    /** @throws InputError if joints have what they cannot have here: see check_cones(), and
-     * negative gaps. */
+    /** @throws InputError if joints have negative gaps. */
     void
     check_joints(const std::vector<JointParameters> &joints) const;
 
@@ -126,8 +125,6 @@ namespace fuga
     find_stage_names() const;
     std::vector<ElementFrame>
     find_frames() const;
-    void
-    check_cones() const;
     void
     check_body_solver() const;
     std::vector<bool>

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/cones/cone_rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+// Is the solution of the rate problem the only one, and which others are there?
+namespace fuga
+{
+  namespace
+  {
+    /** Combinations of states that are tried at most: where all directions are given, and where
+     * those of slip have to be solved for. */
+    constexpr double max_combinations = 4096., max_with_directions = 512.;
+    /** Directions in which Newton's method begins at the apex. */
+    constexpr int n_directions = 8;
+    /** First guesses at random; few where each costs much. */
+    constexpr unsigned int n_random_guesses = 64, n_costly_guesses = 6;
+    constexpr std::size_t costly_rows = 100;
+  } // namespace
+
+  bool
+  ConeRateProblem::has_free_directions() const
+  {
+    return std::any_of(candidates.begin(), candidates.end(), [](const Candidate &candidate) {
+      return candidate.at_apex && candidate.n_tangents == 2;
+    });
+  }
+
+  std::vector<ConeRateProblem::Choice>
+  ConeRateProblem::choices(const Candidate &candidate) const
+  {
+    std::vector<Choice> result = {{ContactState::stick, candidate.direction}};
+    if (candidate.at_apex || candidate.grazing)
+      result.push_back({ContactState::open, candidate.direction});
+    if (candidate.n_tangents == 0)
+      return result;
+    if (!candidate.at_apex)
+      result.push_back({ContactState::slip_forward, candidate.direction});
+    else if (candidate.n_tangents == 1)
+      for (const double sign : {1., -1.})
+        result.push_back({ContactState::slip_forward, {{sign, 0.}}});
+    else
+      {
+        const TangentVector first = direction_of(tangential_rows(candidate, r));
+        for (int i = 0; i < n_directions; ++i)
+          {
+            const double angle = 2. * std::acos(-1.) * i / n_directions;
+            result.push_back({ContactState::slip_forward,
+                              sum({{std::cos(angle) * first[0], std::cos(angle) * first[1]}},
+                                  std::sin(angle),
+                                  normal_to(first))});
+          }
+      }
+    return result;
+  }
+
+  bool
+  ConeRateProblem::is_small() const
+  {
+    double n = 1.;
+    for (const Candidate &candidate : candidates)
+      n *= static_cast<double>(choices(candidate).size());
+    return n <= (has_free_directions() ? max_with_directions : max_combinations);
+  }
+
+  bool
+  ConeRateProblem::can_be_enumerated() const
+  {
+    return !candidates.empty() && !has_free_directions() && is_small();
+  }
+
+  void
+  ConeRateProblem::take(const Choice &choice, Candidate &candidate)
+  {
+    candidate.state     = choice.state;
+    candidate.direction = choice.direction;
+    candidate.slip = candidate.strength = 0.;
+  }
+
+  // The present states, with directions of slip at the apex solved for.
+  bool
+  ConeRateProblem::is_solution(ConeContinuation &result)
+  {
+    constexpr int max_turns = 30;
+    for (int i = 0; i < max_turns; ++i)
+      {
+        ++result.n_schemes;
+        if (!solve_scheme())
+          return false;
+        if (is_settled())
+          return std::all_of(candidates.begin(), candidates.end(), [this](const Candidate &own) {
+            return demand(own).state == own.state;
+          });
+      }
+    return false;
+  }
+
+  // Calls note() at every solution until it returns true.
+  void
+  ConeRateProblem::try_all(ConeContinuation &result, const std::function<bool()> &note)
+  {
+    std::vector<std::vector<Choice>> all;
+    for (const Candidate &candidate : candidates)
+      all.push_back(choices(candidate));
+    std::vector<std::size_t> number(all.size(), 0);
+    while (true)
+      {
+        for (std::size_t i = 0; i < all.size(); ++i)
+          take(all[i][number[i]], candidates[i]);
+        if (is_solution(result) && note())
+          return;
+        std::size_t digit = 0;
+        while (digit < all.size() && ++number[digit] == all[digit].size())
+          number[digit++] = 0;
+        if (digit == all.size())
+          return;
+      }
+  }
+
+  // Newton's method from all stuck, from all slipping, at random.
+  void
+  ConeRateProblem::try_guesses(ConeContinuation &result, const std::function<bool()> &note)
+  {
+    std::vector<std::vector<Choice>> all;
+    for (const Candidate &candidate : candidates)
+      all.push_back(choices(candidate));
+    std::mt19937 random; // its numbers are the same everywhere
+    const unsigned int n = bars.size() > costly_rows ? n_costly_guesses : n_random_guesses;
+    for (unsigned int guess = 0; guess < 2 + n; ++guess)
+      {
+        for (std::size_t i = 0; i < all.size(); ++i)
+          {
+            const std::size_t slipping = std::min<std::size_t>(
+              all[i].size() - 1, candidates[i].at_apex || candidates[i].grazing ? 2 : 1);
+            const std::size_t choice = guess == 0   ? 0
+                                       : guess == 1 ? slipping
+                                                    : random() % all[i].size();
+            take(all[i][choice], candidates[i]);
+          }
+        if (iterate(n_iterations, result) == Outcome::solved && note())
+          return;
+      }
+  }
+
+  bool
+  ConeRateProblem::search(ConeContinuation &result, const std::function<bool()> &note)
+  {
+    const std::vector<Candidate> before = candidates;
+    const Vector v_before = v, q_before = q, motion_before = free_motion;
+    bool found            = false;
+    const auto until_done = [&] { return found = note(); };
+    if (is_small())
+      try_all(result, until_done);
+    else
+      try_guesses(result, until_done);
+    free_motion = motion_before;
+    if (found)
+      return true;
+    candidates = before;
+    v          = v_before;
+    q          = q_before;
+    return false;
+  }
+
+  std::vector<ConeContinuation>
+  ConeRateProblem::all_solutions(WorkingScheme &background, const Drive &drive)
+  {
+    std::vector<ConeContinuation> result;
+    ConeContinuation counted;
+    const auto note = [&] {
+      ConeContinuation solution;
+      take_solution(solution);
+      solution.rates = full_rates(background, drive, v);
+      result.push_back(std::move(solution));
+      return false;
+    };
+    note(); // the one that was found
+    search(counted, note);
+    return result;
+  }
+} // namespace fuga

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/cones/cone_rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** An element at the apex: the number of its normal rate, its tangents, its friction. */
+    struct Apex
+    {
+      std::size_t row;
+      std::size_t n_tangents;
+      double friction;
+    };
+
+    /**
+     * Whether yᵀA y + Σ weight y_n (A y)_n - Σ f |v_t| |(W v)_n| > 0 at the apexes, for all rates
+     * v = D y, with A scaled by D on both sides, and 2 |v_t| |(W v)_n| ≤ α |v_t|² + (W v)_n²/α,
+     * α = share/(D_n D_t).
+     */
+    bool
+    is_definite(const DenseMatrix &A,
+                const Vector &scale,
+                const std::vector<Apex> &apexes,
+                const double weight,
+                const double share)
+    {
+      const std::size_t n = scale.size();
+      DenseMatrix G(n, n); // its lower triangle, twice
+      for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t i = k; i < n; ++i)
+          G(i, k) = A(i, k) + A(k, i);
+      for (const Apex &apex : apexes)
+        {
+          const std::size_t row = apex.row;
+          for (std::size_t k = 0; k < n; ++k)
+            G(std::max(row, k), std::min(row, k)) += (row == k ? 2. : 1.) * weight * A(row, k);
+          if (apex.n_tangents == 0)
+            continue;
+          const double ratio = scale[row + 1] / scale[row];
+          for (std::size_t i = row + 1; i <= row + apex.n_tangents; ++i)
+            G(i, i) -= apex.friction * share * ratio * std::pow(scale[i] / scale[row + 1], 2);
+          for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t i = k; i < n; ++i)
+              G(i, k) -= apex.friction / share * ratio * A(row, i) * A(row, k);
+        }
+      DenseMatrix nothing(n, 0);
+      return solve_positive_definite(G, nothing);
+    }
+  } // namespace
+
+  // The difference v of two solutions satisfies, element by element, with (W v) lost by the forces,
+  //
+  //     on the cone, v = γ e    γ (e + f n)·(W v) ≤ 0,
+  //     at the apex             v_n (W v)_n ≤ 0,   v·(W v) - f |v_t| |(W v)_n| ≤ 0.
+  //
+  // It vanishes where some sum of these with positive weights is positive definite.
+  bool
+  ConeRateProblem::has_one_solution() const
+  {
+    std::vector<Apex> apexes;
+    std::size_t n = 0;
+    for (const Candidate &candidate : candidates)
+      {
+        if (candidate.n_tangents > 0 &&
+            (candidate.at_apex ? candidate.rise > 0. : candidate.grazing))
+          return false; // other conditions
+        if (candidate.at_apex)
+          apexes.push_back({n, candidate.n_tangents, candidate.friction});
+        n += candidate.at_apex ? candidate.n_tangents + 1 : 1;
+      }
+    DenseMatrix motions(bars.size(), n), conditions(bars.size(), n);
+    std::size_t j = 0;
+    for (const Candidate &candidate : candidates)
+      if (candidate.at_apex)
+        for (std::size_t i = 0; i <= candidate.n_tangents; ++i, ++j)
+          motions(candidate.row + i, j) = conditions(candidate.row + i, j) = 1.;
+      else
+        {
+          motions(candidate.row, j)    = candidate.rise;
+          conditions(candidate.row, j) = candidate.friction;
+          for (std::size_t i = 0; i < candidate.n_tangents; ++i)
+            motions(candidate.row + 1 + i, j) = conditions(candidate.row + 1 + i, j) =
+              candidate.direction[i];
+          ++j;
+        }
+    DenseMatrix A = multiply_transposed(conditions, multiply(W, motions));
+    Vector scale;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        if (!(A(i, i) > 0.))
+          return false;
+        scale.push_back(1. / std::sqrt(A(i, i)));
+      }
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        A(i, k) *= scale[i] * scale[k];
+    if (apexes.empty())
+      return is_definite(A, scale, apexes, 0., 1.);
+    for (const double weight : {0., 1., 4., 16.})
+      for (const double share : {0.25, 0.5, 1., 2., 4.})
+        if (is_definite(A, scale, apexes, weight, share))
+          return true;
+    return false;
+  }
+} // namespace fuga
