@@ -63,6 +63,49 @@ namespace
   }
 } // namespace
 
+// Seven faces that open in six nearly parallel ways, the seventh as the first and the second less
+// the third: their equations depend on each other, however the scheme was reached. Exchanged one by
+// one they leave a pivot of rounding, 1e-8 of the stiffness, and the loads P = S·1 allow a
+// solution.
+TEST(RateProblem, DependentEquationsAreSingularHoweverTheyCame)
+{
+  constexpr std::size_t n = 7;
+  const ToyJoint joint(n, 1., make_rigid_law(), make_rigid_law(), {0.5, 0.});
+  DenseMatrix motions(n, n - 1);
+  for (std::size_t j = 0; j + 1 < n; ++j)
+    {
+      for (std::size_t i = 0; i + 1 < n; ++i)
+        motions(i, j) = i == j ? 1.001 : 1.;
+      motions(n - 1, j) = motions(0, j) + motions(1, j) - motions(2, j);
+    }
+  ToySystem system;
+  system.S = DenseMatrix(2 * n, 2 * n);
+  system.F = DenseMatrix(2 * n, 1);
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      system.S(2 * i + 1, 2 * i + 1) = 1.;
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          for (std::size_t j = 0; j + 1 < n; ++j)
+            system.S(2 * i, 2 * k) += motions(i, j) * motions(k, j);
+          system.F(2 * i, 0) += system.S(2 * i, 2 * k);
+        }
+    }
+  const LayeredSystem layered(system, joint.elements);
+  const Drive drive{multiply(layered.reactions(), Vector{1.}), {}, {}};
+  for (const bool one_by_one : {false, true})
+    {
+      WorkingScheme scheme(joint.elements, layered);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          scheme.set_state(k, ContactState::open);
+          if (one_by_one && k + 1 < n)
+            EXPECT_TRUE(scheme.rates(drive)) << k;
+        }
+      EXPECT_FALSE(scheme.rates(drive)) << one_by_one;
+    }
+}
+
 // V10: f_c = a/|b| + (a d - b²)/(C_n |b|) with a = d = 1, b = -0.6: at f = 2 the continuation is
 // unique exactly for C_n < 0.64/0.2 = 3.2; beyond it there are load rates with two and with none.
 TEST(RateProblem, UniqueUpToTheCriticalFriction)

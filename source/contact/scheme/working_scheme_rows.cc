@@ -17,6 +17,19 @@ namespace fuga
     /** After so many exchanges the matrix is factorised anew: that costs little then, and neither
      * their rounding errors nor what has to be kept of them can grow without bound. */
     constexpr std::size_t exchanges_per_row = 4, most_exchanges = 100;
+    /** An inverse of a matrix of unit diagonal with entries G leaves an error of ε G² in the next
+     * pivot: a singular matrix may then seem regular, but with G above 1/√ε = 7e7. */
+    constexpr double largest_exchanged = 1e7;
+
+    double
+    largest_entry(const UpdatedInverse &inverse, const Vector &units)
+    {
+      double largest = 0.;
+      for (std::size_t j = 0; j < units.size(); ++j)
+        for (std::size_t i = 0; i < units.size(); ++i)
+          largest = std::max(largest, units[i] * units[j] * std::abs(inverse.entry(i, j)));
+      return largest;
+    }
   } // namespace
 
   std::vector<SchemeRow>
@@ -168,10 +181,13 @@ namespace fuga
         }
   }
 
+  // Equations that depend on each other have a solution where the loads happen to allow one.
+  // Whether they do a factorisation has to tell where exchanges cannot.
   bool
   WorkingScheme::update_rows(const std::vector<SchemeRow> &wanted)
   {
     std::vector<bool> is_kept(system.n_bars(), false);
+    const std::size_t n_exchanges = exchanges.size();
     for (const SchemeRow &row : wanted)
       is_kept[row.bar] = has_row(row);
     for (std::size_t i = rows.size(); i-- > 0;)
@@ -182,7 +198,12 @@ namespace fuga
       if (!is_kept[row.bar])
         if (!append_row(row))
           return false;
-    return true;
+    if (exchanges.size() == n_exchanges)
+      return true;
+    Vector units;
+    for (const SchemeRow &row : rows)
+      units.push_back(std::max(std::sqrt(std::abs(entry(row, row))), system.scale(row.bar)));
+    return largest_entry(inverse, units) <= largest_exchanged;
   }
 
   // The last row takes the place of the removed one.
