@@ -232,10 +232,9 @@ namespace fuga
           sum += scaled_jacobian(cell, corner[i], mesh.vertices);
         if (sum < 0)
           reverse(cell);
-        const auto bad =
-          std::find_if(corner, corner + n, [&](const auto &vertices) {
-            return !(scaled_jacobian(cell, vertices, mesh.vertices) > flat);
-          });
+        const auto bad = std::find_if(corner, corner + n, [&](const auto &vertices) {
+          return !(scaled_jacobian(cell, vertices, mesh.vertices) > flat);
+        });
         if (bad != corner + n)
           errors.add(fmt::format(
             "{}: body '{}': the cell with a vertex at {} is degenerate, folded or not convex "

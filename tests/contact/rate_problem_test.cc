@@ -100,7 +100,9 @@ TEST(RateProblem, DependentEquationsAreSingularHoweverTheyCame)
         {
           scheme.set_state(k, ContactState::open);
           if (one_by_one && k + 1 < n)
-            EXPECT_TRUE(scheme.rates(drive)) << k;
+            {
+              EXPECT_TRUE(scheme.rates(drive)) << k;
+            }
         }
       EXPECT_FALSE(scheme.rates(drive)) << one_by_one;
     }

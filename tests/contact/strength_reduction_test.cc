@@ -142,8 +142,8 @@ namespace
   }
 } // namespace
 
-// The block of V4 (event_path_test.cc), whose eccentric weight presses the element k by N_k, under the
-// horizontal force H at the level of the joint. An element slips where its share of H reaches
+// The block of V4 (event_path_test.cc), whose eccentric weight presses the element k by N_k, under
+// the horizontal force H at the level of the joint. An element slips where its share of H reaches
 // f N_k/F. With the elements 1 ... k slipping, the others carry H - (f/F) ΣN by their stiffness
 // C_t: 1/F_k = (H C_k/ΣC) / (f N_k + f C_k ΣN_slip/ΣC). All at once slide at F = f N/H. Tolerance:
 // rounding.

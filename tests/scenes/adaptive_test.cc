@@ -183,8 +183,9 @@ TEST(Adaptive, LineContact)
 
 
 // V9: u_x at the left end of the base is 28.594, 28.604, 28.602 µm on 32, 64, 128 squares per side,
-// by an independent code (reference/README.md), for a joint with a share of 1e-5 in the flexibility: known to 1e-4, about. The
-// tolerance adds the target. A force at a lip, with elements that stick, slip and open around it.
+// by an independent code (reference/README.md), for a joint with a share of 1e-5 in the
+// flexibility: known to 1e-4, about. The tolerance adds the target. A force at a lip, with elements
+// that stick, slip and open around it.
 TEST(Adaptive, RaousBlock)
 {
   Json scene                             = raous_block();

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <limits>
 
-// Where a curved piece of the path meets the first boundary of the contact conditions, and what an observer of its ends gets wrong.
+// Where a curved piece of the path meets the first boundary of the contact conditions, and what an
+// observer of its ends gets wrong.
 namespace fuga
 {
   // The share of the way from a to b at which the first reserve is used up, by cubics and, for

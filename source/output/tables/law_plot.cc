@@ -65,23 +65,23 @@ namespace fuga
     write_table(const std::string &path, const std::vector<ShownLaw> &laws, const Units &units)
     {
       const std::string stress = units.stress(), stiffness = stress + "/" + units.length;
-      struct Row
+      struct Sample
       {
         const ShownLaw &shown;
         double w;
       };
-      Table<Row> table(
+      Table<Sample> table(
         path,
         {{"direction",
           "",
-          [](const Row &row) {
+          [](const Sample &row) {
             return std::string(row.shown.direction == LayerDirection::normal ? "normal" : "shear");
           }},
-         {"deformation", units.length, [](const Row &row) { return row.w; }},
-         {"stress", stress, [](const Row &row) { return row.shown.law->stress(row.w); }},
-         {"tangent", stiffness, [](const Row &row) { return row.shown.law->tangent(row.w); }},
-         {"secant", stiffness, [](const Row &row) { return row.shown.law->secant(row.w); }},
-         {"energy", stress + " " + units.length, [](const Row &row) {
+         {"deformation", units.length, [](const Sample &row) { return row.w; }},
+         {"stress", stress, [](const Sample &row) { return row.shown.law->stress(row.w); }},
+         {"tangent", stiffness, [](const Sample &row) { return row.shown.law->tangent(row.w); }},
+         {"secant", stiffness, [](const Sample &row) { return row.shown.law->secant(row.w); }},
+         {"energy", stress + " " + units.length, [](const Sample &row) {
             return row.shown.law->energy(row.w);
           }}});
       for (const ShownLaw &shown : laws)
