@@ -22,6 +22,10 @@ namespace fuga
     constexpr double at_rest = 1e-10;
     /** Motion without bound, in units of the largest deformation before it. */
     constexpr double far = 1e3;
+    /** Nor is there an equilibrium near by where the motion has met the same force, to this share
+     * of it, for so many steps: something slides. */
+    constexpr double same_force = 1e-5;
+    constexpr int max_steady    = 20;
 
     /** Bodies between whose faces something viscous resists all jumps, from δ0 on:
      * (S + κ BᵀB) x + Bᵀp = F a + κ Bᵀδ0. */
@@ -215,10 +219,14 @@ namespace fuga
 
     const double stiffness    = largest_diagonal(bodies.stiffness());
     const Vector jumps_before = jumps_of_bodies(system, course.factors, from);
-    const double reach = far * std::max(max_abs(jumps_before), max_abs(from.forces) / stiffness);
-    double resistance  = first_resistance * stiffness;
-    Vector jumps       = jumps_before;
-    for (int i = 0; i < max_motions && resistance <= largest_resistance * stiffness; ++i)
+    const double reach  = far * std::max(max_abs(jumps_before), max_abs(from.forces) / stiffness);
+    double resistance   = first_resistance * stiffness;
+    Vector jumps        = jumps_before;
+    double force_before = 0.;
+    int n_steady        = 0;
+    for (int i = 0;
+         i < max_motions && n_steady < max_steady && resistance <= largest_resistance * stiffness;
+         ++i)
       {
         const DampedBodies damped(bodies, factors, resistance, jumps);
         const LayeredSystem layered(damped, elements);
@@ -235,7 +243,10 @@ namespace fuga
         jumps                    = jumps_after;
         if (largest_difference(jumps, jumps_before) > reach)
           return {};
-        if (resistance * moved <= at_rest * max_abs(state.forces))
+        const double force = resistance * moved;
+        n_steady     = std::abs(force - force_before) <= same_force * force ? n_steady + 1 : 0;
+        force_before = force;
+        if (force <= at_rest * max_abs(state.forces))
           if (std::optional<JointState> equilibrium = step(elements, system, factors, state))
             {
               end.jump.dissipated += friction_work(elements, state, *equilibrium);

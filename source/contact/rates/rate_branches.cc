@@ -66,7 +66,8 @@ namespace fuga
   RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
   {
     if (has_cones)
-      return !cones.has_one_solution() && (cones.is_small() || found.met_negative_determinant);
+      // The dear question last.
+      return (cones.is_small() || found.met_negative_determinant) && !cones.has_one_solution();
     std::vector<WorkingScheme::SlipDirection> slips;
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength)
