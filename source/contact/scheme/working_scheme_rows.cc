@@ -20,16 +20,6 @@ namespace fuga
     /** An inverse of a matrix of unit diagonal with entries G leaves an error of ε G² in the next
      * pivot: a singular matrix may then seem regular, but with G above 1/√ε = 7e7. */
     constexpr double largest_exchanged = 1e7;
-
-    double
-    largest_entry(const UpdatedInverse &inverse, const Vector &units)
-    {
-      double largest = 0.;
-      for (std::size_t j = 0; j < units.size(); ++j)
-        for (std::size_t i = 0; i < units.size(); ++i)
-          largest = std::max(largest, units[i] * units[j] * std::abs(inverse.entry(i, j)));
-      return largest;
-    }
   } // namespace
 
   std::vector<SchemeRow>
@@ -200,10 +190,15 @@ namespace fuga
           return false;
     if (exchanges.size() == n_exchanges)
       return true;
-    Vector units;
-    for (const SchemeRow &row : rows)
-      units.push_back(std::max(std::sqrt(std::abs(entry(row, row))), system.scale(row.bar)));
-    return largest_entry(inverse, units) <= largest_exchanged;
+    // The diagonal is enough, its largest entry being no less than the mean of the inverse's
+    // eigenvalues.
+    double largest = 0.;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      largest =
+        std::max(largest,
+                 std::abs(inverse.entry(i, i)) * std::max(std::abs(entry(rows[i], rows[i])),
+                                                          std::pow(system.scale(rows[i].bar), 2)));
+    return largest <= largest_exchanged;
   }
 
   // The last row takes the place of the removed one.
