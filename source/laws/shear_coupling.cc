@@ -133,7 +133,8 @@ namespace fuga
     return {sigma, k.value * e, slope, shear_slope, k.value + k.first * e * shear_slope};
   }
 
-  // With a closure: σ_n(w) + ½τ²k_t'/k_t² = σ, whose second term is ≥ 0 and grows with w.
+  // With a closure: σ_n(w) + ½τ²k_t'/k_t² = σ, whose second term is ≥ 0 and grows with w, for m < 1
+  // beyond bounds at w_c: sheared lips stay below w_c where the normal law alone passes it.
   ShearCoupling::Deformation
   ShearCoupling::deformation(const double sigma, const double tau) const
   {
@@ -145,8 +146,10 @@ namespace fuga
         const Stiffness k = stiffness(sigma);
         return {normal_deformation(sigma) - widening_stress(k), tau / k.value};
       }
-    double high = normal_deformation(sigma);
-    double low  = normal_deformation(sigma - widening_stress(stiffness(high)));
+    double high = std::min(normal_deformation(sigma), std::nextafter(scale, 0.));
+    double low  = sigma >= widening_stress(stiffness(0.))
+                    ? std::min(0., high)
+                    : normal_deformation(sigma - widening_stress(stiffness(high)));
     double w    = low;
     for (int i = 0; i < 200 && high - low > 2. * std::numeric_limits<double>::epsilon() *
                                               std::max(std::abs(low), std::abs(high));

@@ -105,6 +105,24 @@ TEST(ShearCoupling, WidenedBeyondItsClosureLimit)
     }
 }
 
+// Sheared lips under more pressure than the linear normal law needs for the closure 3, at which the
+// shear stiffness is infinite: σ = 4w + ½k_t'e², τ = k_t e, by hand.
+TEST(ShearCoupling, ShearKeepsTheLipsFromTheLimit)
+{
+  const auto linear = make_linear_law(0.25);
+  for (const double m : {0.3, 0.9})
+    for (const double rest : {0.5, 1e-2, 1e-5, 1e-8})
+      {
+        const ShearCoupling layer(ShearCoupling::Kind::closure, *linear, 0.5, 3., m);
+        const double w = 3. - rest, k = 2. * std::pow(rest / 3., -m);
+        const double e     = std::sqrt(8. * rest / (m * k)); // σ = 4w + 4 > 12
+        const double sigma = 4. * w + 0.5 * m * k / rest * e * e;
+        const auto back    = layer.deformation(sigma, k * e);
+        EXPECT_NEAR(back.closure, w, 2e-15 * 3. / (1. - m));
+        EXPECT_NEAR(layer.energy(back.closure, back.shear), 2. * w * w + 0.5 * k * e * e, 1e-6);
+      }
+}
+
 // The definitions at hand-made numbers: k_t = (1 - 1/3)^{-1}/0.5 = 3 at w = 1, w_c = 3, m = 1; its
 // derivative 3/2. k_t = (1 + σ/3)/0.5 with σ_n = 4w: at w = 1, e = 0.3: σ = 4(1 + ½(2/3)0.09).
 TEST(ShearCoupling, Values)

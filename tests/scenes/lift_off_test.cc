@@ -243,3 +243,22 @@ TEST_P(FreeColumn, IsLiftedAtNoLoad)
 INSTANTIATE_TEST_SUITE_P(Laws, FreeColumn, testing::ValuesIn(laws), [](const auto &law) {
   return law.param.name;
 });
+
+// Pressed without shear the layer closes by w = p/k_n = 4e-4 t, to its shear growth closure 2e-4 at
+// t = 1/2, where the law ends. The path follows it until steps of 1e-9 of the stage are too long.
+TEST(CoupledColumn, EndsWhereTheLawDoes)
+{
+  Json scene               = column({{"Normal stiffness", 1e3},
+                                     {"Shear stiffness grows with", "closure"},
+                                     {"Shear growth closure", 2e-4}});
+  scene["Loads"]["p"]      = {{"Type", "pressure"}, {"Boundaries", "top"}, {"Value", "0.4"}};
+  scene["Stages"]["press"] = {{"Loads", "p: t"}, {"Levels", 10}};
+  const SceneRun run       = run_scene(write_scene(column_mesh(), scene));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NEAR(run.summary.at("t").get<double>(), 0.5, 4e-9);
+  EXPECT_LE(run.certificate(), 1e-9);
+  const std::string message = run.summary.at("message");
+  for (const char *part :
+       {"outside of the law", "element 1 of joint 'j'", "'Shear growth closure' of 0.0002 "})
+    EXPECT_NE(message.find(part), message.npos) << message;
+}

@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <fstream>
@@ -147,6 +148,22 @@ namespace fuga::stress
       Judge judge;
     };
 
+    /** Whether a layer has closed as far as its law reaches, by the forces of @p state. */
+    bool
+    law_is_exhausted(const std::vector<ContactElement> &elements, const JointState &state)
+    {
+      return !state.states.empty() &&
+             std::any_of(elements.begin(), elements.end(), [&](const ContactElement &element) {
+               if (element.coupling == nullptr)
+                 return false;
+               const double limit = element.coupling->closure_limit();
+               const auto layer   = element.coupling->deformation(
+                 -state.forces[element.normal_bar] / element.area,
+                 length(shear_part(element, state.forces)) / element.area);
+               return layer.closure >= (1. - 1e-6) * limit;
+             });
+    }
+
     void
     tell_confirmation(const Writer &write, const Confirmation &confirmation)
     {
@@ -188,6 +205,11 @@ namespace fuga::stress
       if ((end ? verdict_name(end->verdict) : "numerical failure") != verdict)
         {
           tell(write, "failure", "the verdict is another one when the path is run again");
+          return;
+        }
+      if (!end && law_is_exhausted(joint.elements, sample.end))
+        {
+          tell(write, "confirmed_by", "limit of the law");
           return;
         }
       if (!end)

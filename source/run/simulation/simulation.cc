@@ -100,8 +100,10 @@ namespace fuga
       {
         outcome.verdict = "numerical failure";
         outcome.code    = ExitCode::numerical_failure;
-        outcome.message = failure.what();
-        outcome.path.t  = last_state.t;
+        outcome.message = limit_of_law();
+        if (outcome.message.empty())
+          outcome.message = failure.what();
+        outcome.path.t = last_state.t;
       }
     catch (const Interrupted &)
       {

@@ -109,6 +109,9 @@ namespace fuga
      * nothing does, or if it was not asked. */
     std::string
     doubt_about_data() const;
+    /** Which layer has closed as far as its law reaches; empty if none has. */
+    std::string
+    limit_of_law() const;
     /** Follows each search for a factor of safety from the end of the loads. */
     void
     find_safety(Outcome &outcome);
