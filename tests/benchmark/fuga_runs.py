@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """Runs of fuga: parameter files, measurement, reading of the results."""
+import collections
 import csv
 import functools
 import json
@@ -12,7 +13,10 @@ import meshes
 from process import Result, measure
 
 PROGRAM = os.environ.get("FUGA", str(meshes.REPOSITORY / "build" / "release" / "fuga"))
+JUMPS = ("jump_n", "jump_t1", "jump_t2")
 WORK = meshes.REPOSITORY / "results" / "benchmark"
+STARTS = collections.deque(maxlen=5)
+LOSS_OF_EQUILIBRIUM = 3  # exit code
 
 
 def prm_text(sections, indent=""):
@@ -47,27 +51,31 @@ def knows(text):
     return text in " ".join(answer.stdout.replace("#", "").split())
 
 
-def start_seconds():
-    """CPU seconds of a program that only says its version: what loading the libraries costs. Median of three."""
+def start_seconds(measurements=3):
+    """CPU seconds of a program that only says its version: what loading the libraries costs. Median of the last five
+    measurements, so many of them now."""
     directory = WORK / "runs"
     directory.mkdir(parents=True, exist_ok=True)
-    return statistics.median(measure([PROGRAM, "--version"], str(directory)).cpu for _ in range(3))
+    STARTS.extend(measure([PROGRAM, "--version"], str(directory)).cpu for _ in range(measurements))
+    return statistics.median(STARTS)
 
 
-def run(tag, sections, fields="never", cpu_limit=900, result_file="summary.json"):
+def run(tag, sections, fields="never", cpu_limit=900, result_file="summary.json", threads=1,
+        expected_codes=(0,)):
     """(Result without error, directory). Two totals: CPU time of the process, and this less the start."""
     directory = WORK / "runs" / tag
     directory.mkdir(parents=True, exist_ok=True)
     write_parameters(directory / "run.prm", sections, fields)
     for old in ("summary.json", "joint_history.csv", "resultants.csv", "sweep.csv"):
         (directory / "out" / old).unlink(missing_ok=True)
-    start = start_seconds()
-    process = measure([PROGRAM, "run.prm", "--output-dir", "out", "--quiet"], str(directory), cpu_limit)
-    phases = {"total": process.cpu, "total_after_start": process.cpu - start}
+    start = start_seconds(1 if STARTS else 3)
+    command = [PROGRAM, "run.prm", "--output-dir", "out", "--quiet", "--threads", str(threads)]
+    process = measure(command, str(directory), cpu_limit, threads)
+    phases = {"total": process.cpu, "total_after_start": process.cpu - start, "wall": process.wall}
     result = Result(phases, process.memory_MB, 0, 0)
     summary_file = directory / "out" / "summary.json"
     summary = json.loads(summary_file.read_text()) if summary_file.exists() else None
-    if process.code != 0 or not (directory / "out" / result_file).exists():
+    if process.code not in expected_codes or not (directory / "out" / result_file).exists():
         words = ["exit code %d" % process.code, summary["verdict"] if summary else "",
                  "CPU time limit" if process.timed_out else " ".join(process.output.strip().splitlines()[-1:])]
         result.failure = ": ".join(word for word in words if word)
@@ -83,11 +91,17 @@ def run(tag, sections, fields="never", cpu_limit=900, result_file="summary.json"
     return result, directory
 
 
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 def _table(directory, name):
     """Rows as dictionaries, without the units in the names; numbers as numbers."""
     with open(directory / "out" / name, newline="") as file:
-        return [{key.split("[")[0]: value if key in ("joint", "state") else float(value) for key, value in row.items()}
-                for row in csv.DictReader(file)]
+        return [{key.split("[")[0]: _number(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def history(directory):
@@ -100,12 +114,13 @@ def resultants(directory):
     return _table(directory, "resultants.csv")
 
 
-def stage_jumps(directory):
-    """[(normal jumps, tangential jumps)] at the ends of the stages."""
+def stage_jumps(directory, dim):
+    """[lists of jumps: normal, tangential, in space also along y] at the ends of the stages; elements in order."""
     stages = {}
     for row in _table(directory, "joint_history.csv"):
-        stages.setdefault(row["t"], []).append((row["x"], row["jump_n"], row["jump_t1"]))
-    return [tuple([row[k] for row in sorted(rows)] for k in (1, 2)) for t, rows in sorted(stages.items())]
+        place = tuple(round(row[name], 6) for name in "xyz")
+        stages.setdefault(row["t"], []).append((place, [row[name] for name in JUMPS[:dim]]))
+    return [list(map(list, zip(*(jumps for _, jumps in sorted(rows))))) for _, rows in sorted(stages.items())]
 
 
 def tag_of(scene, variant):
@@ -117,13 +132,17 @@ def scene_mesh(scene):
     return mesh_path("%s_%d%s" % (name, scene.n, "_bonded" if scene.bonded else ""), lambda: scene.mesh)
 
 
-def run_scene(scene, variant, fields="never"):
-    """A scene of scenes.py; the error is that of both jumps at the end against the independent solution."""
+def run_scene(scene, variant, fields="never", threads=1):
+    """A scene; the error is that of the jumps at the end against the independent solution, or that of its limit."""
     tag = "fuga_" + tag_of(scene, variant)
-    result, directory = run(tag, scene.sections(scene_mesh(scene)), fields)
+    codes = (LOSS_OF_EQUILIBRIUM,) if scene.limit else (0,)
+    result, directory = run(tag, scene.sections(scene_mesh(scene)), fields, threads=threads, expected_codes=codes)
     reference = None if scene.bonded else scene.reference()
-    if reference and not result.failure:
-        result.error, result.info["stage errors"] = scene.error(stage_jumps(directory), reference)
+    if scene.limit and not result.failure:
+        summary = json.loads((directory / "out" / "summary.json").read_text())
+        result.error = abs(summary["limit_load"]["load_factors"]["push"] / scene.limit - 1.)
+    elif reference and not result.failure:
+        result.error, result.info["stage errors"] = scene.error(stage_jumps(directory, scene.dim), reference)
     result.elements = scene.n  # the bonded control, too, belongs to this row of the table
     return result
 
@@ -134,7 +153,7 @@ def end_jumps(scene):
                             scene.sections(scene_mesh(scene)))
     if result.failure:
         raise RuntimeError("the reference run failed: " + result.failure)
-    return stage_jumps(directory)
+    return stage_jumps(directory, scene.dim)
 
 
 def reference_of(scene):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Structured meshes of the benchmark: rows and columns of rectangles with named parts.
+"""Meshes of the benchmark: in the plane rows and columns of rectangles with named parts, in space what Gmsh made.
 
-The same object is written as a Gmsh file for fuga and handed to the decks of the peers.
+The same object goes as a Gmsh file to fuga and into the decks of the peers.
 """
 import importlib.util
 import pathlib
@@ -20,11 +20,14 @@ def _load_scene_g():
 SCENE_G = _load_scene_g()  # the rule of its mesh is written there and nowhere else
 
 
+GMSH_TYPES = {1: 15, 2: 1, 4: 3, 8: 5}  # by the number of nodes
+
+
 class Mesh:
-    """Nodes [(x, y)], numbered from 1, and groups [(dimension, name, [node tuples])]."""
+    """Nodes [(x, y)] or [(x, y, z)], numbered from 1, and groups [(dimension, name, [node tuples])]."""
 
     def __init__(self, nodes, groups):
-        self.nodes, self.groups = nodes, sorted(groups, key=lambda group: group[0])
+        self.nodes, self.groups, self.dim = nodes, sorted(groups, key=lambda group: group[0]), len(nodes[0])
 
     def group(self, name):
         return next(elements for _, group_name, elements in self.groups if group_name == name)
@@ -34,10 +37,10 @@ class Mesh:
         return Mesh(self.nodes, [group for group in self.groups if group[1] != name])
 
     def bodies(self):
-        return [(name, elements) for dim, name, elements in self.groups if dim == 2]
+        return [(name, elements) for dim, name, elements in self.groups if dim == self.dim]
 
     def line_nodes(self, name):
-        """Nodes of a line from left to right (from bottom to top)."""
+        """Nodes of a line or surface in the order of their coordinates."""
         numbers = {v for element in self.group(name) for v in element}
         return sorted(numbers, key=lambda v: self.nodes[v - 1])
 
@@ -49,7 +52,7 @@ class Mesh:
         below = {v for name, cells in self.bodies() if name != plus_body for cell in cells for v in cell}
 
         def renamed(dim, name, element):
-            moves = name == plus_body or (dim == 1 and name != line and
+            moves = name == plus_body or (dim == self.dim - 1 and name != line and
                                           set(element) <= plus_nodes and not set(element) <= below)
             return tuple(double.get(v, v) for v in element) if moves else element
 
@@ -57,32 +60,38 @@ class Mesh:
         return Mesh(nodes, groups), double
 
     def write(self, path):
-        """Gmsh 4.1, text; one entity and one physical group per name."""
-        tagged = [(dim, tag, name, elements) for tag, (dim, name, elements) in enumerate(self.groups, 1)]
-        count = [sum(1 for group in tagged if group[0] == dim) for dim in range(4)]
-        n_nodes, n_elements = len(self.nodes), sum(len(group[3]) for group in tagged)
+        """Gmsh 2.2, text."""
+        n_elements = sum(len(elements) for _, _, elements in self.groups)
         with open(path, "w") as file:
-            file.write("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n%d\n" % len(tagged))
-            file.writelines('%d %d "%s"\n' % group[:3] for group in tagged)
-            file.write("$EndPhysicalNames\n$Entities\n%d %d %d %d\n" % tuple(count))
-            for dim, tag, _, elements in tagged:
-                points = [self.nodes[v - 1] for element in elements for v in element]
-                low, high = ([f(p[d] for p in points) for d in (0, 1)] for f in (min, max))
-                if dim == 0:
-                    file.write("%d %r %r 0 1 %d \n" % (tag, *low, tag))
-                else:
-                    file.write("%d %r %r 0 %r %r 0 1 %d 0 \n" % (tag, *low, *high, tag))
-            file.write("$EndEntities\n$Nodes\n1 %d 1 %d\n2 %d 0 %d\n"
-                       % (n_nodes, n_nodes, tagged[-1][1], n_nodes))
-            file.writelines("%d\n" % (i + 1) for i in range(n_nodes))
-            file.writelines("%r %r 0\n" % node for node in self.nodes)
-            file.write("$EndNodes\n$Elements\n%d %d 1 %d\n" % (len(tagged), n_elements, n_elements))
+            file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n%d\n" % len(self.groups))
+            file.writelines('%d %d "%s"\n' % (dim, tag, name) for tag, (dim, name, _) in enumerate(self.groups, 1))
+            file.write("$EndPhysicalNames\n$Nodes\n%d\n" % len(self.nodes))
+            file.writelines("%d %r %r %r\n" % (k, *node, *(0,) * (3 - self.dim)) for k, node in enumerate(self.nodes, 1))
+            file.write("$EndNodes\n$Elements\n%d\n" % n_elements)
             number = 0
-            for dim, tag, _, elements in tagged:
-                file.write("%d %d %d %d\n" % (dim, tag, (15, 1, 3)[dim], len(elements)))
+            for tag, (_, _, elements) in enumerate(self.groups, 1):
                 for number, element in enumerate(elements, number + 1):
-                    file.write("%d %s \n" % (number, " ".join(map(str, element))))
+                    file.write("%d %d 2 %d %d %s\n" % (number, GMSH_TYPES[len(element)], tag, tag,
+                                                       " ".join(map(str, element))))
             file.write("$EndElements\n")
+
+
+def read(path):
+    """A mesh of hexahedra with its named groups from Gmsh 2.2, text."""
+    with open(path) as file:
+        lines = file.read().splitlines()
+
+    def section(name):
+        first = lines.index("$" + name) + 2
+        return [line.split() for line in lines[first:first + int(lines[first - 1])]]
+
+    names = {int(tag): (int(dim), name.strip('"')) for dim, tag, name in section("PhysicalNames")}
+    groups = {tag: [] for tag in names}
+    for _, kind, n_tags, physical, *rest in section("Elements"):
+        if kind in ("3", "5"):
+            groups[int(physical)].append(tuple(map(int, rest[int(n_tags) - 1:])))
+    return Mesh([tuple(map(float, row[1:])) for row in section("Nodes")],
+                [(*names[tag], elements) for tag, elements in groups.items()])
 
 
 def uniform(begin, end, n):

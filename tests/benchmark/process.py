@@ -13,8 +13,8 @@ import subprocess
 import sys
 import time
 
-ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS",
-                                     "CCX_NPROC_EQUATION_SOLVER", "CCX_NPROC_RESULTS")}
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "CCX_NPROC_EQUATION_SOLVER",
+           "CCX_NPROC_RESULTS")
 
 
 @dataclasses.dataclass
@@ -42,11 +42,11 @@ class Result:
     info: dict = dataclasses.field(default_factory=dict)  # events, iterations, verdict ...
 
 
-def measure(command, directory=".", cpu_limit=600):
-    """Runs the command on one thread; CPU seconds beyond the limit end it."""
+def measure(command, directory=".", cpu_limit=600, threads=1):
+    """Runs the command on so many threads; CPU seconds beyond the limit end it."""
     launcher = [sys.executable, os.path.abspath(__file__), str(int(cpu_limit)), *command]
     answer = subprocess.run(launcher, cwd=directory, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=True,
-                            env={**os.environ, **ONE_THREAD})
+                            env={**os.environ, **dict.fromkeys(THREADS, str(threads))})
     with open(os.path.join(directory, "process_output.txt"), errors="replace") as log:
         return Process(*json.loads(answer.stdout), log.read())
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Scenes G and S0: one description from which fuga's parameter file and the peers' decks are made."""
+"""Scenes in the plane: one description from which fuga's parameter file and the peers' decks are made."""
 import copy
 import functools
 import json
@@ -14,11 +14,17 @@ REFERENCES = meshes.REPOSITORY / "tests" / "scenes" / "reference"
 class Scene:
     """A structure on a foundation with one joint 'base'; stages are dictionaries {load: factor at the end}."""
 
-    def __init__(self, name, n, make_mesh, structure, bodies, joint, pressure, stages):
-        self.name, self.n, self.make_mesh, self.structure = name, n, make_mesh, structure
-        self.bodies = bodies      # {name: (E, nu, weight density)}
+    dim = 2
+    boundaries = {"foundation_bottom": "all", "foundation_sides": "x", "downstream": "free", "crest": "free",
+                  "foundation_top": "free"}
+    beside_base = ("foundation_top",)  # boundaries that carry on the lower lip
+    limit = None  # factor of the push that the scene bears, if its stages go beyond
+
+    def __init__(self, name, n, make_mesh, bodies, joint, pressure, stages):
+        self.name, self.n, self.make_mesh = name, n, make_mesh
+        self.bodies = bodies      # {name: (E, nu, weight density)}; first the structure, then the foundation
         self.joint = joint        # {"kn", "kt", "f"}; kn = None: rigid; "thickness": law (9)
-        self.pressure = pressure  # (value at y = 0, gradient in y), on the line 'upstream'
+        self.pressure = pressure  # (value at the base, gradient upwards), on the boundary 'upstream'
         self.stages = stages
         self.bonded = False
         self.solver = {}          # entries of fuga's section Solver
@@ -35,12 +41,26 @@ class Scene:
         return mesh.without("base") if self.bonded else mesh
 
     @property
+    def structure(self):
+        return next(iter(self.bodies))
+
+    @property
+    def foundation(self):
+        return list(self.bodies)[1]
+
+    @property
+    def supports(self):
+        """[(boundary, components held)]"""
+        return [(name, "xyz"[:self.dim] if held == "all" else held)
+                for name, held in self.boundaries.items() if held != "free"]
+
+    @property
     def dofs(self):
-        return 2 * (len(self.mesh.nodes) + (0 if self.bonded else self.n))
+        return self.dim * (len(self.mesh.nodes) + (0 if self.bonded else self.n))
 
     def joint_section(self):
         joint = self.joint
-        section = {"Line": "base", "Plus body": self.structure, "Minus body": "foundation",
+        section = {"Line": "base", "Plus body": self.structure, "Minus body": self.foundation,
                    "Friction coefficient": joint["f"]}
         if joint["kn"] is None:
             return {**section, "Normal law": "rigid", "Shear law": "rigid"}
@@ -58,16 +78,14 @@ class Scene:
             stages["stage_%d" % number] = {"Loads": factors}
             last.update(stage)
         sections = {
-            "Mesh": {"File": mesh_file},
+            "Dimension": self.dim, "Mesh": {"File": mesh_file},
             "Bodies": {name: {"Young modulus": E, "Poisson ratio": nu, "Weight density": weight}
                        for name, (E, nu, weight) in self.bodies.items()},
             "Joints": {"base": self.joint_section()},
-            "Boundaries": {"foundation_bottom": {"Fixed": "all"}, "foundation_sides": {"Fixed": "x"},
-                           "downstream": {"Fixed": "free"}, "crest": {"Fixed": "free"},
-                           "foundation_top": {"Fixed": "free"}},
+            "Boundaries": {name: {"Fixed": held} for name, held in self.boundaries.items()},
             "Loads": {"weight": {"Type": "weight", "Bodies": self.structure},
                       "push": {"Type": "pressure", "Boundaries": "upstream",
-                               "Value": "%r+(%r)*y" % (at_zero, gradient)}},
+                               "Value": "%r+(%r)*%s" % (at_zero, gradient, "xyz"[self.dim - 1])}},
             "Stages": stages, "Solver": self.solver}
         if self.bonded:
             del sections["Joints"]
@@ -96,7 +114,7 @@ class Scene:
         return {"weight": weight, "push": push}
 
     def reference(self):
-        """[(normal jumps, tangential jumps)] at the ends of the stages, from the repository's independent solutions."""
+        """[jumps: normal, tangential] at the ends of the stages, from the repository's independent solutions."""
         if self.name != "scene_g" or len(self.stages) != 2 or "thickness" in self.joint:
             return None
         law = {1e6: "lin", None: "rigid"}.get(self.joint["kn"])
@@ -106,8 +124,8 @@ class Scene:
         return [(stage["g_n"], stage["g_t"]) for stage in json.loads(path.read_text())["stages"]]
 
     def error(self, jumps, reference):
-        """Of both jumps together at the end; with reversals, the largest of those at the ends of all stages."""
-        errors = [relative_error(j[0] + j[1], r[0] + r[1]) for j, r in zip(jumps, reference, strict=True)]
+        """Of all jumps together at the end; with reversals, the largest of those at the ends of all stages."""
+        errors = [relative_error(sum(j, []), sum(r, [])) for j, r in zip(jumps, reference, strict=True)]
         return (max(errors) if len(self.stages) > 2 else errors[-1]), errors
 
 
@@ -125,7 +143,7 @@ def scene_g(n, f, kn=1e6, reversal=False):
     """Units kN, m, kPa. kn None: a rigid joint."""
     level = 0.45 if f == 0.2 else 1.
     pushes = [level, -level, level] if reversal else [level]
-    return Scene("scene_g_reversal" if reversal else "scene_g", n, _scene_g_mesh, "block",
+    return Scene("scene_g_reversal" if reversal else "scene_g", n, _scene_g_mesh,
                  {"block": (3.06e6, 0.2, 24.), "foundation": (1e7, 0.25, 0.)},
                  {"kn": kn, "kt": None if kn is None else kn / 2., "f": f}, (9.81 * 40., -9.81),
                  [{"weight": 1.}] + [{"push": push} for push in pushes])
@@ -136,7 +154,7 @@ def s0(n, variant="linear"):
     joint = {"kn": None if variant == "rigid" else 8000., "kt": 8000., "f": 0.2}
     if variant == "law9":
         joint["thickness"] = 0.002
-    scene = Scene("s0", n, _s0_mesh, "structure",
+    scene = Scene("s0", n, _s0_mesh,
                   {"structure": (3060., 0.2, 0.024), "foundation": (30600., 0.2, 0.)}, joint, (0.0144, 0.),
                   [{"weight": 1.}, {"push": 1.}])
     return scene.altered(bonded=variant == "bonded")

@@ -19,10 +19,10 @@ import statistics
 import subprocess
 import sys
 
-import calculix
 import fuga_runs
 import meshes
 import scenes
+from peers import calculix
 
 RECORD = meshes.REPOSITORY / "doc" / "benchmark_record.csv"
 ROUNDS, WORSE = 3, 1.25

@@ -5,7 +5,7 @@ import csv
 import json
 import math
 
-TOTALS = ("total", "total_after_start", "phases_after_start")
+TOTALS = ("total", "total_after_start", "phases_after_start", "wall")
 
 
 def exponent(points):
