@@ -61,6 +61,19 @@ TEST(ExpressionLaw, AnInverseFromWhereTheSlopeOverflows)
   EXPECT_NEAR(law.deformation(sigma) / (w0 * std::asinh(sigma / s)), 1., 1e-13);
 }
 
+// √(1 + x) - 1 = x/(√(1 + x) + 1), whose right side cancels nothing: all digits of the stress, and
+// of its inverse, down to the smallest closures. The tangent changes by a hundredth at x = 0.02.
+TEST(ExpressionLaw, KeepsItsDigitsWhereItsTermsCancel)
+{
+  const ExpressionLaw law("3*(sqrt(1 + w/2e-4) - 1)", "7500/sqrt(1 + w/2e-4)", never, {}, "test");
+  for (const double x : {1e-14, 1e-9, 1e-5, 1e-3, 0.0199, 0.0201, 0.03})
+    {
+      const double w = 2e-4 * x, sigma = 3. * x / (std::sqrt(1. + x) + 1.);
+      EXPECT_NEAR(law.stress(w) / sigma, 1., 2e-14) << x;
+      EXPECT_NEAR(law.deformation(sigma) / w, 1., 2e-14) << x;
+    }
+}
+
 // Law (9) as a tangent cancels near w = 0, to 1e-16 of numbers of order one where q³ is left: its
 // energy is known to some 1e-15/q³ and no better, and the quadrature must not look for more.
 TEST(ExpressionLaw, EnergyDownToItsNoise)
