@@ -200,7 +200,8 @@ def startup(figures):
 
 CHECKS = (("The price of one linear solution", bonded), ("Peers", peers), ("In space", space), ("Accuracy", accuracy),
           ("Reversals", reversal), ("Stiff and rigid joints", stiffness), ("Growth and memory", growth),
-          ("Sweeps", sweep), ("Threads", threads), ("Stage ends only", stage_ends), ("Equal error", equal_error), ("Start-up", startup))
+          ("Sweeps", sweep), ("Threads", threads), ("Stage ends only", stage_ends),
+          ("Equal error", equal_error), ("Start-up", startup))
 
 
 def by_title(figures):
