@@ -9,6 +9,19 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** ∫ f(x) dx over [0, 1] by Gauss's rule with three points, exact for polynomials of degree
+     * five. */
+    template <typename Function>
+    double
+    integral(const Function &f)
+    {
+      const double r = std::sqrt(0.15);
+      return (5. * f(0.5 - r) + 8. * f(0.5) + 5. * f(0.5 + r)) / 18.;
+    }
+  } // namespace
+
   CubicOnUnitInterval::CubicOnUnitInterval(const double value_0,
                                            const double slope_0,
                                            const double value_1,
@@ -75,20 +88,20 @@ namespace fuga
   }
 
   double
+  work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump)
+  {
+    return integral([&](const double x) { return force.value(x) * jump.slope(x); });
+  }
+
+  double
   detour(const CubicOnUnitInterval &first, const CubicOnUnitInterval &second)
   {
     const double chord[] = {first.value(1.) - first.value(0.), second.value(1.) - second.value(0.)};
     const double size    = std::hypot(chord[0], chord[1]);
-    const double r       = std::sqrt(0.15);
-    const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
-    const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
-    double sum               = 0.;
-    for (int i = 0; i < 3; ++i)
-      {
-        const double a = first.slope(abscissae[i]), b = second.slope(abscissae[i]);
-        const double along = size > 0. ? (chord[0] * a + chord[1] * b) / size : 0.;
-        sum += weights[i] * (std::hypot(a, b) - along);
-      }
-    return sum;
+    return integral([&](const double x) {
+      const double a = first.slope(x), b = second.slope(x);
+      const double along = size > 0. ? (chord[0] * a + chord[1] * b) / size : 0.;
+      return std::hypot(a, b) - along;
+    });
   }
 } // namespace fuga

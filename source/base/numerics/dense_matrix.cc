@@ -149,7 +149,7 @@ namespace fuga
     return info == 0;
   }
 
-  LuFactors::LuFactors(DenseMatrix &&matrix)
+  LuFactors::LuFactors(DenseMatrix &&matrix, const Scaling scaling)
     : factors(std::move(matrix))
     , row_scale(factors.n_rows(), 1.)
     , column_scale(factors.n_rows(), 1.)
@@ -160,7 +160,8 @@ namespace fuga
         rcond = 1.;
         return;
       }
-    equilibrate();
+    if (scaling == Scaling::equilibrated)
+      equilibrate();
     count_factorisation(cube(factors) / 3);
     const int n = to_int(factors.n_rows());
     const double norm =

@@ -146,8 +146,7 @@ namespace fuga
               R(column)->Update(-alpha, *Q(column), 1.);
               ++its_work.n_iterations;
             }
-        previous      = rz;
-        largest_count = std::max(largest_count, static_cast<std::size_t>(count) + 1);
+        previous = rz;
       }
     for (int j = 0; j < n; ++j)
       std::copy_n(X[j], n_rows, loads.column(static_cast<std::size_t>(j)));

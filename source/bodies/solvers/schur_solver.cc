@@ -255,11 +255,4 @@ namespace fuga
     its_work.n_solutions += loads.n_columns();
     work::now().sparse_columns += loads.n_columns();
   }
-
-
-  int
-  SchurSolver::memory() const
-  {
-    return mumps->info(22);
-  }
 } // namespace fuga

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/cones/cone_rate_problem.h>
+#include <fuga/contact/scheme/combinations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,9 @@ namespace fuga
 {
   namespace
   {
-    /** Combinations of states that are tried at most: where all directions are given, and where
-     * those of slip have to be solved for. */
-    constexpr double max_combinations = 4096., max_with_directions = 512.;
+    /** Combinations of states that are tried at most where directions of slip have to be solved
+     * for. */
+    constexpr double most_with_directions = 512.;
     /** Directions in which Newton's method begins at the apex. */
     constexpr int n_directions = 8;
     /** First guesses at random; few where each costs much. */
@@ -58,13 +59,20 @@ namespace fuga
     return result;
   }
 
+  std::vector<std::vector<ConeRateProblem::Choice>>
+  ConeRateProblem::choices() const
+  {
+    std::vector<std::vector<Choice>> result;
+    for (const Candidate &candidate : candidates)
+      result.push_back(choices(candidate));
+    return result;
+  }
+
   bool
   ConeRateProblem::is_small() const
   {
-    double n = 1.;
-    for (const Candidate &candidate : candidates)
-      n *= static_cast<double>(choices(candidate).size());
-    return n <= (has_free_directions() ? max_with_directions : max_combinations);
+    return n_combinations(choices()) <=
+           (has_free_directions() ? most_with_directions : most_combinations);
   }
 
   bool
@@ -103,31 +111,19 @@ namespace fuga
   void
   ConeRateProblem::try_all(ConeContinuation &result, const std::function<bool()> &note)
   {
-    std::vector<std::vector<Choice>> all;
-    for (const Candidate &candidate : candidates)
-      all.push_back(choices(candidate));
-    std::vector<std::size_t> number(all.size(), 0);
-    while (true)
-      {
-        for (std::size_t i = 0; i < all.size(); ++i)
-          take(all[i][number[i]], candidates[i]);
-        if (is_solution(result) && note())
-          return;
-        std::size_t digit = 0;
-        while (digit < all.size() && ++number[digit] == all[digit].size())
-          number[digit++] = 0;
-        if (digit == all.size())
-          return;
-      }
+    const std::vector<std::vector<Choice>> all = choices();
+    any_combination(all, [&](const std::vector<std::size_t> &chosen) {
+      for (std::size_t i = 0; i < all.size(); ++i)
+        take(all[i][chosen[i]], candidates[i]);
+      return is_solution(result) && note();
+    });
   }
 
   // Newton's method from all stuck, from all slipping, at random.
   void
   ConeRateProblem::try_guesses(ConeContinuation &result, const std::function<bool()> &note)
   {
-    std::vector<std::vector<Choice>> all;
-    for (const Candidate &candidate : candidates)
-      all.push_back(choices(candidate));
+    const std::vector<std::vector<Choice>> all = choices();
     std::mt19937 random; // its numbers are the same everywhere
     const unsigned int n = bars.size() > costly_rows ? n_costly_guesses : n_random_guesses;
     for (unsigned int guess = 0; guess < 2 + n; ++guess)

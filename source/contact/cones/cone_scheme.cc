@@ -23,10 +23,7 @@ namespace fuga
       double own;
       double right_hand_side = 0.;
     };
-  } // namespace
 
-  namespace
-  {
     /**
      * Solves M x = rhs in place, rows and columns of M scaled to a unit diagonal of W before bars
      * were released, so that a matrix which is small as a whole counts as singular too. If it is
@@ -56,7 +53,7 @@ namespace fuga
           sum(j, j) += stiffness;
         return sum;
       };
-      const LuFactors factors(with_springs(0.));
+      const LuFactors factors(with_springs(0.), LuFactors::Scaling::as_given);
       const bool regular =
         n == 0 || !(factors.reciprocal_condition() * std::min(1., norm) < smallest_condition);
       if (regular)

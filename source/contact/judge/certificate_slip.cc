@@ -12,27 +12,6 @@ namespace fuga
 {
   namespace
   {
-    /** Σ weight f(x) by Gauss's rule with three points on [0, 1], exact for polynomials of degree
-     * five. */
-    template <typename Function>
-    double
-    integral(const Function &f)
-    {
-      const double r           = std::sqrt(0.15);
-      const double abscissae[] = {0.5 - r, 0.5, 0.5 + r};
-      const double weights[]   = {5. / 18., 8. / 18., 5. / 18.};
-      double sum               = 0.;
-      for (int i = 0; i < 3; ++i)
-        sum += weights[i] * f(abscissae[i]);
-      return sum;
-    }
-
-    double
-    work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump)
-    {
-      return integral([&](const double x) { return force.value(x) * jump.slope(x); });
-    }
-
     /** Along a piece of the path, by the two tangents. */
     using CubicsInPlane = std::array<CubicOnUnitInterval, 2>;
 

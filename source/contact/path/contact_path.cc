@@ -6,7 +6,7 @@
 #include <fuga/contact/change_of_state.h>
 #include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/path/contact_path.h>
-#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/virgin_state.h>
 
 #include <algorithm>
@@ -192,13 +192,9 @@ namespace fuga
                               const double no_force,
                               JointState &state) const
   {
-    ContactEvent event;
-    event.t       = state.t;
-    event.element = k;
-    event.from    = state.states[k];
+    const ContactState from = state.states[k];
     change_state(elements[k], k, to, direction, no_force, state);
-    event.to = state.states[k];
-    return event;
+    return {state.t, k, from, state.states[k]};
   }
 
   // A connection that comes or goes without any element changing its state is an event as well.
@@ -229,14 +225,8 @@ namespace fuga
     std::vector<ContactEvent> events;
     for (const std::size_t k : changed)
       if (before[k] != WaterAccess::seepage && state.access[k] != WaterAccess::seepage)
-        {
-          ContactEvent event;
-          event.t       = state.t;
-          event.element = k;
-          event.from = event.to = state.states[k];
-          event.water           = {{before[k], state.access[k]}};
-          events.push_back(event);
-        }
+        events.push_back(
+          {state.t, k, state.states[k], state.states[k], 1, {{before[k], state.access[k]}}});
     report(events, state, observer, result);
     note_zero_step(state, result);
     return true;
@@ -251,6 +241,15 @@ namespace fuga
     result.n_events += events.size();
     if (!events.empty())
       observer.changed(events, state);
+  }
+
+  void
+  ContactPath::reach_levels(const std::vector<double> &levels,
+                            const JointState &state,
+                            PathObserver &observer)
+  {
+    for (; next_level < levels.size() && levels[next_level] <= state.t; ++next_level)
+      observer.reached(next_level, state);
   }
 
   void

@@ -6,8 +6,8 @@
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/implicit_step.h>
 #include <fuga/contact/path/slow_motion.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/strength_reduction.h>
 #include <fuga/contact/segments/turning_segment.h>
 
 namespace fuga
@@ -135,8 +135,7 @@ namespace fuga
         (scheme.is_nonlinear() && options.iteration == PathOptions::Iteration::constant_stiffness))
       return false;
     const Course course = next_course(state);
-    const double corner = course.t_end;
-    if (next_level < levels.size() && levels[next_level] < corner)
+    if (next_level < levels.size() && levels[next_level] < course.t_end)
       return false;
     ImplicitStep step({elements, system, boundary, scheme}, course);
     const std::optional<JointState> end = step.solve(state);
@@ -147,8 +146,7 @@ namespace fuga
     observer.jumped(state);
     result.t = state.t;
     ++result.n_jumps;
-    for (; next_level < levels.size() && levels[next_level] <= corner; ++next_level)
-      observer.reached(next_level, state);
+    reach_levels(levels, state, observer);
     return true;
   }
 
@@ -185,14 +183,7 @@ namespace fuga
     std::vector<ContactEvent> events;
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (state.states[k] != end->state.states[k])
-        {
-          ContactEvent event;
-          event.t       = end->state.t;
-          event.element = k;
-          event.from    = state.states[k];
-          event.to      = end->state.states[k];
-          events.push_back(event);
-        }
+        events.push_back({end->state.t, k, state.states[k], end->state.states[k]});
     state           = end->state;
     result.verdict  = Verdict::done;
     result.critical = {};
@@ -203,8 +194,7 @@ namespace fuga
     resticking.clear();
     observer.jumped(state);
     report(events, state, observer, result);
-    for (; next_level < levels.size() && levels[next_level] <= state.t; ++next_level)
-      observer.reached(next_level, state);
+    reach_levels(levels, state, observer);
     return true;
   }
 

@@ -25,8 +25,6 @@ namespace fuga
     /** Loads tried on the way, and the shortest piece of it. */
     constexpr int max_loads         = 100;
     constexpr double shortest_piece = 1. / 256.;
-    /** Share of the room to the closure limit that lips may close in one iteration. */
-    constexpr double fraction_to_limit = 0.9;
   } // namespace
 
   ImplicitStep::ImplicitStep(const PathContext &path_context, const Course &path_course)
@@ -72,13 +70,7 @@ namespace fuga
     state.dilations  = from.dilations;
     state.unreleased = from.unreleased;
     release(course.drive, tau, state);
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (const ContactElement &element = context.elements[k];
-          element.friction.reduced && course.share_rate != 0.)
-        reduce(start.strengths[k],
-               element.friction,
-               element.area,
-               course.share + tau * course.share_rate);
+    reduce_strengths(context.elements, course, tau, start.strengths);
     take_demands(state);
     do
       if (!find_equilibrium(tau, state))
@@ -95,7 +87,7 @@ namespace fuga
     std::map<std::vector<ContactState>, int> visits;
     double last = std::numeric_limits<double>::infinity();
     complete(tau, state);
-    for (int i = 0; i < max_iterations && !passes_limit_of_law(state); ++i)
+    for (int i = 0; i < max_iterations && !passes_limit_of_law(context.elements, state); ++i)
       {
         ++schemes;
         context.scheme.linearise(finished(state));
@@ -103,7 +95,7 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
-        const double share = safe_share(state, *change);
+        const double share = limit_safeguard(context, state, *change);
         for (std::size_t bar = 0; bar < state.dislocations.size(); ++bar)
           state.dislocations[bar] += share * change->dislocations[bar];
         complete(tau, state);
@@ -215,11 +207,7 @@ namespace fuga
   void
   ImplicitStep::complete(const double tau, JointState &state) const
   {
-    state.t        = tau == course.length ? course.t_end
-                                          : course.t + tau * (course.t_end - course.t) / course.length;
-    Vector factors = course.factors;
-    for (std::size_t j = 0; j < factors.size(); ++j)
-      factors[j] += tau * course.factor_rates[j];
+    state.t = course.time_at(tau);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
@@ -240,6 +228,7 @@ namespace fuga
         for (std::size_t i = 1; i < element.n_bars(); ++i)
           state.dislocations[element.bar(i)] = start.slips[k][i - 1];
       }
+    const Vector factors = course.factors_at(tau);
     set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
   }
@@ -251,43 +240,6 @@ namespace fuga
     if (!element.has_tangential_bar() || state.states[k] == ContactState::stick)
       return {};
     return sum(present_slip(element, state, k), -1., start.slips[k]);
-  }
-
-  bool
-  ImplicitStep::passes_limit_of_law(const JointState &state) const
-  {
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        if (state.states[k] == ContactState::open)
-          continue;
-        if (has_nonlinear_closure(element) && !(-gap(element, state, k) < closure_limit(element)))
-          return true;
-        if (has_nonlinear_shear(element) && !(length(state.states[k] == ContactState::stick
-                                                       ? elastic_shear(element, state, k)
-                                                       : shear_deformation(element, state, k)) <
-                                              element.shear_law->deformation_limit()))
-          return true;
-      }
-    return false;
-  }
-
-  // A law knows nothing behind its closure limit, where open lips may move as well.
-  double
-  ImplicitStep::safe_share(const JointState &state, const JointRates &change) const
-  {
-    double share = closure_safeguard(context, state, change);
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (const ContactElement &element = context.elements[k];
-          state.states[k] == ContactState::open && has_nonlinear_closure(element))
-        {
-          const double closing = -change.dislocations[element.normal_bar];
-          const double room =
-            fraction_to_limit * (closure_limit(element) + lip_opening(element, state, k));
-          if (closing > room)
-            share = std::min(share, room / closing);
-        }
-    return share;
   }
 
   // Bonds that would have to carry more than they can break; elements that begin to slip although

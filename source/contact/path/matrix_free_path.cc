@@ -73,8 +73,7 @@ namespace fuga
         observer.jumped(state);
         result.t = state.t;
         ++result.n_jumps;
-        for (; next_level < levels.size() && levels[next_level] <= state.t; ++next_level)
-          observer.reached(next_level, state);
+        reach_levels(levels, state, observer);
       }
     make_cut(state, result, observer);
     return result;

@@ -206,16 +206,8 @@ namespace fuga
     JumpEnd end{from, {}};
     JointState &state = end.state;
     state.t           = course.t_end;
-    Vector factors    = course.factors;
-    for (std::size_t j = 0; j < factors.size(); ++j)
-      factors[j] += course.length * course.factor_rates[j];
-    if (course.share_rate != 0.)
-      for (std::size_t k = 0; k < elements.size(); ++k)
-        if (elements[k].friction.reduced)
-          reduce(state.strengths[k],
-                 elements[k].friction,
-                 elements[k].area,
-                 course.share + course.length * course.share_rate);
+    reduce_strengths(elements, course, course.length, state.strengths);
+    const Vector factors = course.factors_at(course.length);
 
     const double stiffness    = largest_diagonal(bodies.stiffness());
     const Vector jumps_before = jumps_of_bodies(system, course.factors, from);

@@ -4,6 +4,7 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/rate_problem.h>
+#include <fuga/contact/scheme/combinations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace fuga
 {
   namespace
   {
-    /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
-    constexpr double max_combinations = 4096.;
     /** Mechanisms that one attempt to switch states one by one may pass through. */
     constexpr std::size_t most_mechanisms = 12;
   } // namespace
@@ -46,6 +45,18 @@ namespace fuga
       states.push_back(ContactState::open);
     return states;
   }
+
+  namespace
+  {
+    std::vector<std::vector<ContactState>>
+    admissible_states(const std::vector<BoundaryElement> &set)
+    {
+      std::vector<std::vector<ContactState>> states;
+      for (const BoundaryElement &candidate : set)
+        states.push_back(fuga::admissible_states(candidate));
+      return states;
+    }
+  } // namespace
 
   Continuation
   RateProblem::solve(const JointState &state,
@@ -207,29 +218,18 @@ namespace fuga
                          Continuation &result,
                          const Found &found)
   {
-    std::vector<std::vector<ContactState>> choices;
-    for (const BoundaryElement &candidate : set)
-      choices.push_back(admissible_states(candidate));
-    std::vector<std::size_t> choice(set.size(), 0);
-    while (true)
-      {
-        ++result.n_schemes;
-        for (std::size_t i = 0; i < set.size(); ++i)
-          scheme.set_state(set[i].element, choices[i][choice[i]]);
-        const std::optional<JointRates> rates = scheme.rates(drive);
-        if (rates && violations(state, set, drive, *rates).empty())
-          {
-            result.exists = true;
-            result.rates  = *rates;
-            if (found())
-              return true;
-          }
-        std::size_t digit = 0;
-        while (digit < set.size() && ++choice[digit] == choices[digit].size())
-          choice[digit++] = 0;
-        if (digit == set.size())
-          return false;
-      }
+    const std::vector<std::vector<ContactState>> choices = admissible_states(set);
+    return any_combination(choices, [&](const std::vector<std::size_t> &chosen) {
+      ++result.n_schemes;
+      for (std::size_t i = 0; i < set.size(); ++i)
+        scheme.set_state(set[i].element, choices[i][chosen[i]]);
+      const std::optional<JointRates> rates = scheme.rates(drive);
+      if (!rates || !violations(state, set, drive, *rates).empty())
+        return false;
+      result.exists = true;
+      result.rates  = *rates;
+      return found();
+    });
   }
 
   bool
@@ -237,10 +237,7 @@ namespace fuga
   {
     if (has_cones)
       return cones.can_be_enumerated();
-    double n = 1.;
-    for (const BoundaryElement &candidate : set)
-      n *= static_cast<double>(admissible_states(candidate).size());
-    return n <= max_combinations;
+    return n_combinations(admissible_states(set)) <= most_combinations;
   }
 
   std::vector<ContactState>

@@ -4,9 +4,9 @@
 #include <fuga/base/errors.h>
 #include <fuga/base/numerics/cubic.h>
 #include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/layer_work.h>
-#include <fuga/contact/segments/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>

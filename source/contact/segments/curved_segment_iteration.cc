@@ -3,8 +3,8 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/strength_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,11 @@ namespace fuga
     release(course.drive, tau, state);
     complete_state(context, course, tau, state);
     // A law knows nothing behind its closure limit, where the prediction may lead.
-    if (equilibrium.passes_closure_limit(state))
+    if (passes_limit_of_law(context.elements, state))
       {
         state.dislocations = points.front().state.dislocations;
         complete_state(context, course, tau, state);
-        if (equilibrium.passes_closure_limit(state))
+        if (passes_limit_of_law(context.elements, state))
           return {};
       }
     if (course.share_rate != 0.)

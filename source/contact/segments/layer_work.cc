@@ -17,16 +17,6 @@ namespace fuga
     /** Rounding error of a jump relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
-    /** ∫ force d(deformation), exact for cubics (Gauss's rule with three points). */
-    double
-    work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &deformation)
-    {
-      const double r = std::sqrt(0.15);
-      return 5. / 18. * force.value(0.5 - r) * deformation.slope(0.5 - r) +
-             8. / 18. * force.value(0.5) * deformation.slope(0.5) +
-             5. / 18. * force.value(0.5 + r) * deformation.slope(0.5 + r);
-    }
-
     /** A deformation of the layer and its rate. */
     struct LayerMotion
     {
@@ -62,6 +52,7 @@ namespace fuga
         rate -= slip_rate(element, point.state, k, point.rates)[a - 1];
       return {elastic_shear(element, point.state, k)[a - 1], rate};
     }
+
     /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
      */
     bool

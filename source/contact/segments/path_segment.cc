@@ -45,10 +45,8 @@ namespace fuga
                  const double tau,
                  JointState &state)
   {
-    // The end of a course is met exactly: stages begin at whole numbers, whatever rounding says.
-    state.t        = tau == course.length ? course.t_end
-                                          : course.t + tau * (course.t_end - course.t) / course.length;
-    Vector factors = along(course.factors, tau, course.factor_rates);
+    state.t        = course.time_at(tau);
+    Vector factors = course.factors_at(tau);
     if (course.yielding)
       {
         const YieldingLoad &load = *course.yielding;
@@ -60,13 +58,7 @@ namespace fuga
       }
     set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
-    if (course.share_rate != 0.)
-      for (std::size_t k = 0; k < context.elements.size(); ++k)
-        if (context.elements[k].friction.reduced)
-          reduce(state.strengths[k],
-                 context.elements[k].friction,
-                 context.elements[k].area,
-                 course.share + tau * course.share_rate);
+    reduce_strengths(context.elements, course, tau, state.strengths);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];

@@ -52,7 +52,7 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
-        const double share = constant ? 1. : closure_safeguard(context, state, *change);
+        const double share = constant ? 1. : limit_safeguard(context, state, *change);
         for (std::size_t b = 0; b < state.dislocations.size(); ++b)
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state);
@@ -60,7 +60,7 @@ namespace fuga
         const double size = max_abs(context.system.jumps(change->dislocations, change->forces));
         const double total =
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
-        if (constant && passes_closure_limit(state))
+        if (constant && passes_limit_of_law(context.elements, state))
           return false;
         if (size <= options.tolerance * total)
           return true;
@@ -77,17 +77,26 @@ namespace fuga
   }
 
   bool
-  SchemeEquilibrium::passes_closure_limit(const JointState &state) const
+  passes_limit_of_law(const std::vector<ContactElement> &elements, const JointState &state)
   {
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (state.states[k] != ContactState::open &&
-          -gap(context.elements[k], state, k) >= closure_limit(context.elements[k]))
-        return true;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        if (state.states[k] == ContactState::open)
+          continue;
+        if (has_nonlinear_closure(element) && !(-gap(element, state, k) < closure_limit(element)))
+          return true;
+        if (has_nonlinear_shear(element) && !(length(state.states[k] == ContactState::stick
+                                                       ? elastic_shear(element, state, k)
+                                                       : shear_deformation(element, state, k)) <
+                                              element.shear_law->deformation_limit()))
+          return true;
+      }
     return false;
   }
 
   double
-  closure_safeguard(const PathContext &context, const JointState &state, const JointRates &change)
+  limit_safeguard(const PathContext &context, const JointState &state, const JointRates &change)
   {
     const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
     double share           = 1.;
@@ -99,8 +108,11 @@ namespace fuga
           if (growth > fraction_to_limit * room)
             share = std::min(share, fraction_to_limit * room / growth);
         };
-        if (state.states[k] != ContactState::open && has_nonlinear_closure(element))
-          limit(closure_limit(element), -gap(element, state, k), -growth_of[element.normal_bar]);
+        if (has_nonlinear_closure(element))
+          limit(closure_limit(element),
+                state.states[k] == ContactState::open ? -lip_opening(element, state, k)
+                                                      : -gap(element, state, k),
+                -growth_of[element.normal_bar]);
         if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
           {
             const TangentVector e = elastic_shear(element, state, k);

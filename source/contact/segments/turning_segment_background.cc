@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/layer_response.h>
-#include <fuga/contact/segments/strength_reduction.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/turning_segment.h>
 
 #include <limits>
@@ -154,7 +154,7 @@ namespace fuga
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
-    if (equilibrium.passes_closure_limit(state) || !equilibrium.solve(tau, jump_scale, state))
+    if (passes_limit_of_law(context.elements, state) || !equilibrium.solve(tau, jump_scale, state))
       return false;
     context.scheme.linearise(state);
     return true;

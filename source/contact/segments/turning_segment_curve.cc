@@ -3,9 +3,9 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/implicit_runge_kutta.h>
 #include <fuga/contact/segments/layer_work.h>
-#include <fuga/contact/segments/strength_reduction.h>
 #include <fuga/contact/segments/turning_segment.h>
 
 #include <algorithm>

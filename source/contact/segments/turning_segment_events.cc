@@ -123,6 +123,24 @@ namespace fuga
     return low;
   }
 
+  namespace
+  {
+    /** Component @p i of the slip of an element, as an observer of the ends of a step sees it. */
+    CubicOnUnitInterval
+    slip_between(const ContactElement &element,
+                 const std::size_t k,
+                 const std::size_t i,
+                 const PathPoint &a,
+                 const PathPoint &b,
+                 const double length)
+    {
+      return {a.state.slips[k][i],
+              slip_rate(element, a.state, k, a.rates)[i] * length,
+              b.state.slips[k][i],
+              slip_rate(element, b.state, k, b.rates)[i] * length};
+    }
+  } // namespace
+
   // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
   // in the work of friction, relative to the share that is allowed.
   double
@@ -133,29 +151,19 @@ namespace fuga
   {
     constexpr double allowed_share = 5e-11;
     constexpr double least_share   = 1e-13;
-    const double r                 = std::sqrt(0.15);
-    const double abscissae[]       = {0.5 - r, 0.5, 0.5 + r};
-    const double weights[]         = {5. / 18., 8. / 18., 5. / 18.};
     double of_cubics               = 0.;
+    const PathPoint &a = from.point, &b = to.point;
     for (const std::size_t k : turning)
-      {
-        const ContactElement &element = context.elements[k];
-        const PathPoint &a = from.point, &b = to.point;
-        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
-                            b_rate = slip_rate(element, b.state, k, b.rates);
-        for (std::size_t i = 0; i < 2; ++i)
-          {
-            const std::size_t bar = element.bar(1 + i);
-            const CubicOnUnitInterval force(a.state.forces[bar],
-                                            a.rates.forces[bar] * length,
-                                            b.state.forces[bar],
-                                            b.rates.forces[bar] * length);
-            const CubicOnUnitInterval slip(
-              a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
-            for (int g = 0; g < 3; ++g)
-              of_cubics += weights[g] * force.value(abscissae[g]) * slip.slope(abscissae[g]);
-          }
-      }
+      for (std::size_t i = 0; i < 2; ++i)
+        {
+          const ContactElement &element = context.elements[k];
+          const std::size_t bar         = element.bar(1 + i);
+          const CubicOnUnitInterval force(a.state.forces[bar],
+                                          a.rates.forces[bar] * length,
+                                          b.state.forces[bar],
+                                          b.rates.forces[bar] * length);
+          of_cubics += work_of(force, slip_between(element, k, i, a, b, length));
+        }
     return std::abs(of_cubics - work) /
            (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
   }
@@ -174,14 +182,9 @@ namespace fuga
         const double rise = a.state.strengths[k].dilatancy;
         if (rise == 0.)
           continue;
-        const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
-                            b_rate = slip_rate(element, b.state, k, b.rates);
-        const auto slip            = [&](const std::size_t i) {
-          return CubicOnUnitInterval(
-            a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
-        };
-        const double way =
-          fuga::length(sum(b.state.slips[k], -1., a.state.slips[k])) + detour(slip(0), slip(1));
+        const double way = fuga::length(sum(b.state.slips[k], -1., a.state.slips[k])) +
+                           detour(slip_between(element, k, 0, a, b, length),
+                                  slip_between(element, k, 1, a, b, length));
         worst = std::max(worst, std::abs(b.state.dilations[k] - a.state.dilations[k] - rise * way));
       }
     if (worst == 0.)

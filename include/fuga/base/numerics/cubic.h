@@ -38,6 +38,10 @@ namespace fuga
     double c0, c1, c2, c3;
   };
 
+  /** ∫ force d(jump), exact for cubics. */
+  double
+  work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump);
+
   /** How much longer the way along two cubics is than the chord between its ends, by Gauss's rule
    * with three points: ∫ |s'| - e·s' with e along the chord. Without a turn it is zero, whatever
    * rounding says. */

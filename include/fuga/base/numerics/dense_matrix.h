@@ -121,15 +121,23 @@ namespace fuga
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B);
 
   /**
-   * LU factors of a square matrix with partial pivoting, its rows and columns brought to one size
-   * before by powers of two: bars of any stiffness stand side by side. The matrix is given away;
-   * reciprocal_condition() tells LAPACK's estimate in the 1-norm for the matrix so scaled, 0 when a
-   * pivot vanished.
+   * LU factors of a square matrix with partial pivoting. Unless its scaling is to be kept, its rows
+   * and columns are brought to one size before by powers of two: bars of any stiffness stand side
+   * by side. The matrix is given away; reciprocal_condition() tells LAPACK's estimate in the 1-norm
+   * for the matrix so scaled, 0 when a pivot vanished.
    */
   class LuFactors
   {
   public:
-    explicit LuFactors(DenseMatrix &&matrix);
+    enum class Scaling
+    {
+      equilibrated,
+      /** Rows and columns have their natural size: one that is small against the others is zero but
+       * for rounding. */
+      as_given
+    };
+
+    explicit LuFactors(DenseMatrix &&matrix, const Scaling scaling = Scaling::equilibrated);
 
     double
     reciprocal_condition() const

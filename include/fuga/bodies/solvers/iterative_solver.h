@@ -63,13 +63,6 @@ namespace fuga
       return its_work;
     }
 
-    /** Largest number of iterations of a solution so far. */
-    std::size_t
-    most_iterations() const
-    {
-      return largest_count;
-    }
-
   private:
     struct System;
 
@@ -107,7 +100,6 @@ namespace fuga
     std::unique_ptr<System> system;
     unsigned int n_kept = 0;
     SolverWork its_work;
-    std::size_t largest_count = 0;
   };
 } // namespace fuga
 

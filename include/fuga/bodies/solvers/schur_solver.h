@@ -58,10 +58,6 @@ namespace fuga
       return its_work;
     }
 
-    /** Peak memory of the factorisation in megabytes, as MUMPS reports it. */
-    int
-    memory() const;
-
   private:
     struct Instance;
 

@@ -180,6 +180,8 @@ namespace fuga
     has_free_directions() const;
     std::vector<Choice>
     choices(const Candidate &candidate) const;
+    std::vector<std::vector<Choice>>
+    choices() const;
     static void
     take(const Choice &choice, Candidate &candidate);
     bool

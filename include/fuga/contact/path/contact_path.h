@@ -144,6 +144,12 @@ namespace fuga
            PathObserver &observer,
            PathResult &result);
 
+    /** Reports the levels up to the load of @p state, to which the path has jumped. */
+    void
+    reach_levels(const std::vector<double> &levels,
+                 const JointState &state,
+                 PathObserver &observer);
+
     /** The limit load with the mechanism @p motion. */
     void
     take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;

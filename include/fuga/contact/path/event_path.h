@@ -82,13 +82,13 @@ namespace fuga
                    const double last_t);
     YieldingLoad
     yielding_load(const ControlledStep &step, const JointState &state) const;
-    /** @p size of the force rates that others are small against, if it is larger than they. */
     /** Whether the path goes on behind a jump. */
     bool
     jump_to_equilibrium(JointState &state,
                         const std::vector<double> &levels,
                         PathObserver &observer,
                         PathResult &result);
+    /** @p size of the force rates that others are small against, if it is larger than they. */
     bool
     turns(const PathPoint &start, const bool is_curved, double size = 0.) const;
     void

@@ -64,10 +64,6 @@ namespace fuga
     complete(const double tau, JointState &state) const;
     TangentVector
     slip_of_step(const JointState &state, const std::size_t k) const;
-    double
-    safe_share(const JointState &state, const JointRates &change) const;
-    bool
-    passes_limit_of_law(const JointState &state) const;
     bool
     lose_strength(JointState &state);
     JointState

@@ -6,6 +6,7 @@
 
 #include <fuga/contact/element/contact_boundary.h>
 #include <fuga/contact/scheme/working_scheme.h>
+#include <fuga/contact/segments/course.h>
 
 #include <array>
 
@@ -13,54 +14,6 @@
 
 namespace fuga
 {
-  /**
-   * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
-   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
-   * beyond a limit load, the load that goes with the growth τ of the largest jump.
-   */
-  /**
-   * A load that gives way to the motion it causes, beyond its limit: the load time is
-   * t + τ ṫ + κ (τ - Σ c (d - d0)), the bracket being zero where c measures the motion exactly. How
-   * stiff κ [1/m] is does not change the path, only its parameter.
-   */
-  struct YieldingLoad
-  {
-    double stiffness = 0.;
-    /** c and d0, per bar. */
-    Vector weights, dislocations;
-    /** Factors and drive per unit of the load time. */
-    Vector factor_rates;
-    Drive drive;
-    /** Between these load times the segment lies. */
-    double first_t = 0., last_t = 0.;
-  };
-
-  struct Course
-  {
-    enum class Kind
-    {
-      loading,
-      release,
-      beyond_limit
-    };
-
-    Kind kind    = Kind::loading;
-    double t     = 0.;
-    double t_end = 0.;
-    Vector factors;
-    Vector factor_rates;
-    /** At τ = 0; see drive_at() in strength_reduction.h. */
-    Drive drive;
-    /** Of a strength reduction: the share 1/F of strength that is left is share + τ share_rate. */
-    double share      = 1.;
-    double share_rate = 0.;
-    /** Range of τ. */
-    double length = 0.;
-    /** Beyond a limit load, where directions of slip turn: then the rates above are those at τ = 0.
-     */
-    std::optional<YieldingLoad> yielding = {};
-  };
-
   /** A state with its derivative along the path. */
   struct PathPoint
   {

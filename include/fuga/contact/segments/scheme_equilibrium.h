@@ -26,10 +26,6 @@ namespace fuga
     bool
     solve(const double tau, const double largest_jump, JointState &state);
 
-    /** A closed layer is deformed by more than its law allows. */
-    bool
-    passes_closure_limit(const JointState &state) const;
-
   private:
     PathContext context;
     const Course &course;
@@ -37,9 +33,14 @@ namespace fuga
     IterationCount &count;
   };
 
-  /** Largest share of a change that keeps every layer with a closure limit short of it. */
+  /** A closed layer is deformed by more than its law allows. */
+  bool
+  passes_limit_of_law(const std::vector<ContactElement> &elements, const JointState &state);
+
+  /** Largest share of a change that keeps every layer with a limit of deformation short of it, and
+   * open lips short of meeting behind it. */
   double
-  closure_safeguard(const PathContext &context, const JointState &state, const JointRates &change);
+  limit_safeguard(const PathContext &context, const JointState &state, const JointRates &change);
 } // namespace fuga
 
 #endif

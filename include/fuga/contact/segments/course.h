@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_course_h
+#define fuga_contact_segments_course_h
+
+#include <fuga/contact/joint_state.h>
+#include <fuga/contact/scheme/working_scheme.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /**
+   * A load that gives way to the motion it causes, beyond its limit: the load time is
+   * t + τ ṫ + κ (τ - Σ c (d - d0)), the bracket being zero where c measures the motion exactly. How
+   * stiff κ [1/m] is does not change the path, only its parameter.
+   */
+  struct YieldingLoad
+  {
+    double stiffness = 0.;
+    /** c and d0, per bar. */
+    Vector weights, dislocations;
+    /** Factors and drive per unit of the load time. */
+    Vector factor_rates;
+    Drive drive;
+    /** Between these load times the segment lies. */
+    double first_t = 0., last_t = 0.;
+  };
+
+  /**
+   * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
+   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
+   * beyond a limit load, the load that goes with the growth τ of the largest jump.
+   */
+  struct Course
+  {
+    enum class Kind
+    {
+      loading,
+      release,
+      beyond_limit
+    };
+
+    Kind kind    = Kind::loading;
+    double t     = 0.;
+    double t_end = 0.;
+    Vector factors;
+    Vector factor_rates;
+    /** At τ = 0; see drive_at(). */
+    Drive drive;
+    /** Of a strength reduction: the share 1/F of strength that is left is share + τ share_rate. */
+    double share      = 1.;
+    double share_rate = 0.;
+    /** Range of τ. */
+    double length = 0.;
+    /** Beyond a limit load, where directions of slip turn: then the rates above are those at τ = 0.
+     */
+    std::optional<YieldingLoad> yielding = {};
+
+    /** Load time at @p tau; the end of the course is met exactly. */
+    double
+    time_at(const double tau) const;
+    Vector
+    factors_at(const double tau) const;
+  };
+
+  /**
+   * What drives the joints at a point of a course: Course::drive, and the rates of strength that
+   * belong to the pressures there while a strength reduction goes on (doc/theory.md, section 7).
+   */
+  Drive
+  drive_at(const std::vector<ContactElement> &elements,
+           const Course &course,
+           const JointState &state);
+
+  /** Gives @p strengths what a strength reduction leaves of them at @p tau. */
+  void
+  reduce_strengths(const std::vector<ContactElement> &elements,
+                   const Course &course,
+                   const double tau,
+                   std::vector<Strength> &strengths);
+
+  /**
+   * Whether a reduction bends the path of a scheme: where something slides, the equations
+   * themselves change with the strength. Otherwise only the boundaries move.
+   */
+  bool
+  is_bent_by_reduction(const std::vector<ContactElement> &elements,
+                       const Course &course,
+                       const JointState &state);
+} // namespace fuga
+
+#endif
