@@ -108,6 +108,20 @@ TEST(RateProblem, DependentEquationsAreSingularHoweverTheyCame)
     }
 }
 
+// What is left of a stiffness when all that resists has been released is rounding, 1e-17 of what it
+// was. Brought to the size of the others it would look like one.
+TEST(RateProblem, RoundingIsNoStiffness)
+{
+  const auto condition = [](const LuFactors::Scaling scaling) {
+    DenseMatrix M(2, 2);
+    M(0, 0) = 1e-17;
+    M(1, 1) = 1.;
+    return LuFactors(std::move(M), scaling).reciprocal_condition();
+  };
+  EXPECT_NEAR(condition(LuFactors::Scaling::as_given), 1e-17, 1e-30);
+  EXPECT_GT(condition(LuFactors::Scaling::equilibrated), 0.1);
+}
+
 // V10: f_c = a/|b| + (a d - b²)/(C_n |b|) with a = d = 1, b = -0.6: at f = 2 the continuation is
 // unique exactly for C_n < 0.64/0.2 = 3.2; beyond it there are load rates with two and with none.
 TEST(RateProblem, UniqueUpToTheCriticalFriction)
