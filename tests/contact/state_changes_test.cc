@@ -245,3 +245,35 @@ TEST(StateChanges, RestickInsideCurvedSegment)
                 record.judge.energies().dissipation,
                 1e-9 * record.judge.energies().external_work);
 }
+
+// A broken bond still carries T = 1 along a spring of stiffness one, and gives it up in proportion
+// while the load on the spring falls from 1 to -2: the lips move by -2 against the force, whose
+// work -1 is no error of slip. Loads do ∫(1 - 3τ) d(-2τ) = 1, the spring stores 2.
+TEST(Judge, OpenLipsMoveAgainstAFadingForce)
+{
+  const ToySystem system = spring_beside_joint(1.);
+  const ToyJoint joint(1, 1., make_rigid_law(), make_rigid_law(), {0.5});
+  const LoadHistory history({0., 1.}, {{0., 1.}, {0., -2.}});
+  PathPoint from, to;
+  from.state.states       = {ContactState::open};
+  from.state.forces       = {0., 1.};
+  from.state.unreleased   = {0., 1.};
+  from.state.dislocations = {0., 0.};
+  from.state.slips        = {{{0., 0.}}};
+  from.state.dilations    = {0.};
+  from.state.strengths    = {virgin_strength(joint.elements[0].friction, 1.)};
+  from.rates              = {{0., -1.}, {0., -2.}};
+  to                      = from;
+  to.state.t              = 1.;
+  to.state.forces = to.state.unreleased = {0., 0.};
+  to.state.dislocations                 = {0., -2.};
+  to.state.slips                        = {{{-2., 0.}}};
+
+  Judge judge(system, joint.elements, history);
+  EXPECT_LE(judge.judge(from.state).worst(), tolerance);
+  judge.follow(from, to, 1.);
+  EXPECT_LE(judge.judge(to.state).worst(), tolerance);
+  EXPECT_NEAR(judge.energies().external_work, 1., tolerance);
+  EXPECT_NEAR(judge.energies().bodies, 2., tolerance);
+  EXPECT_NEAR(judge.energies().dissipation, -1., tolerance);
+}

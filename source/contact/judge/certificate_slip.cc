@@ -66,7 +66,9 @@ namespace fuga
         ledger.dissipation += work;
         element_dissipation[k] += work;
         largest_slip_work = std::max(largest_slip_work, std::abs(work));
-        wrong_slip_work   = std::max(wrong_slip_work, -work);
+        // What a broken bond still carries fades whichever way its lips move.
+        if (from.state.states[k] != ContactState::open)
+          wrong_slip_work = std::max(wrong_slip_work, -work);
       }
   }
 
