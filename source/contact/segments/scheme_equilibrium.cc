@@ -60,7 +60,7 @@ namespace fuga
         const double size = max_abs(context.system.jumps(change->dislocations, change->forces));
         const double total =
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
-        if (constant && passes_limit_of_law(context.elements, state))
+        if (passes_limit_of_law(context.elements, state))
           return false;
         if (size <= options.tolerance * total)
           return true;
