@@ -23,6 +23,8 @@ make_mesh msh41 patch_tri.msh patch.geo -setnumber triangles 1
 gmsh -3 -v 2 -format msh41 -o patch_hex.msh patch_3d.geo
 gmsh -3 -v 2 -format msh41 -setnumber tetrahedra 1 -o patch_tet.msh patch_3d.geo
 gmsh -3 -v 2 -format msh41 -o dam_block_3d.msh dam_block_3d.geo
+gmsh -3 -v 2 -format msh41 -o arch_dam.msh arch_dam.geo
+gmsh -3 -v 2 -format msh41 -setnumber tetrahedra 1 -o arch_dam_tet.msh arch_dam.geo
 make_mesh msh41 crack.msh crack.geo
 make_mesh msh41 cross.msh cross.geo
 make_mesh msh41 wall.msh wall.geo

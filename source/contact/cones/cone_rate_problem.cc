@@ -26,9 +26,11 @@ namespace fuga
                          const std::vector<BoundaryElement> &set,
                          WorkingScheme &background,
                          const Drive &drive,
-                         const std::vector<std::size_t> &resticking)
+                         const std::vector<std::size_t> &resticking,
+                         const double widening)
   {
     ConeContinuation result;
+    noise_at_rest = widening;
     if (!take_set(state, set, background, drive, resticking, result))
       return result;
     const std::vector<Candidate> at_first = candidates;
@@ -201,7 +203,8 @@ namespace fuga
     double largest = 0.;
     for (std::size_t i = 1; i <= candidate.n_tangents; ++i)
       largest = std::max(largest, noise(candidate.row + i));
-    return largest + candidate.friction * noise(candidate.row);
+    const bool at_rest = candidate.resting && candidate.state == ContactState::stick;
+    return (at_rest ? noise_at_rest : 1.) * (largest + candidate.friction * noise(candidate.row));
   }
 
   // At the apex the force of Alart and Curnier's projection, the present one and the stiffness of

@@ -18,7 +18,8 @@ namespace fuga
     scheme.linearise(state);
 
     const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
-    Continuation continuation = rate_problem.solve(state, set, course.drive, resticking);
+    Continuation continuation =
+      rate_problem.solve(state, set, course.drive, resticking, widening_of_tolerances());
     result.n_schemes += continuation.n_schemes;
     if (continuation.exists)
       choose_branch(state, set, course.drive, continuation, result);

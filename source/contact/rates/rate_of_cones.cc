@@ -42,10 +42,12 @@ namespace fuga
   RateProblem::solve_cones(const JointState &state,
                            const std::vector<BoundaryElement> &set,
                            const Drive &drive,
-                           const std::vector<std::size_t> &resticking)
+                           const std::vector<std::size_t> &resticking,
+                           const double widening)
   {
     take_background(state, set);
-    const ConeContinuation found = cones.solve(state, set, off_boundary, drive, resticking);
+    const ConeContinuation found =
+      cones.solve(state, set, off_boundary, drive, resticking, widening);
     Continuation result;
     result.exists                   = found.exists;
     result.rates                    = found.rates;

@@ -62,10 +62,11 @@ namespace fuga
   RateProblem::solve(const JointState &state,
                      const std::vector<BoundaryElement> &set,
                      const Drive &drive,
-                     const std::vector<std::size_t> &resticking)
+                     const std::vector<std::size_t> &resticking,
+                     const double widening)
   {
     if (has_cones)
-      return solve_cones(state, set, drive, resticking);
+      return solve_cones(state, set, drive, resticking, widening);
     Continuation result;
     if (switch_states(state, set, drive, Stride::all_at_once, result))
       return result;

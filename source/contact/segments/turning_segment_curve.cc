@@ -222,21 +222,33 @@ namespace fuga
     return rates_diverge(2, negligible_load * std::max(1., course.t_end));
   }
 
-  // Two slopes of 1/g^n are compared, between the last point and those at which g was a half and a
-  // quarter.
+  // Of the bar whose rate g has grown most, whatever else moves steadily. Two slopes of 1/g^n are
+  // compared, between the last point and those at which g was smaller by a sixth each time: others
+  // that come to rest near τ* cut the path into short pieces.
   bool
   TurningSegment::rates_diverge(const int exponent, const double within) const
   {
-    constexpr double bend = 0.1;
+    constexpr double bend = 0.1, smaller = 1. / 1.2;
+    const auto rate = [this](const std::size_t i, const std::size_t bar) {
+      return std::abs(curve[i].point.rates.dislocations[bar]);
+    };
+    std::size_t fastest = 0;
+    double growth       = 0.;
+    for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
+      if (const double grown = rate(curve.size() - 1, bar) - rate(0, bar); grown > growth)
+        {
+          fastest = bar;
+          growth  = grown;
+        }
     std::array<double, 3> tau, value;
     std::size_t n = 0;
     double limit  = std::numeric_limits<double>::infinity();
     for (std::size_t i = curve.size(); i-- > 0 && n < 3;)
-      if (const double g = max_abs(curve[i].point.rates.dislocations); g <= limit)
+      if (const double g = rate(i, fastest); g <= limit)
         {
           tau[n]     = curve[i].tau;
           value[n++] = std::pow(g, -exponent);
-          limit      = 0.5 * g;
+          limit      = smaller * g;
         }
     if (n < 3)
       return false;
@@ -246,16 +258,15 @@ namespace fuga
            -value[0] / last <= within;
   }
 
-  // The dislocations of the start are rounded, by which forces leave the cones. The first step puts
-  // them back, whatever its length: the error of the shortest one is rounding and no reason to
-  // shorten another.
+  // Dislocations are rounded, by which forces leave the cones. A step puts them back, whatever its
+  // length: the error of the shortest one is rounding and no reason to shorten another.
   double
-  TurningSegment::error_of_rounding(const double shortest)
+  TurningSegment::error_of_rounding(const Station &from, const double shortest)
   {
     constexpr double largest = 10., margin = 2.;
     Station to;
     double error = 0.;
-    if (!step(curve.front(), 2. * shortest, to, error) || error > largest)
+    if (!step(from, 2. * shortest, to, error) || error > largest)
       return 1.;
     return std::max(1., margin * error);
   }
@@ -264,11 +275,11 @@ namespace fuga
   TurningSegment::find_end()
   {
     end                   = 0.; // as far as the curve is known, if a step fails
-    const double shortest = 1e-13 * parameter_scale();
-    double length         = std::min(
+    const double shortest = 1e-13 * parameter_scale(), short_step = 1e-7 * parameter_scale();
+    double length = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
-    double allowed = 1.;
+    double allowed = 1.; // error, as far as it is rounding at the present point
     bool is_known  = course.length <= 2. * shortest;
     while (curve.back().tau < course.length)
       {
@@ -289,9 +300,9 @@ namespace fuga
             length *= 0.25;
             continue;
           }
-        if (error > allowed && !is_known)
+        if (error > allowed && !is_known && (curve.size() == 1 || length < short_step))
           {
-            allowed  = error_of_rounding(shortest);
+            allowed  = error_of_rounding(from, shortest);
             is_known = true;
           }
         error /= allowed;
@@ -307,11 +318,19 @@ namespace fuga
                 curve.push_back(std::move(*event));
               break;
             }
+        if (way_to_event(from, to) != no_boundary)
+          {
+            meet_event(from, to);
+            curve.push_back(std::move(to));
+            break;
+          }
         curve.push_back(std::move(to));
         allowed  = 1.;
-        is_known = true;
+        is_known = false;
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
-    return end = curve.back().tau;
+    // An event may come just before the maximum.
+    at_turning_point = at_turning_point || (!course.yielding && !at_limit && turns_back());
+    return end       = curve.back().tau;
   }
 } // namespace fuga

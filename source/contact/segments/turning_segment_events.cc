@@ -70,6 +70,35 @@ namespace fuga
     return false;
   }
 
+  // How far the load is, ahead or back, at which the first of the reserves that come to their end
+  // is used up, those that are so but for their tolerance.
+  double
+  TurningSegment::way_to_event(const Station &from, const Station &station) const
+  {
+    double way = no_boundary;
+    for (std::size_t i = 0; i < station.reserves.size(); ++i)
+      if (const Reserve &reserve = station.reserves[i];
+          reserve.value <= reserve.tolerance && reserve.rate < 0. &&
+          from.reserves[i].value > from.reserves[i].tolerance)
+        way = std::min(way, -reserve.value / reserve.rate);
+    return way;
+  }
+
+  // Tolerances are those of the rounding of the largest terms. What begins to slip must not begin
+  // off its cone by as much: the step to the event is mended.
+  void
+  TurningSegment::meet_event(const Station &from, Station &reached)
+  {
+    constexpr double near = 0.01; // of the step
+    const double way      = way_to_event(from, reached);
+    const double tau      = reached.tau + way;
+    Station nearer;
+    double error;
+    if (tau != reached.tau && std::abs(way) <= near * (reached.tau - from.tau) &&
+        tau <= course.length && step(from, tau - from.tau, nearer, error) && !is_passed(nearer))
+      reached = std::move(nearer);
+  }
+
   // Steps from the same point, shorter and longer, until one ends at the event.
   std::optional<TurningSegment::Station>
   TurningSegment::locate(const Station &from, const Station &passed)
@@ -120,6 +149,7 @@ namespace fuga
           (high.slip_rates[i] < 0. && high.tau - low.tau <= 4. * resolution))
         if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
           lost_slip.push_back(slipping[i]);
+    meet_event(from, low);
     return low;
   }
 

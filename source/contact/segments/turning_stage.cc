@@ -214,6 +214,7 @@ namespace fuga
       }
   }
 
+  // Whether a stage can be solved must not depend on what was solved before.
   bool
   TurningStageSolver::solve(const Demand demand,
                             const double tau,
@@ -221,6 +222,28 @@ namespace fuga
                             const TurningStage &base_stage,
                             Vector &xi,
                             TurningStage &stage)
+  {
+    std::optional<LuFactors> &factors = factorisations[static_cast<std::size_t>(demand)].factors;
+    const bool has_old_factors        = factors.has_value();
+    const Vector first_xi             = xi;
+    const TurningStage first_stage    = stage;
+    if (iterate(demand, tau, advance, base_stage, xi, stage))
+      return true;
+    factors.reset();
+    if (!has_old_factors)
+      return false;
+    xi    = first_xi;
+    stage = first_stage;
+    return iterate(demand, tau, advance, base_stage, xi, stage);
+  }
+
+  bool
+  TurningStageSolver::iterate(const Demand demand,
+                              const double tau,
+                              const double advance,
+                              const TurningStage &base_stage,
+                              Vector &xi,
+                              TurningStage &stage)
   {
     constexpr unsigned int max_iterations = 30;
     // Residuals, in units of rounding, with which an iteration that stands still is accepted.
@@ -242,10 +265,7 @@ namespace fuga
         if (needs_factors)
           factorise(demand, advance, xi, stage, residual);
         if (factorisation.factors->reciprocal_condition() == 0.)
-          {
-            factorisation.factors.reset();
-            return false;
-          }
+          return false;
         Vector step = residual.values;
         factorisation.factors->solve(step);
         ++count.n_iterations;

@@ -57,14 +57,16 @@ namespace fuga
 
     /**
      * In @p background the elements of @p set are stuck, all others have their states. @p
-     * resticking: elements whose slip has just come to rest.
+     * resticking: elements whose slip has just come to rest; what is @p widening times rounding
+     * does not move them again.
      */
     ConeContinuation
     solve(const JointState &state,
           const std::vector<BoundaryElement> &set,
           WorkingScheme &background,
           const Drive &drive,
-          const std::vector<std::size_t> &resticking);
+          const std::vector<std::size_t> &resticking,
+          const double widening);
 
     /** It is certain that the last set has one solution, whatever the load (doc/theory.md, section
      * 17). */
@@ -287,6 +289,8 @@ namespace fuga
     int determinant_sign = 0;
     /** What the last sweep of those that did not come to rest changed. */
     Vector drift;
+    /** Rounding, in units of itself, that does not move what has just come to rest. */
+    double noise_at_rest = 1.;
   };
 } // namespace fuga
 

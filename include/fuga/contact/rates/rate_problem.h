@@ -109,13 +109,15 @@ namespace fuga
 
     /**
      * Finds a continuation from @p state under @p drive; the states of the scheme are the first
-     * guess. @p resticking: elements whose slip has just come to rest.
+     * guess. @p resticking: elements whose slip has just come to rest; with two tangential bars,
+     * what is @p widening times rounding does not move them again.
      */
     Continuation
     solve(const JointState &state,
           const std::vector<BoundaryElement> &set,
           const Drive &drive,
-          const std::vector<std::size_t> &resticking = {});
+          const std::vector<std::size_t> &resticking = {},
+          const double widening                      = 1.);
 
     /**
      * Elements of @p set that give reason to look for further continuations: the determinant of the
@@ -218,7 +220,8 @@ namespace fuga
     solve_cones(const JointState &state,
                 const std::vector<BoundaryElement> &set,
                 const Drive &drive,
-                const std::vector<std::size_t> &resticking);
+                const std::vector<std::size_t> &resticking,
+                const double widening);
 
     ContactState
     state_on_closing(const JointState &state,

@@ -123,7 +123,7 @@ namespace fuga
     bool
     loses_control(const Station &station) const;
     double
-    error_of_rounding(const double shortest);
+    error_of_rounding(const Station &from, const double shortest);
     bool
     step(const Station &from, const double length, Station &to, double &error);
     double
@@ -141,6 +141,10 @@ namespace fuga
     is_passed(const Station &station) const;
     bool
     is_reached(const Station &station) const;
+    double
+    way_to_event(const Station &from, const Station &station) const;
+    void
+    meet_event(const Station &from, Station &reached);
     std::optional<Station>
     locate(const Station &from, const Station &passed);
     bool

@@ -136,6 +136,13 @@ namespace fuga
       Vector noise;
     };
 
+    bool
+    iterate(const Demand demand,
+            const double tau,
+            const double advance,
+            const TurningStage &base,
+            Vector &xi,
+            TurningStage &stage);
     Base
     base(const double tau, const TurningStage &stage) const;
     Residual
