@@ -8,16 +8,22 @@ Expected: an arch stands under its weight, whatever the stiffness of its joints,
 stage; each state is certified by equilibrium of the bodies, computed without the operators of the path. In the limit of
 stiff joints the states no longer depend on the stiffness: those at 1e11 kPa/m are those of rigid joints.
 
+The example of doc/examples/arch_dam.md with friction 0.7 passes maxima of the load before which other slips come to rest: it jumps
+to equilibria near by, certified as well, and reaches its end.
+
 usage: arch_dam.py FUGA
 """
 import csv
+import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 
 import spatial_model
 
 FUGA = pathlib.Path(sys.argv[1]).resolve()
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "parameters/arch_dam.prm"
 STIFFNESSES = ["2e6", "1e8", "1e9", "1e10", "1e11", "rigid"]  # kPa/m
 N_MONOLITHS = 5
 
@@ -144,10 +150,21 @@ def final_states(out):
     return {(row["joint"], row["element"]): row["state"] for row in rows if float(row["t"]) == last}
 
 
+def check_jumps(out):
+    done = subprocess.run([FUGA, EXAMPLE, "--output-dir", out, "--quiet", "--set", "Constants/f=0.7", "--set", "Output/Fields=never"],
+                          capture_output=True, text=True, check=False)
+    summary = json.loads((out / "summary.json").read_text())
+    followed = summary["events"].get("jump", {}).get("followed", 0)
+    print(f"example, friction 0.7: exit code {done.returncode}, {followed} jumps, certificate {summary['certificate']['worst']:.1e}")
+    if done.returncode != 0 or followed == 0:
+        complaints.append(f"example, friction 0.7: exit code {done.returncode}, {followed} jumps\n{done.stdout[-1500:]}{done.stderr}")
+
+
 def main():
     stiff = {}
     with tempfile.TemporaryDirectory(prefix="arch_") as name:
         folder = pathlib.Path(name)
+        check_jumps(folder / "example")
         spatial_model.mesh(folder, "arch", GEOMETRY)
         for stiffness in STIFFNESSES:
             out, code, summary, text = spatial_model.run(FUGA, folder / f"arch_{stiffness}.prm", parameters(stiffness))
