@@ -5,15 +5,17 @@
 the bodies in the same process, and the whole over the same bodies without a joint, beside the recorded ratio
 (doc/benchmark_record.csv).
 
-usage: sentinel.py [--record]
+usage: sentinel.py [--record | --against PROGRAM]
 
 Parts whose ratio is above 1.25 times the recorded one in every round, so that noise of the machine is none, are
-marked, and the exit code is 1. --record writes the
-record from this run; commit it together with the change that is its reason.
+marked, and the exit code is 1. --record writes the record from this run; commit it together with the change that is its
+reason. The record knows its processor; on another one, where the path may have to wait for a smaller cache, --against
+compares with another fuga, built from the commit of the record, in the same rounds.
 """
 import argparse
 import csv
 import json
+import pathlib
 import shutil
 import statistics
 import subprocess
@@ -83,57 +85,111 @@ def seconds_of(name, case):
     return result
 
 
-def measure_all():
-    """{(scene, part): (median of the seconds, median of the ratios, smallest ratio)}"""
-    samples, peers = {name: [] for name in CASES}, {name: [] for name in PEERS}
-    controls = {key: [] for key in CONTROLS}
-    with_peer = shutil.which(calculix.PROGRAM) is not None
-    for number in range(ROUNDS):
+def figures_of(samples, units):
+    """(median of the seconds, median of the ratios, smallest ratio)"""
+    ratios = [seconds / unit for seconds, unit in zip(samples, units, strict=True)]
+    return statistics.median(samples), statistics.median(ratios), min(ratios)
+
+
+class Program:
+    """What one fuga needed, round by round."""
+
+    def __init__(self, path):
+        self.path = path
+        self.samples, self.controls = {name: [] for name in CASES}, {key: [] for key in CONTROLS}
+
+    def measure(self):
+        fuga_runs.PROGRAM = self.path
+        fuga_runs.STARTS.clear()
         start = fuga_runs.start_seconds()  # in every round: it changes with what else the machine does
         for key, control in CONTROLS.items():
-            controls[key].append(seconds_of("bonded_%s_%d" % key, control)["whole process"] - start)
+            self.controls[key].append(seconds_of("bonded_%s_%d" % key, control)["whole process"] - start)
         for name, case in CASES.items():
             seconds = seconds_of(name, case)
             seconds["model"] -= start  # loading the libraries is not the mesh
             seconds["total after start"] = seconds["whole process"] - start
-            samples[name].append(seconds)
-        if with_peer and number == 0:  # tens of seconds, and always the same program
-            for name in PEERS:
-                scene = CASES[name]
-                peers[name].append(calculix.run_scene(scene, "nts", 10, None, 120).phases["total"])
-    figures = {}
-    for name, of_scene in samples.items():
-        units = [("whole process", "over CalculiX", [peers[name][0]] * ROUNDS)] if peers.get(name) else []
-        if isinstance(CASES[name], scenes.Scene):
-            units.append(("total after start", "over bonded control", controls[CASES[name].name, CASES[name].n]))
-        for part, title, unit in [(part, part, [s["elimination"] for s in of_scene]) for part in PARTS] + units:
-            ratios = [seconds[part] / u for seconds, u in zip(of_scene, unit, strict=True)]
-            figures[name, title] = (statistics.median(s[part] for s in of_scene), statistics.median(ratios), min(ratios))
-    return figures
+            self.samples[name].append(seconds)
+
+    def figures(self, peers):
+        """{(scene, part): figures}; @p peers: seconds of CalculiX."""
+        result = {}
+        for name, of_scene in self.samples.items():
+            def add(title, part, units, name=name, of_scene=of_scene):
+                result[name, title] = figures_of([seconds[part] for seconds in of_scene], units)
+
+            for part in PARTS:
+                add(part, part, [seconds["elimination"] for seconds in of_scene])
+            if name in peers:
+                add("over CalculiX", "whole process", [peers[name]] * ROUNDS)
+            if isinstance(CASES[name], scenes.Scene):
+                add("over bonded control", "total after start", self.controls[CASES[name].name, CASES[name].n])
+        return result
+
+
+def seconds_of_peers():
+    """Once: tens of seconds, and always the same program."""
+    if shutil.which(calculix.PROGRAM) is None:
+        return {}
+    return {name: calculix.run_scene(CASES[name], "nts", 10, None, 120).phases["total"] for name in PEERS}
+
+
+def processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        return next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "?")
+
+
+def read_record():
+    """{(scene, part): ratio} and the processor they were measured on."""
+    if not RECORD.exists():
+        return {}, None
+    with open(RECORD, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {(row["scene"], row["part"]): float(row["ratio"]) for row in rows}, rows[0].get("processor")
+
+
+def write_record(figures):
+    with open(RECORD, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["scene", "part", "cpu_seconds", "ratio", "processor"])
+        writer.writerows([*key, "%.4f" % seconds, "%.4f" % ratio, processor()]
+                         for key, (seconds, ratio, _) in figures.items())
+    print("Recorded in %s." % RECORD.relative_to(meshes.REPOSITORY))
+
+
+def compare(figures, before, name_before):
+    """Prints the table; how many parts are worse."""
+    n_worse = 0
+    print("%-26s %-20s %9s %9s %9s" % ("scene", "part", "CPU s", "ratio", name_before))
+    for (name, part), (seconds, ratio, smallest) in figures.items():
+        expected = before.get((name, part))
+        worse = expected is not None and seconds > SHORTEST and smallest > WORSE * expected
+        n_worse += worse
+        print("%-26s %-20s %9.3f %9.3f %9s%s" % (name, part, seconds, ratio, "" if expected is None else "%.3f" % expected,
+                                                  "  << worse than %.2f times" % WORSE if worse else ""))
+    return n_worse
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--record", action="store_true", help="write doc/benchmark_record.csv from this run")
-    record_it = parser.parse_args().record
-    recorded = {}
-    if RECORD.exists():
-        with open(RECORD, encoding="utf-8", newline="") as file:
-            recorded = {(row["scene"], row["part"]): float(row["ratio"]) for row in csv.DictReader(file)}
-    figures, n_worse = measure_all(), 0
-    print("%-26s %-18s %9s %9s %9s" % ("scene", "part", "CPU s", "ratio", "recorded"))
-    for (name, part), (seconds, ratio, smallest) in figures.items():
-        before = recorded.get((name, part))
-        worse = before is not None and seconds > SHORTEST and smallest > WORSE * before
-        n_worse += worse
-        print("%-26s %-18s %9.3f %9.3f %9s%s" % (name, part, seconds, ratio, "" if before is None else "%.3f" % before,
-                                                  "  << worse than %.2f times" % WORSE if worse else ""))
-    if record_it:
-        with open(RECORD, "w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(["scene", "part", "cpu_seconds", "ratio"])
-            writer.writerows([*key, "%.4f" % seconds, "%.4f" % ratio] for key, (seconds, ratio, _) in figures.items())
-        print("Recorded in %s." % RECORD.relative_to(meshes.REPOSITORY))
+    choice = parser.add_mutually_exclusive_group()
+    choice.add_argument("--record", action="store_true", help="write doc/benchmark_record.csv from this run")
+    choice.add_argument("--against", metavar="PROGRAM", help="compare with this fuga in the same rounds, not with the record")
+    options = parser.parse_args()
+    present = Program(fuga_runs.PROGRAM)
+    other = Program(str(pathlib.Path(options.against).resolve())) if options.against else None
+    peers = seconds_of_peers()
+    for _ in range(ROUNDS):
+        for program in filter(None, (other, present)):
+            program.measure()
+    figures = present.figures(peers)
+    if other:
+        return 1 if compare(figures, {key: ratio for key, (_, ratio, _) in other.figures(peers).items()}, "other") else 0
+    recorded, recorded_on = read_record()
+    n_worse = compare(figures, recorded, "recorded")
+    if recorded_on not in (None, processor()):
+        print("The record is of another processor (%s; this one: %s): see --against." % (recorded_on, processor()))
+    if options.record:
+        write_record(figures)
         return 0
     return 1 if n_worse else 0
 
