@@ -95,7 +95,8 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
-        const double share = limit_safeguard(context, state, *change);
+        const double share =
+          limit_safeguard(context, state, *change, OpenLips::stay_short_of_limit);
         for (std::size_t bar = 0; bar < state.dislocations.size(); ++bar)
           state.dislocations[bar] += share * change->dislocations[bar];
         complete(tau, state);

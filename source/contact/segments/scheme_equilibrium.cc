@@ -52,7 +52,8 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
-        const double share = constant ? 1. : limit_safeguard(context, state, *change);
+        const double share =
+          constant ? 1. : limit_safeguard(context, state, *change, OpenLips::may_pass_limit);
         for (std::size_t b = 0; b < state.dislocations.size(); ++b)
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state);
@@ -96,7 +97,10 @@ namespace fuga
   }
 
   double
-  limit_safeguard(const PathContext &context, const JointState &state, const JointRates &change)
+  limit_safeguard(const PathContext &context,
+                  const JointState &state,
+                  const JointRates &change,
+                  const OpenLips open_lips)
   {
     const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
     double share           = 1.;
@@ -108,10 +112,11 @@ namespace fuga
           if (growth > fraction_to_limit * room)
             share = std::min(share, fraction_to_limit * room / growth);
         };
-        if (has_nonlinear_closure(element))
+        const bool is_open = state.states[k] == ContactState::open;
+        if (has_nonlinear_closure(element) &&
+            (!is_open || open_lips == OpenLips::stay_short_of_limit))
           limit(closure_limit(element),
-                state.states[k] == ContactState::open ? -lip_opening(element, state, k)
-                                                      : -gap(element, state, k),
+                is_open ? -lip_opening(element, state, k) : -gap(element, state, k),
                 -growth_of[element.normal_bar]);
         if (state.states[k] == ContactState::stick && has_nonlinear_shear(element))
           {

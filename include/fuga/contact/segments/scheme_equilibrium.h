@@ -37,10 +37,20 @@ namespace fuga
   bool
   passes_limit_of_law(const std::vector<ContactElement> &elements, const JointState &state);
 
-  /** Largest share of a change that keeps every layer with a limit of deformation short of it, and
-   * open lips short of meeting behind it. */
+  /** Whether lips that are apart may meet behind the limit of their layer: where they do, an event
+   * has been passed, and a path that looks for it must be able to see that. */
+  enum class OpenLips
+  {
+    may_pass_limit,
+    stay_short_of_limit
+  };
+
+  /** Largest share of a change that keeps every layer with a limit of deformation short of it. */
   double
-  limit_safeguard(const PathContext &context, const JointState &state, const JointRates &change);
+  limit_safeguard(const PathContext &context,
+                  const JointState &state,
+                  const JointRates &change,
+                  const OpenLips open_lips);
 } // namespace fuga
 
 #endif
