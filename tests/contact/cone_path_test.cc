@@ -361,4 +361,44 @@ namespace fuga::tests
     // The path ends where a millionth of the load more would double the jumps, below the limit.
     EXPECT_NEAR((run.result.t - 1.) * last, limit, 1e-6);
   }
+
+  // A block that something elastic presses outwards on four faces, forwards by 0.8 on two and
+  // backwards on two, under N = 1 on each: f N = 0.5 holds back, the rest stretches the spring,
+  // which does not resist a translation. The block may slide along as a whole until one of its
+  // faces sticks, which only their order decides.
+  TEST(ConePath, FacesThatSlipApartLeaveTheBlockWhereOneOfThemSticks)
+  {
+    constexpr std::size_t n   = 4;
+    constexpr double k_normal = 10., k_along = 4., compliance = 1e-3, push = 0.8, friction = 0.5;
+    ToySystem system;
+    system.S = DenseMatrix(3 * n, 3 * n);
+    system.F = DenseMatrix(3 * n, 1);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        system.S(3 * k, 3 * k) = k_normal;
+        for (std::size_t j = 0; j < n; ++j)
+          system.S(3 * k + 1, 3 * j + 1) = k_along * ((j == k ? 1. : 0.) - 1. / n);
+        system.S(3 * k + 2, 3 * k + 2) = 3.;
+        system.F(3 * k, 0)             = -1.;
+        system.F(3 * k + 1, 0)         = k < 2 ? push : -push;
+      }
+    const ConeJoint joint(
+      n, 1., make_linear_law(compliance), make_linear_law(compliance), friction);
+    const ConeRun run(system, joint.elements, LoadHistory({0., 1.}, {{0.}, {1.}}), {1.});
+    ASSERT_EQ(run.result.verdict, Verdict::done);
+    EXPECT_LT(run.record.worst.worst(), 1e-14);
+    const JointState &end = run.record.levels[0];
+    const double N = 1. / (1. + k_normal * compliance), T = friction * N;
+    double shortest = 1.;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        EXPECT_NEAR(end.forces[3 * k], -N, 1e-13);
+        EXPECT_NEAR(length(tangential(joint.elements[k], end.forces)), T, 1e-13);
+        shortest = std::min(shortest, length(end.slips[k]));
+      }
+    // The springs are stretched by slips and layers.
+    EXPECT_NEAR(
+      end.slips[0][0] - end.slips[2][0], 2. * ((push - T) / k_along - compliance * T), 1e-13);
+    EXPECT_LT(shortest, 1e-13);
+  }
 } // namespace fuga::tests

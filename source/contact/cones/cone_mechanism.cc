@@ -7,16 +7,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace fuga
 {
+  namespace
+  {
+    /** Power of loads, relative to the sizes of its terms, that is none. */
+    constexpr double no_power = 1e-10;
+  } // namespace
+
   // A scheme without resistance, or what every sweep adds to the rates that grow beyond bounds. It
   // is a mechanism if the load drives it, nothing resists and no closed element would penetrate or
   // slip against its force; anything else only shows that no solution was found.
   void
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
-    constexpr double rounding = 1e-10;
     Drive at_rest;
     at_rest.reactions.assign(system.n_bars(), 0.);
     for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
@@ -29,9 +35,46 @@ namespace fuga
           for (double &rate : motion)
             rate = -rate;
         result.mechanism     = full_rates(background, at_rest, motion);
-        result.has_mechanism = is_admissible(motion) && std::abs(power) > rounding * size &&
+        result.has_mechanism = is_admissible(motion) && std::abs(power) > no_power * size &&
                                is_free_motion(result.mechanism, system);
       }
+  }
+
+  // Where elements slip apart on both sides of an axis, their friction is in balance, and all of
+  // them may be carried along as well until the first comes to rest. Nothing tells how far; there
+  // the rates are determined again. Returns false if the loads drive the motion, or nothing ends
+  // it.
+  bool
+  ConeRateProblem::end_idle_motion()
+  {
+    double size        = 0.;
+    const double power = driving_power(free_motion, size);
+    if (std::abs(power) > no_power * size)
+      return false;
+    const double no_rate = 1e-6 * max_abs(free_motion);
+    Candidate *first     = nullptr;
+    double shortest      = std::numeric_limits<double>::infinity();
+    for (Candidate &candidate : candidates)
+      {
+        const bool open = candidate.state == ContactState::open;
+        if (!open && !is_slipping(candidate.state))
+          continue;
+        const double left = std::max(0., open ? v[candidate.row] : candidate.slip);
+        const double rate = open
+                              ? free_motion[candidate.row]
+                              : dot(candidate.direction, tangential_rows(candidate, free_motion));
+        // Of equal ones, but for rounding, the first.
+        if (std::abs(rate) > no_rate && left < 0.999999 * std::abs(rate) * shortest)
+          {
+            shortest = left / std::abs(rate);
+            first    = &candidate;
+          }
+      }
+    if (first == nullptr)
+      return false;
+    first->state = ContactState::stick;
+    first->slip = first->strength = 0.;
+    return true;
   }
 
   bool

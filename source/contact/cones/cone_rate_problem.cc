@@ -167,8 +167,13 @@ namespace fuga
       {
         ++result.n_schemes;
         const bool regular = solve_scheme();
-        if (!update_scheme(i >= n_together) && (!regular || is_settled()))
-          return regular ? Outcome::solved : Outcome::singular;
+        if (!update_scheme(i >= n_together))
+          {
+            if (regular && is_settled())
+              return Outcome::solved;
+            if (!regular && !end_idle_motion())
+              return Outcome::singular;
+          }
         free_motion.clear(); // of a scheme that the next one replaces
       }
     return Outcome::cycled;

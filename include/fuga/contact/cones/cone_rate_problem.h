@@ -222,6 +222,8 @@ namespace fuga
     void
     find_mechanism(WorkingScheme &background, ConeContinuation &result);
     bool
+    end_idle_motion();
+    bool
     is_admissible(const Vector &motion) const;
     /** What loads that grow and strengths that fall do to a motion, per square of the path
      * parameter; and the sum of the sizes of its terms. */
