@@ -23,19 +23,19 @@ import meshes
 from fuga_runs import WORK
 from page import figures, tables
 from parts import MAKERS, REFERENCES, all_cases
+from process import processor
 from rounds import expect, measure_all
 
 COLUMNS = ("scene", "tool", "variant", "elements", "dofs", "phase", "seconds", "memory_MB", "error", "repeats")
 
 
 def machine():
-    cpu = next((line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "?")
     packages = ["calculix-ccx", "python3-getfem++", "libdeal.ii-dev", "libmumps-dev", "libopenblas0-pthread"]
     query = ["dpkg-query", "-W", "-f=${Package} ${Version}, ", *packages]
     versions = subprocess.run(query, capture_output=True, text=True)
     commit = subprocess.run(["git", "-C", str(meshes.REPOSITORY), "describe", "--always", "--dirty"],
                             capture_output=True, text=True).stdout.strip()
-    return {"cpu": cpu, "cores": len(open("/proc/cpuinfo").read().split("processor\t")) - 1,
+    return {"cpu": processor(), "cores": len(open("/proc/cpuinfo").read().split("processor\t")) - 1,
             "system": platform.platform(), "versions": versions.stdout.rstrip(", "), "commit": commit,
             "date": time.strftime("%Y-%m-%d"), "load": open("/proc/loadavg").read().split()[0]}
 

@@ -63,6 +63,12 @@ def launch(cpu_limit, command):
     return usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024., child.returncode
 
 
+def processor():
+    """Its name, as the kernel gives it."""
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        return next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "?")
+
+
 def relative_error(values, reference):
     """Of two flat lists, in the Euclidean norm; the absolute one where the reference is zero."""
     difference = sum((a - b) ** 2 for a, b in zip(values, reference, strict=True))

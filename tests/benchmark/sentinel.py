@@ -25,6 +25,7 @@ import fuga_runs
 import meshes
 import scenes
 from peers import calculix
+from process import processor
 
 RECORD = meshes.REPOSITORY / "doc" / "benchmark_record.csv"
 ROUNDS, WORSE = 3, 1.25
@@ -131,11 +132,6 @@ def seconds_of_peers():
     if shutil.which(calculix.PROGRAM) is None:
         return {}
     return {name: calculix.run_scene(CASES[name], "nts", 10, None, 120).phases["total"] for name in PEERS}
-
-
-def processor():
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        return next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "?")
 
 
 def read_record():

@@ -318,13 +318,10 @@ namespace fuga
                 curve.push_back(std::move(*event));
               break;
             }
-        if (way_to_event(from, to) != no_boundary)
-          {
-            meet_event(from, to);
-            curve.push_back(std::move(to));
-            break;
-          }
+        const bool is_event = meet_event(from, to);
         curve.push_back(std::move(to));
+        if (is_event)
+          break;
         allowed  = 1.;
         is_known = false;
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));

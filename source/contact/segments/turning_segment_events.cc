@@ -85,18 +85,21 @@ namespace fuga
   }
 
   // Tolerances are those of the rounding of the largest terms. What begins to slip must not begin
-  // off its cone by as much: the step to the event is mended.
-  void
+  // off its cone by as much: the step to the event is mended. Returns whether there is one.
+  bool
   TurningSegment::meet_event(const Station &from, Station &reached)
   {
     constexpr double near = 0.01; // of the step
     const double way      = way_to_event(from, reached);
-    const double tau      = reached.tau + way;
+    if (way == no_boundary)
+      return false;
+    const double tau = reached.tau + way;
     Station nearer;
     double error;
     if (tau != reached.tau && std::abs(way) <= near * (reached.tau - from.tau) &&
         tau <= course.length && step(from, tau - from.tau, nearer, error) && !is_passed(nearer))
       reached = std::move(nearer);
+    return true;
   }
 
   // Steps from the same point, shorter and longer, until one ends at the event.
@@ -155,19 +158,21 @@ namespace fuga
 
   namespace
   {
-    /** Component @p i of the slip of an element, as an observer of the ends of a step sees it. */
-    CubicOnUnitInterval
+    /** The slip of an element along its tangents, as an observer of the ends of a step sees it. */
+    std::array<CubicOnUnitInterval, 2>
     slip_between(const ContactElement &element,
                  const std::size_t k,
-                 const std::size_t i,
                  const PathPoint &a,
                  const PathPoint &b,
                  const double length)
     {
-      return {a.state.slips[k][i],
-              slip_rate(element, a.state, k, a.rates)[i] * length,
-              b.state.slips[k][i],
-              slip_rate(element, b.state, k, b.rates)[i] * length};
+      const TangentVector a_rate = slip_rate(element, a.state, k, a.rates),
+                          b_rate = slip_rate(element, b.state, k, b.rates);
+      const auto along           = [&](const std::size_t i) {
+        return CubicOnUnitInterval(
+          a.state.slips[k][i], a_rate[i] * length, b.state.slips[k][i], b_rate[i] * length);
+      };
+      return {{along(0), along(1)}};
     }
   } // namespace
 
@@ -184,16 +189,19 @@ namespace fuga
     double of_cubics               = 0.;
     const PathPoint &a = from.point, &b = to.point;
     for (const std::size_t k : turning)
-      for (std::size_t i = 0; i < 2; ++i)
-        {
-          const ContactElement &element = context.elements[k];
-          const std::size_t bar         = element.bar(1 + i);
-          const CubicOnUnitInterval force(a.state.forces[bar],
-                                          a.rates.forces[bar] * length,
-                                          b.state.forces[bar],
-                                          b.rates.forces[bar] * length);
-          of_cubics += work_of(force, slip_between(element, k, i, a, b, length));
-        }
+      {
+        const ContactElement &element = context.elements[k];
+        const auto slip               = slip_between(element, k, a, b, length);
+        for (std::size_t i = 0; i < 2; ++i)
+          {
+            const std::size_t bar = element.bar(1 + i);
+            const CubicOnUnitInterval force(a.state.forces[bar],
+                                            a.rates.forces[bar] * length,
+                                            b.state.forces[bar],
+                                            b.rates.forces[bar] * length);
+            of_cubics += work_of(force, slip[i]);
+          }
+      }
     return std::abs(of_cubics - work) /
            (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
   }
@@ -212,9 +220,9 @@ namespace fuga
         const double rise = a.state.strengths[k].dilatancy;
         if (rise == 0.)
           continue;
-        const double way = fuga::length(sum(b.state.slips[k], -1., a.state.slips[k])) +
-                           detour(slip_between(element, k, 0, a, b, length),
-                                  slip_between(element, k, 1, a, b, length));
+        const auto slip = slip_between(element, k, a, b, length);
+        const double way =
+          fuga::length(sum(b.state.slips[k], -1., a.state.slips[k])) + detour(slip[0], slip[1]);
         worst = std::max(worst, std::abs(b.state.dilations[k] - a.state.dilations[k] - rise * way));
       }
     if (worst == 0.)

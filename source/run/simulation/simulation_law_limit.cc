@@ -29,12 +29,11 @@ namespace fuga
           continue;
         const Units &u = parameters.output.units;
         return fmt::format(
-          "outside of the law: at load time {:.9g} element {} of joint '{}', at ({:g}; {:g}; "
-          "{:g}), "
-          "is closed by {:.9g} {}, all but {:.1e} of its 'Shear growth closure' of {:.9g} {}. "
-          "There "
-          "the shear stiffness of the law is infinite. Give a larger one, a stiffer normal law, or "
-          "one with a closure limit below it.",
+          "outside of the law: at load time {:.9g} element {} of joint '{}', at "
+          "({:g}; {:g}; {:g}), is closed by {:.9g} {}, all but {:.1e} of its "
+          "'Shear growth closure' of {:.9g} {}. There the shear stiffness of the law is "
+          "infinite. Give a larger one, a stiffer normal law, or one with a closure limit below "
+          "it.",
           state.t,
           element.number,
           model.joint_names[element.joint],

@@ -143,7 +143,7 @@ namespace fuga
     is_reached(const Station &station) const;
     double
     way_to_event(const Station &from, const Station &station) const;
-    void
+    bool
     meet_event(const Station &from, Station &reached);
     std::optional<Station>
     locate(const Station &from, const Station &passed);
