@@ -4,6 +4,7 @@
 #ifndef fuga_bodies_model_definition_h
 #define fuga_bodies_model_definition_h
 
+#include <fuga/bodies/dynamics_definition.h>
 #include <fuga/bodies/solver_choice.h>
 
 #include <array>
@@ -31,6 +32,8 @@ namespace fuga
     /** The body is there from the beginning of the first of these stages to that of the second. */
     unsigned int built_at   = 0;
     unsigned int removed_at = static_cast<unsigned int>(-1);
+    /** With which the first dynamic stage begins [m/s]. */
+    std::array<double, 3> initial_velocity = {{0., 0., 0.}};
   };
 
   /** What is assumed of the direction across the plane; without meaning in 3D. */
@@ -234,6 +237,8 @@ namespace fuga
     std::string origin;
 
     StagePurpose purpose = StagePurpose::loading;
+    /** Of a stage in which inertia acts [s]; 0: loads are slow. */
+    double duration = 0.;
     /** Of a search for safety: the factor at its end, > 1. */
     double largest_factor = 1.;
     /** Of a load factor: the loads that grow. */
@@ -274,6 +279,7 @@ namespace fuga
     BodySolver body_solver = BodySolver::automatic;
     /** Whether nothing that is asked for needs the stiffness of the interface as a matrix. */
     bool may_be_matrix_free = false;
+    DynamicsDefinition dynamics;
     /** Named numbers for all expressions. */
     std::map<std::string, double> constants;
   };

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_dynamics_definition_h
+#define fuga_bodies_dynamics_definition_h
+
+#include <fuga/base/numerics/dense_matrix.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace fuga
+{
+  /** Acceleration of the ground along one axis: samples from time 0 at equal steps, linear in
+   * between, and zero behind the last of them. */
+  struct GroundMotion
+  {
+    /** [s] */
+    double step = 0.;
+    /** [m/s²]; empty: the ground does not move along this axis. */
+    Vector accelerations;
+  };
+
+  /**
+   * Water that moves with a boundary (H. M. Westergaard, Water pressures on dams during
+   * earthquakes, Trans. ASCE 98, 1933): the mass 7/8 (γ/g) √(H d) per area at the depth d below the
+   * level, H the depth of the bottom, along the normal of the boundary.
+   */
+  struct AddedMass
+  {
+    std::vector<std::string> boundaries;
+    /** Heights of surface and bottom of the water [m]. */
+    double level = 0., bottom = 0.;
+    /** γ [MN/m³]. */
+    double unit_weight = 0.;
+    /** file:line of the entry, for messages. */
+    std::string origin;
+  };
+
+  /** How stages with a duration go on in time. */
+  struct DynamicsDefinition
+  {
+    /** Length of a step [s]; steps are a little shorter where levels of a stage ask for it. */
+    double time_step = 0.;
+    /** How often a step may be halved to find an event; 0: events are found within whole steps. */
+    unsigned int halvings = 5;
+    /** A step is halved if its events cost more than this share of the largest energy so far. */
+    double event_tolerance = 1e-6;
+    /** ρ∞ of the generalised-α method: 1 keeps the energy (trapezoidal rule), less of it damps what
+     * the steps do not resolve. */
+    double spectral_radius = 1.;
+    /** g, which makes masses of weight densities [m/s²]. */
+    double gravity = 9.81;
+    /** Bodies without inertia: a foundation through which the ground motion arrives at once. */
+    std::vector<std::string> massless_bodies;
+    /** Rayleigh damping of the bodies has this ratio at both frequencies [Hz]; 0: none. */
+    double damping_ratio                      = 0.;
+    std::array<double, 2> damping_frequencies = {{0., 0.}};
+    /** By axis, from the beginning of the stage with the number @p earthquake_stage. */
+    std::array<GroundMotion, 3> ground;
+    unsigned int earthquake_stage = 0;
+    std::vector<AddedMass> added_masses;
+  };
+} // namespace fuga
+
+#endif
