@@ -38,6 +38,17 @@ namespace fuga
     std::string origin;
   };
 
+  /** What is done about a record that does not end at rest. */
+  enum class Baseline
+  {
+    /** A warning. */
+    warn,
+    /** Nothing: it is meant. */
+    keep,
+    /** See without_parabola(). */
+    parabolic
+  };
+
   /** How stages with a duration go on in time. */
   struct DynamicsDefinition
   {
@@ -60,6 +71,7 @@ namespace fuga
     /** By axis, from the beginning of the stage with the number @p earthquake_stage. */
     std::array<GroundMotion, 3> ground;
     unsigned int earthquake_stage = 0;
+    Baseline baseline             = Baseline::warn;
     std::vector<AddedMass> added_masses;
   };
 } // namespace fuga

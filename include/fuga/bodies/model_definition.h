@@ -247,6 +247,13 @@ namespace fuga
     bool keeps_water = false;
     /** Joints whose gaps are filled, without stress, at the beginning. */
     std::vector<std::string> grouted_joints = {};
+
+    /** Whether inertia acts. */
+    bool
+    is_dynamic() const
+    {
+      return duration > 0.;
+    }
   };
 
   /**
