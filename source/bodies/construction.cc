@@ -28,15 +28,33 @@ namespace fuga
   }
 
 
+  bool
+  changes_construction(const ModelDefinition &model, const unsigned int stage)
+  {
+    return !model.stages[stage].grouted_joints.empty() ||
+           std::any_of(model.materials.begin(), model.materials.end(), [stage](const Material &m) {
+             return (stage > 0 && m.built_at == stage) || m.removed_at == stage;
+           });
+  }
+
+
+  bool
+  changes_construction(const ModelDefinition &model)
+  {
+    for (unsigned int stage = 1; stage < model.stages.size(); ++stage)
+      if (changes_construction(model, stage))
+        return true;
+    return false;
+  }
+
+
   std::vector<unsigned int>
   first_stages_of_phases(const ModelDefinition &model)
   {
     std::vector<unsigned int> stages = {0};
     for (unsigned int stage = 1; stage < model.stages.size(); ++stage)
-      if (!model.stages[stage].grouted_joints.empty() ||
-          std::any_of(model.materials.begin(), model.materials.end(), [stage](const Material &m) {
-            return m.built_at == stage || m.removed_at == stage;
-          }))
+      if (changes_construction(model, stage) || model.stages[stage].is_dynamic() ||
+          model.stages[stage - 1].is_dynamic())
         stages.push_back(stage);
     return stages;
   }

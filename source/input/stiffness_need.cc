@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/construction.h>
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/stiffness_need.h>
 
 #include <algorithm>
@@ -39,12 +40,14 @@ namespace fuga
     const ModelDefinition &model = parameters.model;
     if (parameters.solver.follow_events)
       return "following the loads from event to event (Solver/Follow = events) is";
-    if (first_stages_of_phases(model).size() > 1)
+    if (changes_construction(model))
       return "construction in stages is";
     if (parameters.of_sweep)
       return "a sweep is";
     if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
       return "a target accuracy is";
+    if (first_dynamic_stage(model) < model.stages.size())
+      return "a stage in which inertia acts is";
     if (std::any_of(model.stages.begin(), model.stages.end(), is_search))
       return "a search for a factor of safety is";
     if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))

@@ -37,7 +37,9 @@ namespace fuga
         if (stage > 0)
           {
             result.echo.push_back(
-              fmt::format("Construction at the beginning of stage '{}'", model.stage_names[stage]));
+              fmt::format("{} at the beginning of stage '{}'",
+                          changes_construction(parameters.model, stage) ? "Construction" : "Model",
+                          model.stage_names[stage]));
             add(CondensedSystem<dim>(model.mesh,
                                      parameters.model,
                                      std::vector<bool>(parameters.joints.size(), false),

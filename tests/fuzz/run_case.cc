@@ -6,6 +6,7 @@
 #include "fuzz/mutator.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/run/simulation/simulation.h>
 #include <fuga/study/model_check.h>
@@ -29,12 +30,22 @@ namespace fuga::fuzz
       return text.str();
     }
 
+    double
+    number_of_time_steps(const ModelDefinition &model)
+    {
+      double n = 0.;
+      for (const StageDefinition &stage : model.stages)
+        if (stage.is_dynamic())
+          n += fuga::number_of_time_steps(model.dynamics, stage);
+      return n;
+    }
+
     /** Refined meshes of a million cells are no mistake, but they take their time. */
     bool
     is_small_model(const Parameters &parameters)
     {
       return parameters.model.refinements <= 1 && parameters.model.load_knots <= 2000 &&
-             parameters.variants.size() <= 200;
+             parameters.variants.size() <= 200 && number_of_time_steps(parameters.model) <= 2000.;
     }
 
     bool
@@ -43,8 +54,9 @@ namespace fuga::fuzz
       unsigned int n_levels = 0;
       for (const StageDefinition &stage : parameters.model.stages)
         n_levels += std::min(stage.levels, 1000u);
-      return n_levels <= 20 && parameters.model.load_knots <= 20 &&
-             parameters.variants.size() <= 6 && parameters.solver.maximum_iterations <= 1000;
+      return n_levels <= 20 && number_of_time_steps(parameters.model) <= 50. &&
+             parameters.model.load_knots <= 20 && parameters.variants.size() <= 6 &&
+             parameters.solver.maximum_iterations <= 1000;
     }
 
     template <int dim>

@@ -20,9 +20,18 @@ namespace fuga
                   const ModelDefinition &model,
                   const unsigned int stage);
 
+  /** Whether bodies are built or removed, or joints grouted, at the beginning of a stage. */
+  bool
+  changes_construction(const ModelDefinition &model, const unsigned int stage);
+
+  /** Whether that happens in any stage but the first. */
+  bool
+  changes_construction(const ModelDefinition &model);
+
   /**
-   * The first stages of all phases, in which the same bodies are there and no joint is grouted: 0,
-   * and every stage that begins with building, removing or grouting.
+   * The first stages of all phases, in which the same bodies are there, no joint is grouted, and
+   * inertia acts throughout or not at all: 0, every stage that begins with a change of
+   * construction, every dynamic stage and the one behind it.
    */
   std::vector<unsigned int>
   first_stages_of_phases(const ModelDefinition &model);

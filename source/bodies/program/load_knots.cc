@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/loads/load_assembly.h>
 #include <fuga/bodies/program/load_knots.h>
 
@@ -48,14 +49,26 @@ namespace fuga
   }
 
 
+  unsigned int
+  LoadKnots::number_of_pieces(const std::size_t stage) const
+  {
+    const StageDefinition &definition = model.stages[stage];
+    return definition.is_dynamic()
+             ? static_cast<unsigned int>(number_of_time_steps(model.dynamics, definition))
+             : model.load_knots;
+  }
+
+
   void
   LoadKnots::add_level_knots(const unsigned int number,
                              const LevelDefinition &definition,
-                             const double begin,
+                             const std::size_t stage,
                              const FactorCourse course,
                              std::vector<double> &special,
                              std::vector<bool> &uniform) const
   {
+    const double begin               = static_cast<double>(stage);
+    const unsigned int n             = number_of_pieces(stage);
     const LoadDefinition &load       = model.loads[number];
     const std::vector<double> &kinks = kinks_of_loads[number];
     const LevelHistory level(definition, load, model.constants);
@@ -67,8 +80,8 @@ namespace fuga
       for (const double t : level.corners(begin, begin + 1.))
         times.push_back(t);
     else
-      for (unsigned int i = 1; i < model.load_knots; ++i)
-        times.push_back(begin + static_cast<double>(i) / model.load_knots);
+      for (unsigned int i = 1; i < n; ++i)
+        times.push_back(begin + static_cast<double>(i) / n);
     times.push_back(begin + 1.);
     for (std::size_t k = 0; k + 1 < times.size(); ++k)
       for (const double kink : kinks)
@@ -83,9 +96,8 @@ namespace fuga
     times.push_back(begin + 1.);
     for (std::size_t k = 0; k + 1 < times.size(); ++k)
       if (!linear || !is_linear(load.depth, course, kinks, level(times[k]), level(times[k + 1])))
-        for (unsigned int i = 1; i < model.load_knots; ++i)
-          if (const double t = begin + static_cast<double>(i) / model.load_knots;
-              t > times[k] && t < times[k + 1])
+        for (unsigned int i = 1; i < n; ++i)
+          if (const double t = begin + static_cast<double>(i) / n; t > times[k] && t < times[k + 1])
             uniform[i] = true;
   }
 
@@ -95,7 +107,7 @@ namespace fuga
                        const std::vector<FactorCourse> &courses,
                        const bool straight) const
   {
-    const unsigned int n = model.load_knots;
+    const unsigned int n = number_of_pieces(stage);
     std::vector<bool> uniform(n + 1, !straight);
     std::vector<double> special;
     for (unsigned int i = 0; i < model.loads.size(); ++i)
@@ -108,7 +120,7 @@ namespace fuga
               const LoadDefinition &load = model.loads[i];
               const auto add             = [&](const LevelDefinition &level) {
                 std::vector<double> times;
-                add_level_knots(i, level, static_cast<double>(stage), courses[i], times, uniform);
+                add_level_knots(i, level, stage, courses[i], times, uniform);
                 for (const double t : times)
                   special.push_back(t - static_cast<double>(stage));
               };

@@ -99,6 +99,11 @@ namespace fuga
                text(),
                "Stage at whose beginning the body is taken away; what it carried falls to "
                "nothing in this stage.");
+    initial_velocity = optional(
+      "Initial velocity",
+      text(TextContent::numbers),
+      "Velocity 'vx; vy' (in space 'vx; vy; vz') [m/s] with which the body begins the first "
+      "stage that has a Duration; without this entry none.");
   }
 
 
@@ -133,12 +138,21 @@ namespace fuga
               "Number of equal steps after which results are written; no influence on "
               "them.",
               {"1", "10"});
-    optional("Water in joints",
-             &StageDefinition::keeps_water,
-             choice<bool>({{"follows opening", false}, {"unchanged", true}}),
-             "Whether water comes into joints that open in this stage, and goes where they "
-             "close (without this entry), or keeps its pressure, as is usual for "
-             "earthquakes. It follows what has opened meanwhile when the next stage begins.");
+    duration =
+      optional("Duration",
+               &StageDefinition::duration,
+               number_above(0),
+               "Time that the stage takes [s], t being the fraction of it: inertia acts, by the "
+               "weights of the bodies, and the stage is followed as section Dynamics says. Without "
+               "this entry loads are slow.");
+    water =
+      optional("Water in joints",
+               &StageDefinition::keeps_water,
+               choice<bool>({{"follows opening", false}, {"unchanged", true}}),
+               "Whether water comes into joints that open in this stage, and goes where they "
+               "close (without this entry), or keeps its pressure, as is usual for "
+               "earthquakes. It follows what has opened meanwhile when the next stage begins. "
+               "Always unchanged in a stage with a Duration.");
     grouted_joints =
       optional("Grouted joints",
                text(),
@@ -172,6 +186,8 @@ namespace fuga
       entries_of<BoundaryEntries>(),
       entries_of<LoadEntries>(),
       entries_of<StageEntries>(),
+      entries_of<DynamicsEntries>(),
+      entries_of<EarthquakeEntries>(),
       entries_of<ConstantEntries>(),
       entries_of<SolverEntries>(),
       entries_of<SafetyEntries>(),

@@ -92,7 +92,7 @@ namespace fuga
                "the water at its bottom times depth), positive towards the body.");
     horizontal_direction =
       optional("Horizontal direction",
-               text(),
+               text(TextContent::numbers),
                "For seismic in space: the direction of 'Horizontal coefficient', two numbers "
                "'x; y' whose common length does not count; x without this entry. The pressure "
                "of westergaard has no direction of its own: it acts along the normal of its "

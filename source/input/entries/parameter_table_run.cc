@@ -29,14 +29,14 @@ namespace fuga
         "Solver",
         "Rigid and linear laws need no iteration: the entries on iterations are for other laws.")
   {
-    defaulted(
+    follow = defaulted(
       "Follow",
       &SolverSettings::follow_events,
       choice<bool>({{"events", true}, {"stage ends", false}}),
       "Stage ends: one implicit step per stage without the events between. The same end state if "
       "what slips or opens in a stage keeps doing so, in one direction; energies and events are "
       "not known then.");
-    defaulted(
+    bodies = defaulted(
       "Bodies",
       &ModelDefinition::body_solver,
       body_solvers(),
@@ -63,11 +63,12 @@ namespace fuga
       "What to do where no continuous path goes on although there is an equilibrium near by: "
       "stop with a verdict that names it, or jump there and go on. Energies are not known "
       "behind a jump. A limit load, where no equilibrium is near, ends the run anyway.");
-    defaulted("Beyond limit load",
-              &SolverSettings::beyond_limit,
-              choice<bool>({{"stop", false}, {"arc length", true}}),
-              "Arc length: goes on beyond a limit load, where the load stays or falls while the "
-              "mechanism moves. For rigid and linear layers.");
+    beyond_limit =
+      defaulted("Beyond limit load",
+                &SolverSettings::beyond_limit,
+                choice<bool>({{"stop", false}, {"arc length", true}}),
+                "Arc length: goes on beyond a limit load, where the load stays or falls while the "
+                "mechanism moves. For rigid and linear layers.");
     defaulted("Largest jump beyond limit",
               &SolverSettings::beyond_jump,
               number_from(0),
@@ -88,7 +89,8 @@ namespace fuga
       "Load knots",
       &ModelDefinition::load_knots,
       integer(1, 1e6),
-      "Linear pieces per stage for factors and loads that are not linear in t. Between knots "
+      "Linear pieces per stage for factors and loads that are not linear in t; a stage with a "
+      "Duration has its time steps instead. Between knots "
       "loads are interpolated; the log says how well. Corners of a level, and levels at "
       "which horizontal boundaries get wet, are knots as well.");
     defaulted("Certificate bound",
@@ -275,13 +277,14 @@ namespace fuga
               "True: at the end report.html and report_short.html are made, as by "
               "'fuga report DIR'.")
       .deciding(Decides::nothing);
-    force_unit  = defaulted("Force unit",
+    force_unit = defaulted("Force unit",
                            &Units::force,
                            text(),
                            "Name of the unit of force, for the headers of the results only.");
-    length_unit = defaulted("Length unit",
-                            &Units::length,
-                            text(),
-                            "Name of the unit of length, for the headers of the results only.");
+    length_unit =
+      defaulted("Length unit",
+                &Units::length,
+                text(),
+                "Name of the unit of length, for the headers of the results and for g.");
   }
 } // namespace fuga

@@ -82,7 +82,7 @@ namespace fuga
   void
   check_sweep_of_construction(const ParameterValues &values, const Parameters &parameters)
   {
-    if (parameters.of_sweep && first_stages_of_phases(parameters.model).size() > 1)
+    if (parameters.of_sweep && changes_construction(parameters.model))
       throw InputError(fmt::format(
         "{}: sweeps are of structures that are there from the start, but here bodies are "
         "built or removed, or joints grouted, on the way. Take the section Sweep out "

@@ -287,6 +287,7 @@ namespace fuga
       stage.name   = section.name();
       stage.origin = section.origin();
       section.read(stage);
+      stage.keeps_water = stage.keeps_water || stage.is_dynamic();
       for (const std::string &piece : split_pieces(section.text(e.loads), ';'))
         {
           if (piece.empty())

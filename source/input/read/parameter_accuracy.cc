@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/construction.h>
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/entries/parameter_entries.h>
 #include <fuga/input/read/parameter_readers.h>
 #include <fuga/input/syntax/parameter_names.h>
@@ -81,7 +82,15 @@ namespace fuga
           e.quantity,
           "the variants of a sweep have the mesh of the file: none finds its own. Remove the "
           "section Sweep and run the variants one by one (--set), or remove this entry.");
-      if (first_stages_of_phases(parameters.model).size() > 1)
+      const unsigned int dynamic = first_dynamic_stage(parameters.model);
+      if (dynamic < parameters.model.stages.size())
+        section.fail(e.quantity,
+                     fmt::format("the estimate of the error is of slow loads, but stage '{}' ({}) "
+                                 "has a Duration. Refine the mesh by Mesh/Refinements, and remove "
+                                 "this entry.",
+                                 parameters.model.stages[dynamic].name,
+                                 parameters.model.stages[dynamic].origin));
+      if (changes_construction(parameters.model))
         section.fail(e.quantity,
                      "bodies are built or removed, or joints grouted, on the way: the mesh is not "
                      "adapted to that. Refine it by Mesh/Refinements, and remove this entry.");

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/input_errors.h>
+#include <fuga/input/dynamics/dynamics_readers.h>
 #include <fuga/input/entries/parameter_entries.h>
 #include <fuga/input/joints/joint_readers.h>
 #include <fuga/input/loads/load_readers.h>
@@ -174,7 +175,8 @@ namespace fuga
     parameters.joints = read_joints(values, parameters.model);
     if (values.is_broken<SolverEntries>() || values.is_broken<OutputEntries>() ||
         values.is_broken<SweepEntries>() || values.is_broken<SafetyEntries>() ||
-        values.is_broken<AccuracyEntries>())
+        values.is_broken<AccuracyEntries>() || values.is_broken<DynamicsEntries>() ||
+        values.is_broken<EarthquakeEntries>())
       errors.throw_if_any();
     values.section<SolverEntries>().read(parameters.solver);
     parameters.output           = read_output(values, file);
@@ -187,6 +189,7 @@ namespace fuga
       check_sweep_of_construction(values, parameters);
     });
     errors.attempt([&]() { read_safety(values, parameters); });
+    errors.attempt([&]() { read_dynamics(values, parameters); });
     errors.attempt([&]() { read_accuracy(values, parameters); });
     errors.throw_if_any();
     parameters.echo                     = values.echo();

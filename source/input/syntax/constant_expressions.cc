@@ -109,14 +109,17 @@ namespace fuga
   {
     const bool is_table =
       text.find(':') != std::string::npos && text.find('?') == std::string::npos;
-    if (!is_table && (text.find(',') == std::string::npos || text.find('(') != std::string::npos))
+    const bool is_vector = !is_table && text.find(';') != std::string::npos;
+    const bool is_list   = !is_table && !is_vector && text.find(',') != std::string::npos &&
+                         text.find('(') == std::string::npos;
+    if (!is_table && !is_vector && !is_list)
       return {text, "", false};
+    const std::string separators = is_table ? ":;" : is_vector ? ";" : ",";
     Result whole;
     std::string piece;
     for (std::size_t i = 0; i <= text.size(); ++i)
       {
-        if (i < text.size() &&
-            std::string(is_table ? ":;" : ",").find(text[i]) == std::string::npos)
+        if (i < text.size() && separators.find(text[i]) == std::string::npos)
           {
             piece += text[i];
             continue;

@@ -18,9 +18,10 @@ namespace fuga
   };
 
   /**
-   * Where a stage is cut into pieces on which all loads are taken as linear in t. Between the knots
-   * i / ModelDefinition::load_knots everything smooth is off by no more than an eighth of the
-   * square of the length times its second derivative. Where a level has a corner, or passes one of
+   * Where a stage is cut into pieces on which all loads are taken as linear in t: into
+   * ModelDefinition::load_knots, or the time steps of a dynamic stage. Between these knots
+   * everything smooth is off by no more than an eighth of the square of the length times its second
+   * derivative. Where a level has a corner, or passes one of
    * the levels_of_kinks(), there is a knot as well; where it moves above or below all that it can
    * wet, or stands still, there is none, because the pressure of the depth is linear there (unless
    * its factor changes as well).
@@ -41,11 +42,14 @@ namespace fuga
               const bool straight) const;
 
   private:
-    /** Adds the knots of @p level of load @p number between load times @p begin and begin + 1. */
+    unsigned int
+    number_of_pieces(const std::size_t stage) const;
+
+    /** Adds the knots of @p level of load @p number in a stage. */
     void
     add_level_knots(const unsigned int number,
                     const LevelDefinition &level,
-                    const double begin,
+                    const std::size_t stage,
                     const FactorCourse course,
                     std::vector<double> &special,
                     std::vector<bool> &uniform) const;

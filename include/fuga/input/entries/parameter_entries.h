@@ -34,7 +34,7 @@ namespace fuga
   {
     BodyEntries();
     Number young_modulus, poisson_ratio, weight_density, thermal_expansion;
-    Text built_at, removed_at;
+    Text built_at, removed_at, initial_velocity;
   };
 
   /** Law and curve of a joint's layer in one direction. */
@@ -145,6 +145,46 @@ namespace fuga
   {
     StageEntries();
     Text loads, grouted_joints;
+    Number duration;
+    /** Whether it stands still. */
+    Entry<bool> water;
+  };
+
+  struct DynamicsEntries : SectionDeclaration
+  {
+    DynamicsEntries();
+    Number time_step, gravity, damping_ratio;
+    Text massless_bodies, damping_frequencies;
+  };
+
+  /** How a file says what the acceleration is. */
+  enum class RecordFormat
+  {
+    columns,
+    /** Of the Pacific Earthquake Engineering Research Center. */
+    at2
+  };
+
+  enum class RecordUnit
+  {
+    g,
+    /** Unit of length / s². */
+    length
+  };
+
+  struct EarthquakeEntries : SectionDeclaration
+  {
+    EarthquakeEntries();
+    Text stage;
+    /** Along x, y, z. */
+    std::array<Text, 3> records;
+    Entry<RecordFormat> format;
+    Integer time_column, acceleration_column;
+    Number record_step, scale;
+    Entry<RecordUnit> unit;
+    Entry<Baseline> baseline;
+    Text added_mass;
+    Number level, bottom, unit_weight;
   };
 
   struct ConstantEntries : SectionDeclaration
@@ -155,6 +195,8 @@ namespace fuga
   struct SolverEntries : SectionDeclaration
   {
     SolverEntries();
+    Entry<bool> follow, beyond_limit;
+    Entry<BodySolver> bodies;
   };
 
   struct SafetyEntries : SectionDeclaration

@@ -44,8 +44,8 @@ namespace fuga
     number(const std::string &text) const;
 
     /**
-     * The numbers of a table "a: b; a: b" or a list "a, b". What is no expression of constants
-     * stays as it is, and texts that are neither: a name, an expression of x or t.
+     * The numbers of a table "a: b; a: b", a vector "a; b" or a list "a, b". What is no expression
+     * of constants stays as it is, and texts that are neither: a name, an expression of x or t.
      */
     Result
     numbers(const std::string &text) const;

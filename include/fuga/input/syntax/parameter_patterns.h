@@ -45,7 +45,7 @@ namespace fuga
   enum class TextContent
   {
     words,
-    /** A table or coordinates, or a name. */
+    /** A table, a vector or coordinates, or a name. */
     numbers,
     /** The numbers of a level, or a function of time: a quantity with a unit. */
     level

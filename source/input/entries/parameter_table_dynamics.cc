@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/input/entries/parameter_entries.h>
+
+namespace fuga
+{
+  using namespace parameter_patterns;
+
+  DynamicsEntries::DynamicsEntries()
+    : SectionDeclaration(
+        "Dynamics",
+        "How stages with a Duration go on in time: by steps of the generalised-alpha method, which "
+        "are halved where joints change their state (doc/dynamics.md).")
+  {
+    time_step = optional(
+      "Time step",
+      &DynamicsDefinition::time_step,
+      number_above(0),
+      "Largest length of a step [s]; steps are a little shorter where the levels of a "
+      "stage ask for it. Without this entry the step of the record of section Earthquake.");
+    defaulted(
+      "Halvings",
+      &DynamicsDefinition::halvings,
+      integer(0, 8),
+      "How often a step may be halved to find the time of an event; 0: all steps are whole.");
+    defaulted("Event tolerance",
+              &DynamicsDefinition::event_tolerance,
+              number_above(0),
+              "A step is halved if its events cost more than this share of the largest energy so "
+              "far.");
+    defaulted(
+      "Spectral radius",
+      &DynamicsDefinition::spectral_radius,
+      number_in(0, 1),
+      "Of the method at high frequencies: 1 keeps the energy (trapezoidal rule), less damps "
+      "what the steps do not resolve.");
+    gravity =
+      optional("Gravity",
+               &DynamicsDefinition::gravity,
+               number_above(0),
+               "g [m/s^2], by which the weight densities of the bodies are divided, and of which "
+               "records in g are multiples; 9.81 m/s^2 in Output/Length unit without this entry.");
+    massless_bodies = optional(
+      "Massless bodies",
+      text(),
+      "List of bodies without inertia: a foundation through which the motion of the ground "
+      "arrives at once.");
+    damping_ratio =
+      defaulted("Damping ratio",
+                &DynamicsDefinition::damping_ratio,
+                number_in(0, 1),
+                "Share of the critical damping that the bodies have at both Damping frequencies "
+                "(Rayleigh); joints dissipate by themselves.");
+    damping_frequencies = optional("Damping frequencies",
+                                   text(TextContent::numbers),
+                                   "'f1; f2' [Hz]: between them the damping is less than the "
+                                   "Damping ratio, outside it is more.");
+  }
+
+
+  EarthquakeEntries::EarthquakeEntries()
+    : SectionDeclaration(
+        "Earthquake",
+        "The ground moves as accelerograms say from the beginning of a stage with a "
+        "Duration. Displacements are relative to the ground.")
+  {
+    stage =
+      optional("Stage", text(), "Name of the stage; without it the only one with a Duration.");
+    for (const char axis : {'x', 'y', 'z'})
+      records[static_cast<std::size_t>(axis - 'x')] = optional(
+        fmt::format("Record {}", axis),
+        text(),
+        fmt::format("File with the acceleration of the ground along {}, relative to this file.",
+                    axis));
+    format = optional(
+      "Record format",
+      choice<RecordFormat>({{"columns", RecordFormat::columns}, {"at2", RecordFormat::at2}}),
+      "Columns of numbers, with comments from # on; or a file .AT2 of the PEER data base. Without "
+      "this entry by the end of the name.");
+    time_column = defaulted(
+      "Time column",
+      "1",
+      integer(0, 1000),
+      "Number of the column with the times, which go in equal steps; the first one is the "
+      "beginning of the stage. 0: there is none.");
+    acceleration_column =
+      defaulted("Acceleration column", "2", integer(1, 1000), "Number of the column.");
+    record_step = optional(
+      "Record step", number_above(0), "Step of the samples [s] where there is no column of times.");
+    unit     = defaulted("Record unit",
+                     "g",
+                     choice<RecordUnit>({{"g", RecordUnit::g}, {"length/s^2", RecordUnit::length}}),
+                     "Length/s^2: in the unit of length of this file, [m/s^2].");
+    scale    = defaulted("Scale", "1", any_number(), "Factor of the records.");
+    baseline = defaulted(
+      "Baseline",
+      &DynamicsDefinition::baseline,
+      choice<Baseline>(
+        {{"warn", Baseline::warn}, {"keep", Baseline::keep}, {"parabolic", Baseline::parabolic}}),
+      "What to do about a record that ends with a velocity or far from where it began: a warning; "
+      "nothing; or a parabola in time is taken off the acceleration, so that the integral of the "
+      "square of the velocity is smallest.");
+    added_mass = optional("Added mass boundaries",
+                          text(),
+                          "List of boundaries with which water moves: 7/8 (Added mass unit "
+                          "weight)/g sqrt(H d) per area along the normal at the depth d, H that of "
+                          "the bottom (Westergaard).");
+    level =
+      optional("Added mass level", any_number(), "y (in space z) of the surface of the water [m].");
+    bottom      = optional("Added mass bottom", any_number(), "y (in space z) of the bottom [m].");
+    unit_weight = optional("Added mass unit weight", number_above(0), "Of the water [MN/m^3].");
+  }
+} // namespace fuga
