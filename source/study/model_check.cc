@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/construction.h>
+#include <fuga/output/warnings/dynamic_data.h>
 #include <fuga/output/warnings/model_echo.h>
 #include <fuga/output/warnings/model_warnings.h>
 #include <fuga/run/model/model.h>
@@ -33,6 +34,7 @@ namespace fuga
         append(result.warnings, model_warnings(parameters, bodies, loads, stage, end));
       };
       add(model.bodies, 0);
+      append(result.echo, ground_motion_echo(parameters));
       for (const unsigned int stage : first_stages_of_phases(parameters.model))
         if (stage > 0)
           {

@@ -132,3 +132,19 @@ TEST(Archive, OtherLayoutIsNoticed)
   short_bytes["cut"]["state"]["slips"] = archive::Json::binary({1, 2, 3});
   EXPECT_ANY_THROW(archive::decode(short_bytes, checkpoint));
 }
+
+// A record may be another one under the same name.
+TEST(Checkpoint, ToldByTheMotionOfTheGround)
+{
+  Parameters parameters;
+  parameters.echo = {{"Title", "a"}};
+  EXPECT_EQ(description_of_problem(parameters), parameters.echo);
+  Vector &a        = parameters.model.dynamics.ground[1].accelerations;
+  a                = {0., 1., 2.};
+  const auto first = description_of_problem(parameters);
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[1].first, "the motion of the ground along y");
+  EXPECT_EQ(description_of_problem(parameters), first);
+  a[2] = std::nextafter(2., 3.);
+  EXPECT_NE(description_of_problem(parameters), first);
+}

@@ -101,12 +101,26 @@ namespace fuga
     }
   } // namespace
 
+  std::vector<std::pair<std::string, std::string>>
+  description_of_problem(const Parameters &parameters)
+  {
+    Echo result = parameters.echo;
+    for (std::size_t axis = 0; axis < parameters.model.dynamics.ground.size(); ++axis)
+      if (const Vector &a = parameters.model.dynamics.ground[axis].accelerations; !a.empty())
+        result.emplace_back(fmt::format("the motion of the ground along {}", "xyz"[axis]),
+                            fmt::format("{} samples with the checksum {:08x}",
+                                        a.size(),
+                                        checksum({reinterpret_cast<const char *>(a.data()),
+                                                  a.size() * sizeof(double)})));
+    return result;
+  }
+
   void
   check_same_problem(const Checkpoint &checkpoint, const Parameters &parameters)
   {
     const std::set<std::string> added = added_stages(checkpoint.parameters, parameters.echo);
-    std::vector<std::string> changes =
-      differences(problem(checkpoint.parameters, {}), problem(parameters.echo, added));
+    std::vector<std::string> changes  = differences(
+      problem(checkpoint.parameters, {}), problem(description_of_problem(parameters), added));
     if (!added.empty())
       for (const LoadDefinition &load : parameters.model.loads)
         if (depends_on_time(load))

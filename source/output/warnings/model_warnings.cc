@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/condensed/model_sizes.h>
+#include <fuga/output/warnings/dynamic_data.h>
 #include <fuga/output/warnings/implausible_data.h>
 #include <fuga/output/warnings/implausible_loads.h>
 #include <fuga/output/warnings/model_warnings.h>
@@ -67,6 +68,8 @@ namespace fuga
         for (unsigned int c = 0; c < dim; ++c)
           extent = std::max(extent, high[c] - low[c]);
         warnings = implausible_data(parameters, extent);
+        for (const std::string &text : implausible_dynamics(parameters))
+          warnings.push_back(text);
         warn_of_size(parameters, system, warnings);
       }
     ImplausibleLoads<dim> loads(parameters, system, load_factors);

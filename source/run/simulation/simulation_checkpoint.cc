@@ -93,7 +93,7 @@ namespace fuga
   void
   Simulation<dim>::fill(Checkpoint &checkpoint) const
   {
-    checkpoint.parameters   = parameters.echo;
+    checkpoint.parameters   = description_of_problem(parameters);
     checkpoint.mesh         = mesh_identity;
     checkpoint.construction = model.construction;
     checkpoint.judge        = judge.memory();

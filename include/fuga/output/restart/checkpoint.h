@@ -45,7 +45,7 @@ namespace fuga
    */
   struct Checkpoint
   {
-    /** Parameters::echo, and the mesh file. */
+    /** description_of_problem(), and the mesh file. */
     std::vector<std::pair<std::string, std::string>> parameters;
     FileIdentity mesh;
     /** The run had come to its end, with this verdict and exit code. */
@@ -110,6 +110,11 @@ namespace fuga
    */
   void
   check_same_problem(const Checkpoint &checkpoint, const Parameters &parameters);
+
+  /** What gives the problem: Parameters::echo, and what tells the motion of the ground. The mesh is
+   * told by its file. */
+  std::vector<std::pair<std::string, std::string>>
+  description_of_problem(const Parameters &parameters);
 
   /** Whether nothing is left to compute. */
   bool

@@ -11,10 +11,11 @@
 namespace fuga
 {
   /**
-   * All warnings that are known before anything is computed: implausible_data(), ImplausibleLoads,
-   * more output than anybody wants to have. For the phase of construction from @p first_stage to
-   * the stage before @p end_stage, in which @p system has the bodies; what concerns the whole run
-   * is said in the first phase. @p load_factors: LoadProgram::load_factors.
+   * All warnings that are known before anything is computed: implausible_data(),
+   * implausible_dynamics(), ImplausibleLoads, more output than anybody wants to have. For the phase
+   * of construction from @p first_stage to the stage before @p end_stage, in which @p system has
+   * the bodies; what concerns the whole run is said in the first phase. @p load_factors:
+   * LoadProgram::load_factors.
    */
   template <int dim>
   std::vector<std::string>
