@@ -84,6 +84,34 @@ namespace fuga
         }
     }
 
+    /** ∫ v w dt by Boole's rule, exact for these products of the fourth degree. */
+    double
+    product_of_velocities(const GroundMotion &a, const GroundMotion &b)
+    {
+      const auto velocity = [](const GroundMotion &motion, const std::size_t i, const double s) {
+        const double a0 = motion.accelerations[i], a1 = motion.accelerations[i + 1];
+        return integrated(motion).velocities[i] + motion.step * (a0 * s + (a1 - a0) * s * s / 2.);
+      };
+      const double weights[] = {7., 32., 12., 32., 7.};
+      double sum             = 0.;
+      for (std::size_t i = 0; i + 1 < a.accelerations.size(); ++i)
+        for (unsigned int k = 0; k < 5; ++k)
+          sum += weights[k] / 90. * a.step * velocity(a, i, k / 4.) * velocity(b, i, k / 4.);
+      return sum;
+    }
+
+    // What is left moves orthogonally to what 1, t and t² would do, also with five samples.
+    TEST(GroundMotion, NoParabolaWouldLeaveLessVelocity)
+    {
+      const GroundMotion rest = without_parabola({0.3, {1., -2., 0.5, 3., -1.}});
+      for (unsigned int power = 0; power < 3; ++power)
+        {
+          const GroundMotion motion =
+            sampled([power](const double t) { return std::pow(t, power); }, 1.2, 4);
+          EXPECT_NEAR(product_of_velocities(rest, motion), 0., 1e-14);
+        }
+    }
+
     // An oscillator in a rectangular pulse a of the duration d (A. K. Chopra, Dynamics of
     // Structures, section 4.7): without damping u = 2a/ω² from d = T/2 on, 2a/ω² sin(πd/T) below,
     // behind the end of the record; with damping, in a long one, a/ω² (1 + exp(-πξ/√(1 - ξ²))).
