@@ -201,8 +201,11 @@ namespace fuga::stress
                 const JointState &end,
                 Confirmation &confirmation)
     {
-      // Where directions of slip still turn, the path ends up to 1e-6 before its limit.
-      constexpr std::array<double, 2> parts = {{1e-4, 1e-3}};
+      // Where directions of slip still turn, the path ends up to 1e-6 before a limit load, and up
+      // to 1e-9 before a maximum of the load, beyond which a longer step finds the end of a jump.
+      const std::array<double, 2> parts = result.verdict == Verdict::no_continuation
+                                            ? std::array<double, 2>{{1e-7, 1e-6}}
+                                            : std::array<double, 2>{{1e-4, 1e-3}};
       if (result.verdict == Verdict::limit_load &&
           examiner.is_mechanism(end, result.mechanism_jumps))
         confirmation.by = "mechanism";

@@ -98,13 +98,15 @@ namespace fuga::stress
     return judge_load(model.bodies, model.loads.history.factors(t));
   }
 
-  // What of the strength is left.
+  // What of the strength is left; lips that have risen as they slid touch where the gap is their
+  // rise.
   JudgeProblem
   Examiner::problem_at(const JointState &state) const
   {
     JudgeProblem result = problem;
     for (std::size_t k = 0; k < result.elements.size(); ++k)
       {
+        result.elements[k].initial_gap -= state.dilations[k];
         result.elements[k].friction = state.strengths[k].friction;
         result.elements[k].cohesion = state.strengths[k].cohesion / result.elements[k].area;
       }
