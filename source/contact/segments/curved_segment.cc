@@ -231,6 +231,10 @@ namespace fuga
       {
         const EventFunction &f = functions[a][i], &g = functions[b][i];
         double share = no_boundary;
+        // What is zero at both points and grows, or falls, at both has rates of rounding.
+        if (f.has_rate && std::abs(f.value) <= f.tolerance && std::abs(g.value) <= g.tolerance &&
+            f.rate * g.rate > 0.)
+          continue;
         if (f.has_rate)
           {
             const CubicOnUnitInterval cubic(f.value, f.rate * length, g.value, g.rate * length);
