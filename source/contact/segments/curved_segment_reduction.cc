@@ -31,8 +31,8 @@ namespace fuga
   double
   CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
   {
-    const double rest   = course.length - (taus.back() + length);
-    const double defect = energy_defect(context, from, to, length, rest, count);
+    const double defect =
+      energy_defect(context, course, from, to, length, taus.back() + length, count);
     return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
   }
 

@@ -3,6 +3,7 @@
 
 #include <fuga/base/numerics/cubic.h>
 #include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/layer_work.h>
 
 #include <algorithm>
@@ -53,6 +54,20 @@ namespace fuga
       return {elastic_shear(element, point.state, k)[a - 1], rate};
     }
 
+    /** Square of the growth of the loads from @p tau to the end of @p course, by the reactions of the
+     * closed joints. */
+    double
+    growth_of_energy(const PathContext &context, const Course &course, const double tau)
+    {
+      const auto size = [&](const double at) {
+        return max_abs(multiply(context.system.reactions(), course.factors_at(at)));
+      };
+      const double now = size(tau);
+      const double growth =
+        now > 0. ? size(course.length) / now : std::numeric_limits<double>::infinity();
+      return std::max(1., growth * growth);
+    }
+
     /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
      */
     bool
@@ -79,19 +94,25 @@ namespace fuga
   // how well the cubics between solved points stand for the curve. Relative to the largest energy
   // that the layers have stored or will have stored when the course ends: loads may fall to zero.
   // What is to come is foreseen with the present rates; a layer that is soft at first would promise
-  // too much of it, and what its law stores under the force at the end bounds it. Jumps are known
-  // but for rounding errors of the largest one; what these make no shorter step could mend.
+  // too much of it, and what its law stores under the force at the end bounds it. So do, near a
+  // limit load, where rates grow without bound, the energies known and the growth of the loads.
+  // Jumps are known but for rounding errors of the largest one; what these make no shorter step
+  // could mend.
   double
   energy_defect(const PathContext &context,
+                const Course &course,
                 const PathPoint &from,
                 const PathPoint &to,
                 const double length,
-                const double rest,
+                const double tau,
                 IterationCount &count)
   {
-    const double jump_noise =
-      jump_rounding * max_abs(context.system.jumps(to.state.dislocations, to.state.forces));
-    double defect = 0., work = 0., stored = 0.;
+    const double rest       = course.length - tau;
+    const Vector jumps      = context.system.jumps(to.state.dislocations, to.state.forces);
+    const double jump_noise = jump_rounding * max_abs(jumps);
+    double defect = 0., work = 0., stored = 0., known = 0.;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
@@ -135,7 +156,9 @@ namespace fuga
         stored += stored_before;
       }
     count.largest_energy = std::max(count.largest_energy, stored);
-    work                 = std::max(work, count.largest_energy);
+    known                = std::max(known, count.largest_energy);
+    work                 = std::max(std::min(work, known * growth_of_energy(context, course, tau)),
+                    count.largest_energy);
     return work > 0. ? defect / (largest_defect * work) : 0.;
   }
 } // namespace fuga

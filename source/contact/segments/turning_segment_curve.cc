@@ -190,8 +190,8 @@ namespace fuga
                        (turning_step_tolerance * force_scale + force_noise(to.point.state)));
     error = std::max({error, work_defect(from, to, length, work), rise_defect(from, to, length)});
     if (context.scheme.is_nonlinear())
-      error = std::max(
-        error, energy_defect(context, from.point, to.point, length, course.length - to.tau, count));
+      error = std::max(error,
+                       energy_defect(context, course, from.point, to.point, length, to.tau, count));
     return std::isfinite(error);
   }
 

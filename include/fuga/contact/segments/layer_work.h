@@ -11,15 +11,16 @@ namespace fuga
 {
   /**
    * What the cubics between two points of a path, @p length apart, miss of the energy that the
-   * nonlinear layers store on the way; at most 1 for a step that is short enough. @p rest of the
-   * course is left behind it.
+   * nonlinear layers store on the way; at most 1 for a step that is short enough. It ends at the
+   * place @p tau of @p course.
    */
   double
   energy_defect(const PathContext &context,
+                const Course &course,
                 const PathPoint &from,
                 const PathPoint &to,
                 const double length,
-                const double rest,
+                const double tau,
                 IterationCount &count);
 
   /** Speed of slip of an element that slips, in the direction in which its strength acts [m per
