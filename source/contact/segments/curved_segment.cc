@@ -81,7 +81,11 @@ namespace fuga
           give_up();
         const std::size_t b = insert(tau, std::move(*next));
         if (first_root(a, b) < no_boundary)
-          return locate_end(a, b);
+          {
+            locate_end(a, b);
+            divide_behind(a, shortest);
+            return taus.back();
+          }
         if (defect < 1. / std::pow(step_growth, order))
           step *= step_growth;
       }
@@ -112,9 +116,10 @@ namespace fuga
   }
 
   // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event.
-  double
+  void
   CurvedSegment::locate_end(std::size_t a, std::size_t b)
   {
+    lost_slip.clear();
     const int max_trials = 200;
     for (int trial = 0; trial < max_trials; ++trial)
       {
@@ -152,7 +157,7 @@ namespace fuga
               if (!at_root[i].has_rate && is_met(i))
                 lost_slip.push_back(at_root[i].element);
             forget_behind(b);
-            return taus[b];
+            return;
           }
         if (!violated)
           {
@@ -161,6 +166,32 @@ namespace fuga
           }
       }
     fail_behind(a, "The location of an event does not converge");
+  }
+
+  // Of a step that was found to be short enough only a part is left, without what lies behind the
+  // event and made up for its errors.
+  void
+  CurvedSegment::divide_behind(std::size_t a, const double shortest)
+  {
+    constexpr int max_divisions = 40;
+    for (int i = 0; i < max_divisions && a + 1 < taus.size();)
+      {
+        const double length = taus[a + 1] - taus[a];
+        const double defect =
+          energy_defect(context, course, points[a], points[a + 1], length, taus[a + 1], count);
+        const double middle = taus[a] + 0.5 * length;
+        std::optional<PathPoint> point;
+        if (defect > 1. && length > shortest)
+          {
+            point = solve(middle, interpolate(a, middle));
+            ++i;
+          }
+        if (!point)
+          ++a;
+        else if (const std::size_t b = insert(middle, std::move(*point));
+                 first_root(a, b) < no_boundary)
+          locate_end(a, b);
+      }
   }
 
   // What lies behind an event is no state of the path.

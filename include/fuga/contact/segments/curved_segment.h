@@ -57,8 +57,10 @@ namespace fuga
     event_functions(const double tau, const PathPoint &point) const;
     double
     first_root(const std::size_t a, const std::size_t b) const;
-    double
+    void
     locate_end(std::size_t a, std::size_t b);
+    void
+    divide_behind(std::size_t a, const double shortest);
     std::optional<PathPoint>
     solve(const double tau, const Vector &predicted_dislocations);
     [[noreturn]] void
