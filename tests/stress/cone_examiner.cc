@@ -128,6 +128,9 @@ namespace fuga::stress
       beyond[l] += part * rates[l];
     const judges::ConeStep step = newton.step(now.dislocations, factors, beyond);
     const double nearby         = 1e3 * part;
-    return step.converged && newton.distance(now, step.state, beyond) <= nearby;
+    // What the solution leaves must be small beside what so short a step changes.
+    const double solved = 1e-6 * part;
+    return step.converged && newton.distance(now, step.state, beyond) <= nearby &&
+           newton.residual(now.dislocations, beyond, step.state) <= solved;
   }
 } // namespace fuga::stress
