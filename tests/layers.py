@@ -28,7 +28,7 @@ ALLOWED = {
 ROOMS = {
     "base": ["", "numerics"],
     "laws": [""],
-    "contact": ["", "system", "element", "scheme", "cones", "rates", "segments", "path", "judge"],
+    "contact": ["", "system", "element", "scheme", "cones", "rates", "segments", "path", "dynamics", "judge"],
     "mesh": [""],
     "bodies": ["", "space", "joints", "solvers", "elasticity", "loads", "condensed", "dynamics", "program"],
     "input": ["", "syntax", "entries", "values", "joints", "loads", "dynamics", "read"],

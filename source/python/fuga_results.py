@@ -121,6 +121,8 @@ class Results:
         # Only in runs with monitors.
         self.monitors = (Table(self._path("monitors.csv")).up_to_the_limit()
                          if os.path.exists(self._path("monitors.csv")) else None)
+        # Only in runs with a stage in which inertia acts.
+        self.motion = Table(self._path("earthquake.csv")) if os.path.exists(self._path("earthquake.csv")) else None
         self._joints = dict(list(self.history.frame.groupby("joint", sort=False)))
 
     def _path(self, name):

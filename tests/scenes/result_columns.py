@@ -21,8 +21,9 @@ MONITOR = "\nsubsection Monitors\n  subsection crest\n    set Point = {}\n    se
 RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7",)),
         ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
         ("dam", "1, 10", ("Sweep/Joints/base/Cohesion=0, 10", "Safety/Strength reduction=yes", "Safety/Load factor=water")),
+        ("dam_earthquake", "1, 10", ("Stages/earthquake/Duration=0.1", f"Earthquake/Record x={ROOT}/parameters/records/noise.txt")),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
-PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
+PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "earthquake", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
 
 

@@ -80,7 +80,8 @@ TEST_P(Shipped, RunsAndIsCertified)
          "gap",   "slip1", "slip2",   "jump_n", "jump_t1",  "jump_t2", "path_length"};
   const bool is_block  = GetParam() == "dam_block_3d.prm";
   const bool in_space  = is_block || GetParam() == "arch_dam.prm";
-  const bool has_water = GetParam() == "dam.prm" || GetParam() == "high_dam.prm" || is_block;
+  const bool has_water = GetParam() == "dam.prm" || GetParam() == "dam_earthquake.prm" ||
+                         GetParam() == "high_dam.prm" || is_block;
   if (has_water)
     history.push_back("water_pressure");
   events.insert(events.end(), driven.begin(), driven.end());

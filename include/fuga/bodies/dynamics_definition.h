@@ -57,7 +57,7 @@ namespace fuga
     /** How often a step may be halved to find an event; 0: events are found within whole steps. */
     unsigned int halvings = 5;
     /** A step is halved if its events cost more than this share of the largest energy so far. */
-    double event_tolerance = 1e-6;
+    double event_tolerance = 1e-4;
     /** ρ∞ of the generalised-α method: 1 keeps the energy (trapezoidal rule), less of it damps what
      * the steps do not resolve. */
     double spectral_radius = 1.;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
 #include <fuga/bodies/elasticity/cell_stiffness.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/model_names.h>
@@ -169,6 +171,40 @@ namespace fuga
                 }
           }
       }
+  }
+
+
+  template <int dim>
+  void
+  ElasticBodies<dim>::assemble_by_nodes(dealii::SparsityPattern &pattern,
+                                        dealii::SparseMatrix<double> &matrix) const
+  {
+    const auto n_local =
+      static_cast<unsigned int>(discretization.reference_element().n_nodes() * dim);
+    std::vector<dealii::types::global_dof_index> dofs(n_local);
+    const auto take_dofs = [&](const std::size_t cell) {
+      for (unsigned int i = 0; i < n_local; ++i)
+        dofs[i] = discretization.cell_nodes(cell)[i / dim] * dim + i % dim;
+    };
+    dealii::DynamicSparsityPattern entries(static_cast<unsigned int>(discretization.n_dofs()));
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      if (discretization.is_own(cell))
+        {
+          take_dofs(cell);
+          for (const auto dof : dofs)
+            entries.add_entries(dof, dofs.begin(), dofs.end());
+        }
+    pattern.copy_from(entries);
+    matrix.reinit(pattern);
+    CellStiffness<dim> stiffness(discretization, materials);
+    for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
+      if (discretization.is_own(cell))
+        {
+          take_dofs(cell);
+          const double *K = stiffness.of(cell);
+          for (unsigned int i = 0; i < n_local; ++i)
+            matrix.add(dofs[i], n_local, dofs.data(), K + std::size_t{i} * n_local);
+        }
   }
 
 

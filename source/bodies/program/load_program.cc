@@ -61,6 +61,7 @@ namespace fuga
     add_stage(const ModelDefinition &model,
               const CondensedSystem<dim> &system,
               const std::size_t number,
+              const bool begins_phase,
               const LoadKnots &knots,
               LoadFactors &factors,
               std::vector<std::string> &report)
@@ -83,6 +84,13 @@ namespace fuga
                                     : FactorCourse::changing;
           if (std::abs(begin - last) <= linear_tolerance * std::max(1., std::abs(begin)))
             continue;
+          if (stage.is_dynamic())
+            {
+              // Inertia lets a load come at once: its phase begins with it.
+              if (begins_phase)
+                factors.values.back()[history.load] = begin;
+              continue;
+            }
           if (!depends_on_time(model.loads[history.load]))
             throw_jump(model, system, {number, h, last, begin});
           factors.jumps.push_back({number, h, last, begin});
@@ -129,6 +137,7 @@ namespace fuga
     LoadFactors
     evaluate_stages(const ModelDefinition &model,
                     const CondensedSystem<dim> &system,
+                    const unsigned int first_stage,
                     const LoadKnots &knots,
                     std::vector<std::string> &report)
     {
@@ -137,7 +146,7 @@ namespace fuga
       for (std::size_t s = 0; s < model.stages.size(); ++s)
         if (model.stages[s].purpose == StagePurpose::loading)
           {
-            add_stage(model, system, s, knots, factors, report);
+            add_stage(model, system, s, s == first_stage, knots, factors, report);
             factors.end_of_loading = static_cast<double>(s + 1);
           }
         else
@@ -176,10 +185,13 @@ namespace fuga
 
   template <int dim>
   LoadProgram
-  make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system)
+  make_load_program(const ModelDefinition &model,
+                    const CondensedSystem<dim> &system,
+                    const unsigned int first_stage)
   {
     std::vector<std::string> report;
-    const LoadFactors factors = evaluate_stages(model, system, make_knots(model, system), report);
+    const LoadFactors factors =
+      evaluate_stages(model, system, first_stage, make_knots(model, system), report);
     LoadPatterns<dim> loads(model, system, factors);
     report.insert(report.end(), loads.report.begin(), loads.report.end());
 
@@ -224,13 +236,13 @@ namespace fuga
   }
 
   template LoadProgram
-  make_load_program(const ModelDefinition &, const CondensedSystem<2> &);
+  make_load_program(const ModelDefinition &, const CondensedSystem<2> &, const unsigned int);
   template TemperatureField<2>
   LoadProgram::temperature(const ModelDefinition &,
                            const std::vector<std::string> &,
                            const double) const;
   template LoadProgram
-  make_load_program(const ModelDefinition &, const CondensedSystem<3> &);
+  make_load_program(const ModelDefinition &, const CondensedSystem<3> &, const unsigned int);
   template TemperatureField<3>
   LoadProgram::temperature(const ModelDefinition &,
                            const std::vector<std::string> &,

@@ -11,17 +11,30 @@ namespace fuga
 {
   namespace
   {
+    /** What the work of a force on the displacement follows from. */
+    template <int dim>
+    LinearResponse
+    response(const CondensedSystem<dim> &system, const Vector &force, const Monitor::Source source)
+    {
+      if (source == Monitor::Source::loads)
+        return system.response(force);
+      return {force, Vector(system.load_patterns().n_columns(), 0.)};
+    }
+
     /** The response of what strains a body: without the shape in which it is free of stress, which
      * is in force with the carried load, the last but one of the patterns. */
     template <int dim>
     LinearResponse
-    straining(const CondensedSystem<dim> &system, const Vector &force, const Material &material)
+    straining(const CondensedSystem<dim> &system,
+              const Vector &force,
+              const Material &material,
+              const Monitor::Source source)
     {
-      LinearResponse response = system.response(force);
-      const double free       = system.stress_free_value(force, material.built_at);
+      LinearResponse result = response(system, force, source);
+      const double free     = system.stress_free_value(force, material.built_at);
       if (free != 0.)
-        response.patterns[response.patterns.size() - 2] -= free;
-      return response;
+        result.patterns[result.patterns.size() - 2] -= free;
+      return result;
     }
   } // namespace
 
@@ -29,7 +42,8 @@ namespace fuga
   Monitor::Monitor(const MonitorDefinition &definition,
                    const MonitorPoint<dim> &point,
                    const ModelDefinition &model,
-                   const CondensedSystem<dim> &system)
+                   const CondensedSystem<dim> &system,
+                   const Source source)
     : its_name(definition.name), its_body(point.body()), assumption(model.assumption)
   {
     for (const Material &candidate : model.materials)
@@ -38,12 +52,12 @@ namespace fuga
     for (unsigned int i = 0; i < dim; ++i)
       {
         its_position[i] = point.position()[i];
-        components.push_back(system.response(point.unit_force(i)));
+        components.push_back(response(system, point.unit_force(i), source));
         for (unsigned int j = 0; definition.stress && j < dim; ++j)
-          gradient.push_back(straining(system, point.gradient_force(i, j), material));
+          gradient.push_back(straining(system, point.gradient_force(i, j), material, source));
       }
     if (definition.stress && assumption == PlaneAssumption::axisymmetric)
-      radial = straining(system, point.unit_force(0), material);
+      radial = straining(system, point.unit_force(0), material, source);
   }
 
   std::array<double, 3>
@@ -91,9 +105,11 @@ namespace fuga
   template Monitor::Monitor(const MonitorDefinition &,
                             const MonitorPoint<2> &,
                             const ModelDefinition &,
-                            const CondensedSystem<2> &);
+                            const CondensedSystem<2> &,
+                            const Source);
   template Monitor::Monitor(const MonitorDefinition &,
                             const MonitorPoint<3> &,
                             const ModelDefinition &,
-                            const CondensedSystem<3> &);
+                            const CondensedSystem<3> &,
+                            const Source);
 } // namespace fuga

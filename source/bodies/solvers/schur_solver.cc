@@ -242,6 +242,23 @@ namespace fuga
   }
 
 
+  Vector
+  SchurSolver::expand(const Vector &kept)
+  {
+    if (nothing_to_eliminate)
+      return kept;
+    const work::Scope phase(work::Phase::loads);
+    DenseMatrix solution(static_cast<std::size_t>(mumps->data.n), 1);
+    Vector reduced      = kept;
+    mumps->data.lredrhs = static_cast<int>(n_kept);
+    mumps->data.redrhs  = reduced.data();
+    run_solution(2, solution, "expansion of the solution");
+    processes::broadcast(solution.data(), solution.n_rows());
+    ++its_work.n_solutions;
+    return {solution.data(), solution.data() + solution.n_rows()};
+  }
+
+
   void
   SchurSolver::solve(DenseMatrix &loads)
   {

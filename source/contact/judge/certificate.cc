@@ -104,25 +104,20 @@ namespace fuga
                const std::vector<ContactElement> &contact_elements,
                const LoadHistory &load_history,
                const double end_of_loading)
-    : system(contact_system)
+    : system(&contact_system)
     , elements(contact_elements)
-    , history(load_history)
+    , history(&load_history)
     , rigid_motions(contact_system)
   {
     element_dissipation.assign(elements.size(), 0.);
     for (double t = 0.; t < end_of_loading;)
       {
-        t                       = history.next_corner(t);
+        t                       = history->next_corner(t);
         largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
       }
-    const DenseMatrix &S = system.stiffness();
-    stiffness_row_norms.assign(system.load_patterns().n_rows(), 0.);
-    for (std::size_t j = 0; j < S.n_columns(); ++j)
-      stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
-    const DenseMatrix &B = system.jump_operator();
-    if (B.empty())
-      return;
-    inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
+    take_stiffness();
+    if (const DenseMatrix &B = system->jump_operator(); !B.empty())
+      inverse_jump_operator = weighted_inverse(B, jump_weights(elements, system->stiffness()));
   }
 
   Judge::Judge(const ContactSystem &contact_system,
@@ -130,6 +125,15 @@ namespace fuga
                const LoadHistory &load_history)
     : Judge(contact_system, contact_elements, load_history, load_history.end())
   {
+  }
+
+  void
+  Judge::take_stiffness()
+  {
+    const DenseMatrix &S = system->stiffness();
+    stiffness_row_norms.assign(system->load_patterns().n_rows(), 0.);
+    for (std::size_t j = 0; j < S.n_columns(); ++j)
+      stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
   }
 
   double
@@ -181,7 +185,7 @@ namespace fuga
       return bar_jumps;
     Vector x        = multiply(inverse_jump_operator, bar_jumps);
     Accurate defect = accurate(bar_jumps);
-    add_product(-1.L, system.jump_operator(), accurate(x), defect);
+    add_product(-1.L, system->jump_operator(), accurate(x), defect);
     const Vector change = multiply(inverse_jump_operator, Vector(defect.begin(), defect.end()));
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] += change[i];
@@ -191,11 +195,11 @@ namespace fuga
   Vector
   Judge::coordinates(const Vector &bar_jumps, const double t) const
   {
-    const DenseMatrix &E = system.imposed_jumps();
+    const DenseMatrix &E = system->imposed_jumps();
     if (E.empty())
       return coordinates(bar_jumps);
     Vector of_bodies     = bar_jumps;
-    const Vector imposed = multiply(E, history.factors(t));
+    const Vector imposed = multiply(E, history->factors(t));
     for (std::size_t i = 0; i < of_bodies.size(); ++i)
       of_bodies[i] -= imposed[i];
     return coordinates(of_bodies);
@@ -204,16 +208,16 @@ namespace fuga
   Vector
   Judge::loads(const double t) const
   {
-    return multiply(system.load_patterns(), history.factors(t));
+    return multiply(system->load_patterns(), history->factors(t));
   }
 
   Vector
   Judge::water(const JointState &state) const
   {
-    const WaterInJoints *joints = system.water_in_joints();
+    const WaterInJoints *joints = system->water_in_joints();
     if (joints == nullptr)
       return {};
-    Vector result = joints->forces(state.access, history.factors(state.t));
+    Vector result = joints->forces(state.access, history->factors(state.t));
     for (std::size_t bar = 0; bar < result.size(); ++bar)
       result[bar] += state.kept_water[bar] - state.missing_water[bar];
     return result;
@@ -226,7 +230,7 @@ namespace fuga
     if (omega.empty())
       return;
     const Vector on_coordinates =
-      system.jump_operator().empty() ? omega : multiply_transposed(system.jump_operator(), omega);
+      system->jump_operator().empty() ? omega : multiply_transposed(system->jump_operator(), omega);
     for (std::size_t i = 0; i < loads.size(); ++i)
       loads[i] += on_coordinates[i];
   }
@@ -238,12 +242,12 @@ namespace fuga
   Vector
   Judge::resistance(const Vector &x) const
   {
-    if (!system.has_stiffness())
-      return system.resistance(x);
+    if (!system->has_stiffness())
+      return system->resistance(x);
     Accurate deformation = accurate(x);
     rigid_motions.remove(deformation);
     const Vector rounded(deformation.begin(), deformation.end());
-    const DenseMatrix &S = system.stiffness();
+    const DenseMatrix &S = system->stiffness();
     Vector product(S.n_rows());
     if (!S.empty())
       blas::symv(S.n_rows(), S.data(), S.n_rows(), rounded.data(), product.data());
@@ -256,7 +260,7 @@ namespace fuga
   double
   Judge::body_equilibrium_error(const JointState &state) const
   {
-    const DenseMatrix &G = system.rigid_motions();
+    const DenseMatrix &G = system->rigid_motions();
     if (G.empty())
       return 0.;
     Vector carried     = multiply_transposed(G, state.forces);
@@ -267,7 +271,7 @@ namespace fuga
         for (std::size_t i = 0; i < carried.size(); ++i)
           carried[i] -= pressed[i];
       }
-    const Vector applied = multiply(system.rigid_motion_loads(), history.factors(state.t));
+    const Vector applied = multiply(system->rigid_motion_loads(), history->factors(state.t));
     double worst         = 0.;
     for (std::size_t i = 0; i < applied.size(); ++i)
       {
@@ -291,9 +295,9 @@ namespace fuga
     largest_jump = std::max(largest_jump, largest_of_elements(delta));
 
     Certificate result;
-    const Vector p = system.jump_operator().empty()
+    const Vector p = system->jump_operator().empty()
                        ? state.forces
-                       : multiply_transposed(system.jump_operator(), state.forces);
+                       : multiply_transposed(system->jump_operator(), state.forces);
     // A body that soft joints hold moves by far more than it deforms: then S x, a sum of n terms in
     // double precision, is uncertain by more than the forces allow, and only what exceeds this
     // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which

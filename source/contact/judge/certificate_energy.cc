@@ -57,10 +57,10 @@ namespace fuga
     Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
     add_water(from.state, f0);
     add_water(to.state, f1);
-    for (std::size_t i = 0; i < system.carried_load().size(); ++i)
+    for (std::size_t i = 0; i < system->carried_load().size(); ++i)
       {
-        f0[i] -= system.carried_load()[i];
-        f1[i] -= system.carried_load()[i];
+        f0[i] -= system->carried_load()[i];
+        f1[i] -= system->carried_load()[i];
       }
     for (std::size_t i = 0; i < x0.size(); ++i)
       {
@@ -72,7 +72,7 @@ namespace fuga
         work_of_bend(from,
                      to,
                      length,
-                     multiply(system.load_patterns(), history.rates(from.state.t)),
+                     multiply(system->load_patterns(), history->rates(from.state.t)),
                      {{x0, x1}},
                      {{v0, v1}});
     add_work_of_imposed_jumps(from, to, length);
@@ -83,11 +83,11 @@ namespace fuga
   void
   Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
   {
-    const DenseMatrix &E = system.imposed_jumps();
+    const DenseMatrix &E = system->imposed_jumps();
     if (E.empty())
       return;
-    const Vector e0 = multiply(E, history.factors(from.state.t)),
-                 e1 = multiply(E, history.factors(to.state.t));
+    const Vector e0 = multiply(E, history->factors(from.state.t)),
+                 e1 = multiply(E, history->factors(to.state.t));
     for (std::size_t i = 0; i < e0.size(); ++i)
       ledger.external_work +=
         (e1[i] - e0[i]) * (0.5 * (from.state.forces[i] + to.state.forces[i]) +
@@ -106,9 +106,38 @@ namespace fuga
   Judge::energy_of_bodies(const Vector &x, const Vector &elastic) const
   {
     double energy = energy_of_bodies_before + 0.5 * dot(x, elastic);
-    if (!system.carried_load().empty())
-      energy -= dot(x, system.carried_load());
+    if (!system->carried_load().empty())
+      energy -= dot(x, system->carried_load());
     return energy;
+  }
+
+  void
+  Judge::begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step)
+  {
+    history = &history_of_step;
+    if (system == &of_step)
+      return;
+    if (!in_motion)
+      energy_of_bodies_before = ledger.bodies;
+    in_motion     = true;
+    system        = &of_step;
+    rigid_motions = RigidBasis(of_step);
+    take_stiffness();
+  }
+
+  // A step reckons its coordinates from where it begins.
+  void
+  Judge::end_step(const JointState &state)
+  {
+    const Vector x = coordinates(jumps(state.dislocations, state.forces), state.t);
+    energy_of_bodies_before += 0.5 * dot(x, resistance(x));
+  }
+
+  void
+  Judge::end_motion(const double energy_of_bodies)
+  {
+    ledger.bodies        = energy_of_bodies;
+    ledger.external_work = ledger.bodies + ledger.layer + ledger.dissipation;
   }
 
   // The energy of layers that are removed with their bodies is taken out from outside.
@@ -121,6 +150,6 @@ namespace fuga
       ledger.external_work += stored_energy(k, state);
     const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
     energy_of_bodies_before = 0.;
-    energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system.stiffness(), x));
+    energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));
   }
 } // namespace fuga

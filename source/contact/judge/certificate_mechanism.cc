@@ -162,7 +162,7 @@ namespace fuga
   Judge::drive(const JointState &state, const Vector &motion) const
   {
     const Vector x          = coordinates(motion);
-    const Vector load_rates = multiply(system.load_patterns(), history.rates(state.t));
+    const Vector load_rates = multiply(system->load_patterns(), history->rates(state.t));
     double growth = 0., size = 0.;
     const auto add = [&](const double term) {
       growth += term;
@@ -173,7 +173,7 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
-        const double falls = element.friction.reduced ? -history.strength_share_rate(state.t) : 0.;
+        const double falls = element.friction.reduced ? -history->strength_share_rate(state.t) : 0.;
         const TangentVector slide = shear_part(element, motion);
         add(falls * length(shear_part(element, state.forces)) * length(slide));
         add(std::abs(state.unreleased[element.normal_bar] * motion[element.normal_bar]));

@@ -173,16 +173,16 @@ namespace fuga
   Vector
   Judge::powers_of_growth(const JointState &state) const
   {
-    const DenseMatrix &motions = system.rigid_motions();
-    Vector result              = multiply(system.rigid_motion_loads(), history.rates(state.t));
-    Vector released(system.rigid_motions().n_rows(), 0.);
+    const DenseMatrix &motions = system->rigid_motions();
+    Vector result              = multiply(system->rigid_motion_loads(), history->rates(state.t));
+    Vector released(system->rigid_motions().n_rows(), 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
         released[element.normal_bar] += state.unreleased[element.normal_bar];
         const TangentVector lost  = lost_shear(k, state);
         const TangentVector force = shear_part(element, state.forces);
-        const double falls = element.friction.reduced ? -history.strength_share_rate(state.t) : 0.;
+        const double falls = element.friction.reduced ? -history->strength_share_rate(state.t) : 0.;
         for (std::size_t i = 1; i < element.n_bars(); ++i)
           released[element.bar(i)] += lost[i - 1] + falls * force[i - 1];
       }
@@ -198,7 +198,7 @@ namespace fuga
   std::optional<Vector>
   Judge::driven_motion(const JointState &state, const Motions wanted) const
   {
-    const DenseMatrix &motions = system.rigid_motions();
+    const DenseMatrix &motions = system->rigid_motions();
     if (motions.empty())
       return {};
     const DenseMatrix combinations = orthonormal_combinations(motions);

@@ -72,6 +72,21 @@ namespace fuga
     return resume(start, levels, observer);
   }
 
+  PathResult
+  ContactPath::follow_step(const JointState &state,
+                           const PathResult &so_far,
+                           PathObserver &observer)
+  {
+    cut        = PathCut();
+    cut.state  = state;
+    cut.result = so_far;
+    next_level = 0;
+    resticking = {};
+    standstill = Standstill();
+    ReportCounter reports(observer, cut.n_reports);
+    return follow({}, reports);
+  }
+
   void
   ContactPath::make_cut(const JointState &state, const PathResult &result, ReportCounter &observer)
   {

@@ -67,6 +67,18 @@ namespace fuga
   }
 
   void
+  ReportCounter::began_step(const ContactSystem &system, const LoadHistory &history)
+  {
+    hand_on([&]() { observer.began_step(system, history); });
+  }
+
+  void
+  ReportCounter::ended_step(const JointState &state)
+  {
+    hand_on([&]() { observer.ended_step(state); });
+  }
+
+  void
   ReportCounter::went_beyond(const double length, const JointState &state)
   {
     hand_on([&]() { observer.went_beyond(length, state); });

@@ -93,6 +93,13 @@ namespace fuga
     add_imposed_jumps(system);
   }
 
+  void
+  LayeredSystem::take_loads(DenseMatrix &&reactions)
+  {
+    R = std::move(reactions);
+    add_imposed_jumps(bodies);
+  }
+
   // δ = B x + E a is d + D p: towards the bodies an imposed jump is a dislocation of the other
   // sign.
   void

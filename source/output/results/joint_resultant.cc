@@ -174,6 +174,8 @@ namespace fuga
     resultant.largest_gap       = std::max(resultant.largest_gap, result.gap);
     resultant.largest_slip =
       std::max(resultant.largest_slip, std::hypot(result.slip, result.slip2));
+    resultant.mean_slip += share * result.slip;
+    resultant.mean_slip2 += share * result.slip2;
   }
 
   std::vector<JointResultant>

@@ -70,6 +70,27 @@ namespace fuga
       return row.energies.*member;
     }
 
+    template <double JointResultant::*member>
+    TableField
+    of_joint(const MotionRow &row)
+    {
+      return row.resultant.*member;
+    }
+
+    template <double MotionLedger::*member>
+    TableField
+    of_motion(const MotionRow &row)
+    {
+      return row.moment.energies.*member;
+    }
+
+    template <std::size_t component>
+    TableField
+    of_ground(const MotionRow &row)
+    {
+      return row.moment.ground[component];
+    }
+
     /** A component of a vector of a joint in space. */
     template <std::array<double, 3> JointResultant::*member, std::size_t component>
     TableField
@@ -236,6 +257,37 @@ namespace fuga
     if (in_space)
       append(columns, {{"stress_xz", u.stress(), stress<4>}, {"stress_yz", u.stress(), stress<5>}});
     append(columns, drive<MonitorRow>());
+    return columns;
+  }
+
+  Columns<MotionRow>
+  motion_columns(const Units &u, const bool in_space)
+  {
+    const std::string acceleration = u.length + "/s2";
+    Columns<MotionRow> columns     = {
+          {"t", "", [](const MotionRow &row) { return row.t; }},
+          {"time", "s", [](const MotionRow &row) { return row.moment.time; }},
+          {"joint", "", [](const MotionRow &row) { return row.joint; }},
+          {"N", u.force, of_joint<&JointResultant::N>},
+          {"T", u.force, of_joint<&JointResultant::T>},
+          {"mean_slip", u.length, of_joint<&JointResultant::mean_slip>},
+          {"largest_slip", u.length, of_joint<&JointResultant::largest_slip>},
+          {"largest_gap", u.length, of_joint<&JointResultant::largest_gap>},
+          {"share_open", "", of_joint<&JointResultant::share_open>},
+          {"share_stick", "", of_joint<&JointResultant::share_stick>},
+          {"share_slip", "", of_joint<&JointResultant::share_slip>},
+          {"ground_x", acceleration, of_ground<0>},
+          {"ground_y", acceleration, of_ground<1>},
+          {"work", u.energy(), of_motion<&MotionLedger::work>},
+          {"kinetic_energy", u.energy(), of_motion<&MotionLedger::kinetic>},
+          {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
+          {"damping", u.energy(), of_motion<&MotionLedger::damping>},
+          {"joint_work", u.energy(), of_motion<&MotionLedger::joints>}};
+    if (in_space)
+      append(columns,
+             {{"T2", u.force, of_joint<&JointResultant::T2>},
+              {"mean_slip2", u.length, of_joint<&JointResultant::mean_slip2>},
+              {"ground_z", acceleration, of_ground<2>}});
     return columns;
   }
 } // namespace fuga

@@ -33,6 +33,9 @@ namespace fuga
     if (!context.monitors.empty())
       monitors = std::make_unique<Table<MonitorRow>>(
         directory + "/monitors.csv", monitor_columns(context.units, context.in_space));
+    if (context.has_motion)
+      motion = std::make_unique<Table<MotionRow>>(directory + "/earthquake.csv",
+                                                  motion_columns(context.units, context.in_space));
   }
 
   Moment
@@ -83,6 +86,7 @@ namespace fuga
             history.memory(),
             resultants.memory(),
             monitors ? monitors->memory() : TextMemory(),
+            motion ? motion->memory() : TextMemory(),
             n_events};
   }
 
@@ -94,6 +98,8 @@ namespace fuga
     resultants.restore(memory.resultants);
     if (monitors)
       monitors->restore(memory.monitors);
+    if (motion)
+      motion->restore(memory.motion);
     n_events = memory.n_events;
   }
 
@@ -120,6 +126,16 @@ namespace fuga
   }
 
   void
+  HistoryWriter::add_motion(const double t,
+                            const MotionMoment &moment,
+                            const std::vector<JointResultant> &joint_resultants)
+  {
+    for (unsigned int joint = 0; joint < context.joint_names.size(); ++joint)
+      if (context.joints_there[joint])
+        motion->add({t, moment, context.joint_names[joint], joint_resultants[joint]});
+  }
+
+  void
   HistoryWriter::publish(const bool now)
   {
     events.publish(now);
@@ -127,5 +143,7 @@ namespace fuga
     resultants.publish(now);
     if (monitors)
       monitors->publish(now);
+    if (motion)
+      motion->publish(now);
   }
 } // namespace fuga

@@ -158,6 +158,20 @@ namespace fuga
     }
 
     Json
+    motion_section(const Summary &summary)
+    {
+      const MotionLedger &energies = summary.motion_energies;
+      return {{"steps_by_halvings", summary.motion_steps},
+              {"work", energies.work},
+              {"kinetic_energy", energies.kinetic},
+              {"energy_of_bodies", energies.bodies},
+              {"damping", energies.damping},
+              {"joint_work", energies.joints},
+              {"largest_energy", energies.largest},
+              {"not_accounted_for", energies.defect()}};
+    }
+
+    Json
     path_section(const Summary &summary)
     {
       const PathResult &path = summary.path;
@@ -294,6 +308,8 @@ namespace fuga
                               {"path_length", beyond.length},
                               {"t", beyond.t},
                               {"steps", beyond.n_steps}};
+    if (!summary.motion_steps.empty())
+      json["motion"] = motion_section(summary);
     if (!summary.safety.empty())
       json["safety"] = safety_section(summary.safety);
     if (!summary.accuracy.rounds.empty())

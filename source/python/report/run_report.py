@@ -4,7 +4,7 @@
 
 import functools
 
-from report import joint_diagrams, load_diagrams, sections, sketch, stress_diagram
+from report import joint_diagrams, load_diagrams, motion_diagrams, sections, sketch, stress_diagram
 from report.page import Page, Text
 from report.pictures import Fields, NoPictures, plane_pictures
 from report.space_pictures import joint_maps, space_pictures
@@ -82,6 +82,10 @@ class RunParts:
         return load_diagrams.load_displacement(self.results, self.joints)
 
     @functools.cached_property
+    def motion(self):
+        return motion_diagrams.histories(self.results)
+
+    @functools.cached_property
     def safety(self):
         return load_diagrams.safety(self.results, self.joints)
 
@@ -110,6 +114,7 @@ def long_page(parts):
     page.section("joints", "Joints at the end of the loads", [parts.overview])
     page.section("resultants", "Resultants", sections.resultant_tables(results, levels))
     page.section("monitors", "Monitors", sections.monitor_tables(results, levels))
+    page.section("motion", "Motion", [parts.motion])
     page.section("safety", "Safety", [parts.safety])
     page.section("load", "Load and displacement", [parts.load, load_diagrams.beyond_limit(results)])
     if not results.in_space:
@@ -140,6 +145,7 @@ def short_page(parts):
     page.section("stresses", "Stresses across the joints", parts.stresses[:SHORT_JOINTS])
     page.section("model", "Model", parts.sketch)
     page.section("joints", "Joints at the end of the loads", [sections.shortened(parts.overview, SHORT_ROWS)])
+    page.section("motion", "Motion", [parts.motion])
     page.section("safety", "Safety", [parts.safety])
     page.section("load", "Load and displacement", [parts.load])
     page.section("pictures", "Bodies", [parts.pictures.get(name) for name in ("", "principal", "joints", "bodies")])

@@ -98,7 +98,7 @@ namespace fuga
     interruption::check("while the model was set up");
     check_joints(parameters.joints);
     check_body_solver();
-    LoadProgram program = make_load_program(parameters.model, bodies);
+    LoadProgram program = make_load_program(parameters.model, bodies, construction.stage);
     if (construction.stage == 0)
       check_later_phases();
     if (!is_last_phase())
@@ -135,8 +135,21 @@ namespace fuga
     if (condensation == Condensation::never)
       return result;
     for (std::size_t i = 0; i < monitor_points.size(); ++i)
-      result.emplace_back(
-        parameters.model.monitors[i], monitor_points[i], parameters.model, bodies);
+      result.emplace_back(parameters.model.monitors[i],
+                          monitor_points[i],
+                          parameters.model,
+                          bodies,
+                          is_dynamic() ? Monitor::Source::field : Monitor::Source::loads);
+    return result;
+  }
+
+  template <int dim>
+  std::vector<bool>
+  Model<dim>::massless_joints() const
+  {
+    std::vector<bool> result;
+    for (const JointParameters &joint : parameters.joints)
+      result.push_back(joint.normal_law == LayerLaw::rigid || joint.shear_law == LayerLaw::rigid);
     return result;
   }
 

@@ -25,7 +25,7 @@ namespace fuga
           const CondensedSystem<dim> later(
             mesh, parameters.model, frictionless_joints(), Condensation::with_loads, stage);
           check_initial_gaps<dim>(later.elements(), parameters.joints, parameters.model.constants);
-          check_temperatures(make_load_program(parameters.model, later), stage);
+          check_temperatures(make_load_program(parameters.model, later, stage), stage);
         }
   }
 

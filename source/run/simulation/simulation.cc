@@ -27,6 +27,7 @@ namespace fuga
     , layered(model.bodies, joint.elements)
     , safety_search(model, parameters.joints, joint, layered)
     , loading(model.loads.history.until(model.loads.end_of_loading))
+    , motion(make_motion())
     , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
     , tables(joint.elements)
@@ -38,6 +39,9 @@ namespace fuga
               parameters.output.units,
               !model.bodies.closed_water().empty(),
               dim == 3,
+              std::any_of(parameters.model.stages.begin(),
+                          parameters.model.stages.end(),
+                          [](const StageDefinition &stage) { return stage.is_dynamic(); }),
               DrivingQuantities(parameters.model, model.loads.load_factors)}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
@@ -53,6 +57,9 @@ namespace fuga
   std::unique_ptr<ContactPath>
   Simulation<dim>::make_path() const
   {
+    if (motion)
+      return std::make_unique<DynamicPath>(
+        joint.elements, layered, loading, *motion, motion->time_grid(), model.path_options());
     if (model.bodies.has_stiffness())
       return std::make_unique<EventPath>(joint.elements, layered, loading, model.path_options());
     return std::make_unique<MatrixFreePath>(
@@ -148,7 +155,7 @@ namespace fuga
       ++events_by_kind[fmt::format("{} -> {}", event.names()[0], event.names()[1])];
     n_events += events.size();
     history.add_events(events, certificate.worst());
-    if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty())
+    if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty() && !motion)
       write_monitors(state.t,
                      "event",
                      judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t),
@@ -199,17 +206,7 @@ namespace fuga
     const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
     if (with_fields)
       {
-        const auto rigid         = model.bodies.rigid_part(x);
-        dealii::Vector<double> u = model.bodies.recover(a, rigid.remainder);
-        Vector on_lips           = state.forces;
-        for (std::size_t i = 0; i < state.water.size(); ++i)
-          on_lips[i] -= state.water[i];
-        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a, rigid.motion);
-        certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
-        certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
-        if (rigid.motion.size() > 0)
-          u += rigid.motion;
-        model.timer.finish("recovery of displacements");
+        const dealii::Vector<double> u = displacement(state, x, a, certificate);
         // Beyond a limit load the load time does not grow, but the times of a film must.
         const double time = state.t + history.path_length();
         fields.write_bodies(
@@ -223,12 +220,44 @@ namespace fuga
     history.add_level(state.t,
                       results,
                       model.resultants(results, judge.dissipation()),
-                      judge.energies(),
+                      energies(),
                       certificate.worst());
-    write_monitors(state.t, "level", x, a);
+    write_monitors(state.t, "level", motion ? displacement_in_motion() : x, a);
     log.level(state.t, results, certificate.worst());
     publish(false);
     model.timer.finish("tables");
+  }
+
+  template <int dim>
+  dealii::Vector<double>
+  Simulation<dim>::displacement(const JointState &state,
+                                const Vector &x,
+                                const Vector &a,
+                                Certificate &certificate) const
+  {
+    const auto take = [&certificate](const EquilibriumError &error) {
+      certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
+      certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
+    };
+    dealii::Vector<double> u;
+    if (motion)
+      {
+        take(motion->equilibrium_error(state.forces));
+        u = model.bodies.by_degrees_of_freedom(displacement_in_motion());
+      }
+    else
+      {
+        const auto rigid = model.bodies.rigid_part(x);
+        u                = model.bodies.recover(a, rigid.remainder);
+        Vector on_lips   = state.forces;
+        for (std::size_t i = 0; i < state.water.size(); ++i)
+          on_lips[i] -= state.water[i];
+        take(model.bodies.equilibrium_error(u, on_lips, a, rigid.motion));
+        if (rigid.motion.size() > 0)
+          u += rigid.motion;
+      }
+    model.timer.finish("recovery of displacements");
+    return u;
   }
 
   template <int dim>

@@ -25,7 +25,8 @@ namespace fuga
   bool
   Simulation<dim>::keeps_checkpoints() const
   {
-    return parameters.output.checkpoint != CheckpointOutput::never;
+    // The fields of bodies in motion are not kept: a restart repeats the stage.
+    return parameters.output.checkpoint != CheckpointOutput::never && !motion;
   }
 
   template <int dim>

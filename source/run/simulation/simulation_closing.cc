@@ -126,9 +126,8 @@ namespace fuga
                                outcome.path.t,
                                reason_of(outcome.path)));
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
-          if (const std::string motion = model.motion(joint.elements, outcome.path);
-              !motion.empty())
-            log.line("            " + motion);
+          if (const std::string text = model.motion(joint.elements, outcome.path); !text.empty())
+            log.line("            " + text);
           if (outcome.path.verdict == Verdict::limit_load)
             log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
                                  "part {:.1e}, balance of "
@@ -155,6 +154,7 @@ namespace fuga
     for (const auto &[kind, count] : events_by_kind)
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
+    log_motion();
     log_resultants();
     if (!accuracy.rounds.empty())
       log.line("Accuracy    " + accuracy.conclusion());
@@ -250,7 +250,9 @@ namespace fuga
     summary.accuracy          = accuracy;
     summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
     summary.sizes             = model.sizes();
-    summary.work              = {model.bodies.work(), 1, path->work()};
+    summary.work              = {motion ? motion->work() : model.bodies.work(), 1, path->work()};
+    summary.motion_energies   = motion_energies;
+    summary.motion_steps      = motion_steps;
     summary.events_by_kind    = events_by_kind;
     summary.n_events          = n_events;
     summary.iterations        = path->iterations();

@@ -25,9 +25,13 @@ namespace fuga
     end.identities = model.bodies.identities();
     end.shapes     = model.construction.shapes;
 
-    const Vector jumps             = layered.jumps(last_state.dislocations, last_state.forces);
-    const dealii::Vector<double> u = model.bodies.recover(model.loads.history.factors(last_state.t),
-                                                          judge.coordinates(jumps, last_state.t));
+    const Vector jumps = layered.jumps(last_state.dislocations, last_state.forces);
+    const dealii::Vector<double> u =
+      motion ? model.bodies.by_degrees_of_freedom(displacement_in_motion())
+             : model.bodies.recover(model.loads.history.factors(last_state.t),
+                                    judge.coordinates(jumps, last_state.t));
+    if (motion)
+      judge.end_motion(energies().bodies);
     end.displacement.assign(u.begin(), u.end());
     end.was_there.assign(u.size(), false);
     const Discretization<dim> &space = model.bodies.discretization();

@@ -154,6 +154,13 @@ namespace fuga
     dealii::Vector<double>
     recover(const Vector &a, const Vector &x) const;
 
+    /** Nodal forces of the load patterns with the factors @p a; empty if there are none. */
+    Vector
+    applied_forces(const Vector &a) const
+    {
+      return combination(a, &LoadPattern::forces);
+    }
+
     /** The displacement under nodal forces (entry node * dim + component; empty: none) and
      * interface coordinates (empty: zero), without supports that move. */
     dealii::Vector<double>

@@ -4,6 +4,8 @@
 #ifndef fuga_bodies_elasticity_elastic_bodies_h
 #define fuga_bodies_elasticity_elastic_bodies_h
 
+#include <deal.II/lac/sparse_matrix.h>
+
 #include <fuga/bodies/elasticity/lame_constants.h>
 #include <fuga/bodies/joints/interface_coordinates.h>
 #include <fuga/bodies/solvers/interior_solver.h>
@@ -34,6 +36,10 @@ namespace fuga
     /** Cᵀ K C, one triangle, with C of @p coordinates; of the own cells. */
     SymmetricTriplets
     assemble(const InterfaceCoordinates<dim> &coordinates) const;
+
+    /** K by degrees of freedom, of the own cells; @p pattern must live as long as @p matrix. */
+    void
+    assemble_by_nodes(dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
 
     /** K u: the nodal forces that hold the displacement u; of all bodies, or by their numbers @p only
      *  some. */

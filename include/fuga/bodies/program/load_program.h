@@ -52,12 +52,15 @@ namespace fuga
   };
 
   /**
+   * For the phase that begins with @p first_stage; if that is dynamic, loads may jump there.
    * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
-   * beginning of a stage.
+   * beginning of a stage without inertia.
    */
   template <int dim>
   LoadProgram
-  make_load_program(const ModelDefinition &model, const CondensedSystem<dim> &system);
+  make_load_program(const ModelDefinition &model,
+                    const CondensedSystem<dim> &system,
+                    const unsigned int first_stage = 0);
 } // namespace fuga
 
 #endif

@@ -17,12 +17,23 @@ namespace fuga
   class Monitor
   {
   public:
+    /** What the point is known by. */
+    enum class Source
+    {
+      /** Interface coordinates and load factors. */
+      loads,
+      /** The displacement of all nodes, entry node * dim + component, in the place of the
+       * coordinates: of bodies in motion. */
+      field
+    };
+
     /** @p model: the material of the body. */
     template <int dim>
     Monitor(const MonitorDefinition &definition,
             const MonitorPoint<dim> &point,
             const ModelDefinition &model,
-            const CondensedSystem<dim> &system);
+            const CondensedSystem<dim> &system,
+            const Source source = Source::loads);
 
     const std::string &
     name() const

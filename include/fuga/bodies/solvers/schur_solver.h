@@ -52,6 +52,11 @@ namespace fuga
     void
     solve(DenseMatrix &loads) override;
 
+    /** All unknowns under the load that condense() had last, one column, if the kept ones are @p
+     * kept: the second half of a solution. */
+    Vector
+    expand(const Vector &kept);
+
     const SolverWork &
     work() const override
     {

@@ -235,6 +235,20 @@ namespace fuga
     void
     begin_phase(const JudgeMemory &memory, const JointState &state);
 
+    /** Goes on judging a step of time, whose system and loads these are; both live until the next
+     * call. What counts as energy of the bodies is then the work on Ŝ, inertia included. */
+    void
+    begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step);
+
+    /** The step ends in @p state, which was judged if it was to be. */
+    void
+    end_step(const JointState &state);
+
+    /** The bodies come to rest with this energy of deformation: all else that the steps counted is
+     * no energy that is stored. */
+    void
+    end_motion(const double energy_of_bodies);
+
     /** Interface coordinates x of the jumps at load time @p t. */
     Vector
     coordinates(const Vector &jumps, const double t) const;
@@ -335,10 +349,15 @@ namespace fuga
     double
     stored_energy(const std::size_t k, const JointState &state) const;
 
-    const ContactSystem &system;
+    void
+    take_stiffness();
+
+    const ContactSystem *system;
     const std::vector<ContactElement> &elements;
-    const LoadHistory &history;
-    const RigidBasis rigid_motions;
+    const LoadHistory *history;
+    RigidBasis rigid_motions;
+    /** Steps of time are judged. */
+    bool in_motion = false;
     /** Gives coordinates from jumps if there are more bars than coordinates. */
     DenseMatrix inverse_jump_operator;
     /** 2-norms of the rows of S. */

@@ -44,6 +44,14 @@ namespace fuga
     PathResult
     go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer);
 
+    /**
+     * Follows the loads from @p state in the schemes as they are: one of many paths through nearly
+     * the same loads. Counts on from @p so_far; no levels.
+     * @throws NumericalFailure, as run().
+     */
+    PathResult
+    follow_step(const JointState &state, const PathResult &so_far, PathObserver &observer);
+
     /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
     const PathCut &
     last_cut() const

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_path_path_observer_h
 #define fuga_contact_path_path_observer_h
 
+#include <fuga/contact/load_history.h>
 #include <fuga/contact/segments/path_segment.h>
 
 #include <array>
@@ -61,6 +62,19 @@ namespace fuga
     /** A requested load time was reached; @p index counts them. */
     virtual void
     reached(const std::size_t index, const JointState &state) = 0;
+
+    /** A step of time begins: from here on the bodies resist as @p system does, under the loads
+     * @p history of the step. */
+    virtual void
+    began_step(const ContactSystem & /*system*/, const LoadHistory & /*history*/)
+    {
+    }
+
+    /** It has come to its end in @p state, of which all else has been reported. */
+    virtual void
+    ended_step(const JointState & /*state*/)
+    {
+    }
 
     /** A state beyond the limit load, after the largest jump has grown by @p length: at the limit, and
      * at the end of every step. Here the load time may stay or fall. */

@@ -34,6 +34,10 @@ namespace fuga
     void
     reached(const std::size_t index, const JointState &state) override;
     void
+    began_step(const ContactSystem &system, const LoadHistory &history) override;
+    void
+    ended_step(const JointState &state) override;
+    void
     went_beyond(const double length, const JointState &state) override;
 
   private:

@@ -83,6 +83,11 @@ namespace fuga
       return R;
     }
 
+    /** The bodies have got other load patterns, which cause these forces in the fully closed and
+     * sticking joint, but for the imposed jumps. */
+    void
+    take_loads(DenseMatrix &&reactions);
+
     /** D of one bar [m/MN]. */
     double
     compliance(const std::size_t bar) const

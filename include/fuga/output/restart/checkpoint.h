@@ -24,18 +24,29 @@ namespace fuga
     Certificate worst;
     std::map<std::string, std::size_t> events_by_kind;
     std::size_t n_events = 0;
+    /** Of the last dynamic stage: energies at its end, and numbers of steps by halvings. */
+    MotionLedger motion_energies;
+    std::vector<std::size_t> motion_steps;
   };
 
   template <typename Record, typename Visitor, only_for<Record, RunRecord> = 0>
   void
   for_each_field(Record &record, Visitor &&visit)
   {
-    auto &[last_state, levels_written, worst, events_by_kind, n_events] = record;
+    auto &[last_state,
+           levels_written,
+           worst,
+           events_by_kind,
+           n_events,
+           motion_energies,
+           motion_steps] = record;
     visit("last_state", last_state);
     visit("levels_written", levels_written);
     visit("worst", worst);
     visit("events_by_kind", events_by_kind);
     visit("n_events", n_events);
+    visit("motion_energies", motion_energies);
+    visit("motion_steps", motion_steps);
   }
 
   /**

@@ -50,6 +50,8 @@ namespace fuga
     double smallest_pressure = 0.;
     double largest_gap       = 0.;
     double largest_slip      = 0.;
+    /** By area, along the first tangents of the elements and, in space, along the second ones. */
+    double mean_slip = 0., mean_slip2 = 0.;
     /** Σ(f|N| + cA) / |T| over closed elements; infinity without shear. */
     double sliding_safety = 0.;
     /** s of the edge on the side of e, divided by e: the factor by which M may grow until the

@@ -6,6 +6,7 @@
 
 #include <fuga/bodies/program/driving_quantity.h>
 #include <fuga/bodies/program/monitor.h>
+#include <fuga/contact/dynamics/moving_bodies.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/path_observer.h>
 #include <fuga/input/units.h>
@@ -60,6 +61,24 @@ namespace fuga
     std::array<double, 6> stress;
   };
 
+  /** The end of a step of time. */
+  struct MotionMoment
+  {
+    /** Since the stage began [s]. */
+    double time = 0.;
+    /** Acceleration of the ground [m/s²]. */
+    std::array<double, 3> ground = {{0., 0., 0.}};
+    const MotionLedger &energies;
+  };
+
+  struct MotionRow
+  {
+    double t;
+    const MotionMoment &moment;
+    const std::string &joint;
+    const JointResultant &resultant;
+  };
+
   /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water: with those that
    * only models in space, or with water in joints, have. */
   Columns<EventRow>
@@ -70,6 +89,8 @@ namespace fuga
   resultant_columns(const Units &units, const bool has_water, const bool in_space);
   Columns<MonitorRow>
   monitor_columns(const Units &units, const bool in_space);
+  Columns<MotionRow>
+  motion_columns(const Units &units, const bool in_space);
 } // namespace fuga
 
 #endif

@@ -25,6 +25,8 @@ namespace fuga
     bool has_water = false;
     /** Tables have columns of the third dimension. */
     bool in_space = false;
+    /** Some stage is dynamic. */
+    bool has_motion = false;
     DrivingQuantities driving;
   };
 
@@ -40,7 +42,7 @@ namespace fuga
   /** What a checkpoint keeps of the tables. */
   struct HistoryMemory
   {
-    TextMemory events, history, resultants, monitors;
+    TextMemory events, history, resultants, monitors, motion;
     std::size_t n_events = 0;
   };
 
@@ -48,18 +50,20 @@ namespace fuga
   void
   for_each_field(Memory &memory, Visitor &&visit)
   {
-    auto &[events, history, resultants, monitors, n_events] = memory;
+    auto &[events, history, resultants, monitors, motion, n_events] = memory;
     visit("events", events);
     visit("history", history);
     visit("resultants", resultants);
     visit("monitors", monitors);
+    visit("motion", motion);
     visit("n_events", n_events);
   }
 
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
-   * element and level), resultants.csv (one row per joint and level) and, if there are monitors,
-   * monitors.csv (one row per monitor and level, or event). Columns: doc/results.md.
+   * element and level), resultants.csv (one row per joint and level), if there are monitors,
+   * monitors.csv (one row per monitor and level, event or step of time), and, if there are dynamic
+   * stages, earthquake.csv (one row per joint and step of time). Columns: doc/results.md.
    */
   class HistoryWriter
   {
@@ -83,6 +87,12 @@ namespace fuga
               const EnergyLedger &energies,
               const double certificate);
 
+    /** A step of time of a dynamic stage has ended. */
+    void
+    add_motion(const double t,
+               const MotionMoment &moment,
+               const std::vector<JointResultant> &joint_resultants);
+
     /** Growth of the largest jump beyond the limit load, for all rows that follow; 0 before it. */
     void
     set_path_length(const double length)
@@ -96,7 +106,7 @@ namespace fuga
       return length_beyond;
     }
 
-    /** Displacements and stresses of the monitors; @p occasion: "level" or "event"; @p
+    /** Displacements and stresses of the monitors; @p occasion: "level", "event" or "step"; @p
      * thermal_strains: one per monitor. */
     void
     add_monitors(const double t,
@@ -119,6 +129,8 @@ namespace fuga
     Table<ResultantRow> resultants;
     /** Only if there are monitors. */
     std::unique_ptr<Table<MonitorRow>> monitors;
+    /** Only if there are dynamic stages. */
+    std::unique_ptr<Table<MotionRow>> motion;
     std::size_t n_events = 0;
     double length_beyond = 0.;
   };

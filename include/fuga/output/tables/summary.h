@@ -6,6 +6,7 @@
 
 #include <fuga/bodies/condensed/condensed_system.h>
 #include <fuga/bodies/program/driving_quantity.h>
+#include <fuga/contact/dynamics/moving_bodies.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/parameters.h>
@@ -112,6 +113,9 @@ namespace fuga
     AccuracyReport accuracy;
     IterationCount iterations;
     Certificate certificate;
+    /** RunRecord::motion_energies and motion_steps. */
+    MotionLedger motion_energies;
+    std::vector<std::size_t> motion_steps;
   };
 
   /** What it says of a sweep. */

@@ -83,6 +83,17 @@ namespace fuga
       return end_of_phase(parameters.model, construction.stage);
     }
 
+    /** Whether inertia acts; the phase has one stage then. */
+    bool
+    is_dynamic() const
+    {
+      return parameters.model.stages[construction.stage].is_dynamic();
+    }
+
+    /** Joints whose lips have no mass, because a layer of theirs is rigid: see lumped_mass(). */
+    std::vector<bool>
+    massless_joints() const;
+
     bool
     is_last_phase() const
     {

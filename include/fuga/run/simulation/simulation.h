@@ -4,6 +4,7 @@
 #ifndef fuga_run_simulation_simulation_h
 #define fuga_run_simulation_simulation_h
 
+#include <fuga/bodies/dynamics/bodies_in_motion.h>
 #include <fuga/output/restart/checkpoint.h>
 #include <fuga/output/tables/accuracy_report.h>
 #include <fuga/output/tables/summary.h>
@@ -89,6 +90,10 @@ namespace fuga
     reached(const std::size_t index, const JointState &state) override;
     void
     went_beyond(const double length, const JointState &state) override;
+    void
+    began_step(const ContactSystem &system, const LoadHistory &history) override;
+    void
+    ended_step(const JointState &state) override;
 
     /** How a run ended. */
     struct Outcome
@@ -101,6 +106,8 @@ namespace fuga
       MechanismCertificate mechanism;
     };
 
+    std::unique_ptr<BodiesInMotion<dim>>
+    make_motion() const;
     std::unique_ptr<ContactPath>
     make_path() const;
     ExitCode
@@ -137,6 +144,8 @@ namespace fuga
     void
     fill(Checkpoint &checkpoint) const;
     void
+    log_motion();
+    void
     log_header();
     void
     log_layers();
@@ -148,6 +157,19 @@ namespace fuga
     shear_description(const unsigned int j) const;
     void
     write_state(const JointState &state, const bool with_fields);
+    /** The displacement in a state with coordinates @p x, under load factors @p a, and how well it
+     * satisfies the equations of the bodies, which @p certificate takes. */
+    dealii::Vector<double>
+    displacement(const JointState &state,
+                 const Vector &x,
+                 const Vector &a,
+                 Certificate &certificate) const;
+    /** The same of bodies in motion, by nodes. */
+    Vector
+    displacement_in_motion() const;
+    /** Energies for the tables. */
+    EnergyLedger
+    energies() const;
     void
     write_last_state();
     void
@@ -187,6 +209,8 @@ namespace fuga
     const SafetySearch<dim> safety_search;
     /** The loads without the searches for safety that follow them. */
     const LoadHistory loading;
+    /** Of a dynamic stage. */
+    std::unique_ptr<BodiesInMotion<dim>> motion;
     std::unique_ptr<ContactPath> path;
     Judge judge;
     TableRange tables;
@@ -194,6 +218,9 @@ namespace fuga
     RunLog log;
     FieldWriter<dim> fields;
     HistoryWriter history;
+
+    /** When the motion of a dynamic stage began. */
+    std::optional<EnergyLedger> energies_at_rest;
 
     /** The path began with the first load of the model. */
     bool from_the_beginning = false;

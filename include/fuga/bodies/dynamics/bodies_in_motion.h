@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_dynamics_bodies_in_motion_h
+#define fuga_bodies_dynamics_bodies_in_motion_h
+
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/solvers/schur_solver.h>
+#include <fuga/contact/dynamics/dynamic_path.h>
+#include <fuga/contact/dynamics/time_integration.h>
+#include <fuga/contact/load_history.h>
+
+#include <memory>
+
+namespace fuga
+{
+  /**
+   * The finite element model in a stage with a duration: displacements from where the stage begins,
+   * relative to the ground, under what the loads change since then and the inertia of the moving
+   * ground. Each length of step has a factorisation of its own, made when first needed; a step is
+   * one solution with it. (doc/theory.md, section 19)
+   */
+  template <int dim>
+  class BodiesInMotion : public MovingBodies
+  {
+  public:
+    /**
+     * @p bodies: the model at rest, with its load patterns, and the @p history of their factors;
+     * both must live as long as this object. @p stage: a dynamic one. @p massless_joints: see
+     * lumped_mass().
+     */
+    BodiesInMotion(const CondensedSystem<dim> &bodies,
+                   const LoadHistory &history,
+                   const unsigned int stage,
+                   const std::vector<bool> &massless_joints);
+
+    ~BodiesInMotion() override;
+
+    void
+    begin(const Vector &forces) override;
+
+    DenseMatrix
+    condensed_stiffness(const unsigned int rung) override;
+
+    const DenseMatrix &
+    jump_operator() const override
+    {
+      return model.jump_operator();
+    }
+
+    Vector
+    begin_step(const unsigned int rung) override;
+
+    void
+    finish_step(const Vector &x, const Vector &bar_forces) override;
+
+    MotionLedger
+    energies() const override
+    {
+      return ledger;
+    }
+
+    TimeGrid
+    time_grid() const;
+
+    /** Since the stage began [s]. */
+    double
+    time() const
+    {
+      return present_time;
+    }
+
+    /** Acceleration of the ground at the present time, by axes [m/s²]. */
+    std::array<double, 3>
+    ground_acceleration() const
+    {
+      return ground_acceleration_at(present_time);
+    }
+
+    /** Displacement since the stage began, and velocity; entry node * dim + component. */
+    const Vector &
+    displacement() const
+    {
+      return integration->displacement();
+    }
+
+    const Vector &
+    velocity() const
+    {
+      return integration->velocity();
+    }
+
+    /** Sum of all masses along an axis [MN s²/m]. */
+    double
+    total_mass(const unsigned int component) const;
+
+    /** Error of the equilibrium M ü + C u̇ + K u + Gᵀ(p - p_0) = f of all nodes for bar forces @p p. */
+    EquilibriumError
+    equilibrium_error(const Vector &p) const;
+
+    /** Factorisations and solutions of all lengths of steps. */
+    BodiesWork
+    work() const;
+
+  private:
+    Vector
+    stiffness_times(const Vector &u) const;
+
+    Vector
+    damping_times(const Vector &v) const;
+
+    /** f - C u̇ - K u - Gᵀ(p - p_0) for bar forces p and K u. */
+    Vector
+    out_of_balance(const Vector &bar_forces, const Vector &elastic) const;
+
+    /** What loads and ground do beyond what they did at the beginning [MN]. */
+    Vector
+    forces_at(const double time) const;
+
+    std::array<double, 3>
+    ground_acceleration_at(const double time) const;
+
+    double
+    length_of_step(const unsigned int rung) const
+    {
+      return step / static_cast<double>(1U << rung);
+    }
+
+    void
+    add_inertia(const double factor, SymmetricTriplets &matrix) const;
+
+    const CondensedSystem<dim> &model;
+    const LoadHistory &history;
+    const unsigned int stage;
+    const double duration;
+    const unsigned int n_steps;
+    const double step;
+    /** α and β of Rayleigh's damping αM + βK [1/s, s]. */
+    double mass_damping = 0., stiffness_damping = 0.;
+    dealii::SparsityPattern pattern;
+    /** By nodes, of the own cells. */
+    dealii::SparseMatrix<double> stiffness;
+    std::unique_ptr<TimeIntegration> integration;
+    std::vector<std::unique_ptr<SchurSolver>> solvers; // by rung
+    MotionLedger ledger;
+    /** Bar forces at the beginning. */
+    Vector first_forces;
+    /** Forces now and at the end of the step. */
+    Vector forces, forces_at_end;
+    double present_time       = 0.;
+    unsigned int rung_of_step = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_dynamic_path_h
+#define fuga_contact_dynamics_dynamic_path_h
+
+#include <fuga/contact/dynamics/moving_bodies.h>
+#include <fuga/contact/dynamics/step_record.h>
+#include <fuga/contact/dynamics/step_system.h>
+#include <fuga/contact/path/event_path.h>
+
+namespace fuga
+{
+  /** How a stage is cut into steps of time. */
+  struct TimeGrid
+  {
+    /** Load time at which the stage begins; it ends at begin + 1. */
+    double begin         = 0.;
+    unsigned int n_steps = 1;
+    /** Length of a step [s]. */
+    double step = 0.;
+    /** How often a step may be halved. */
+    unsigned int halvings = 5;
+    /** Share of the largest energy that the events of a step may cost, or else it is halved. */
+    double event_tolerance = 1e-4;
+  };
+
+  /**
+   * The contact of bodies in motion, step of time by step of time. A step is the static problem
+   * with another stiffness, see MovingBodies, and the paper's step-by-step analysis leads through
+   * it from event to event: at its end all contact conditions hold. Where events within a step
+   * cost energy, because the time integration knows nothing of them, or an element slips beyond the
+   * time at which it comes to rest, the step is halved; each length has its own stiffness,
+   * condensed when first needed. (doc/theory.md, section 19)
+   */
+  class DynamicPath : public ContactPath
+  {
+  public:
+    /** @p system and @p history: those of the bodies at rest. */
+    DynamicPath(const std::vector<ContactElement> &elements,
+                const LayeredSystem &system,
+                const LoadHistory &history,
+                MovingBodies &bodies,
+                const TimeGrid &grid,
+                const PathOptions &options);
+
+    ~DynamicPath() override;
+
+    SchemeWork
+    work() const override;
+
+    /** Since the motion began. */
+    const MotionLedger &
+    energies() const
+    {
+      return ledger;
+    }
+
+    /** Steps by rung. */
+    const std::vector<std::size_t> &
+    n_steps() const
+    {
+      return steps_of_rung;
+    }
+
+  private:
+    struct Rung;
+
+    struct Attempt
+    {
+      PathResult result;
+      StepRecord record;
+    };
+
+    PathResult
+    follow(const std::vector<double> &levels, ReportCounter &observer) override;
+
+    /** From the present time by one step of a rung, or by two of the next one. */
+    void
+    advance(const unsigned int number,
+            const std::vector<double> &levels,
+            JointState &state,
+            PathResult &result,
+            PathObserver &observer);
+
+    Rung &
+    rung(const unsigned int number);
+
+    Attempt
+    attempt(const unsigned int number, const JointState &state, const PathResult &result);
+
+    bool
+    is_good(const Attempt &attempt, const unsigned int number) const;
+
+    void
+    accept(const Attempt &attempt,
+           const unsigned int number,
+           const std::vector<double> &levels,
+           JointState &state,
+           PathResult &result,
+           PathObserver &observer);
+
+    /** Work of friction beyond the time at which slips came to rest [MNm]. */
+    double
+    cost_of_rest(const StepRecord &record, const double length) const;
+
+    /** Mean rate of slip of an element in a step [m/s]; zero if it does not slip at the end. */
+    TangentVector
+    mean_slip_rate(const StepRecord &record, const std::size_t k, const double length) const;
+
+    double
+    length_of(const unsigned int number) const
+    {
+      return grid.step / static_cast<double>(1U << number);
+    }
+
+    /** Load time after this number of the shortest steps. */
+    double
+    time_at(const std::size_t tick) const;
+
+    MovingBodies &bodies;
+    const TimeGrid grid;
+    const PathOptions options;
+    std::vector<std::unique_ptr<Rung>> rungs;
+    std::vector<std::size_t> steps_of_rung;
+    /** Of the present step. */
+    LoadHistory step_history;
+    MotionLedger ledger;
+    /** Shortest steps so far. */
+    std::size_t tick = 0;
+    /** By element in the step before, and its length. */
+    std::vector<TangentVector> slip_rates;
+    double length_before = 0.;
+    /** Largest mean rate of a jump in any step so far [m/s]. */
+    double largest_rate = 0.;
+  };
+} // namespace fuga
+
+#endif

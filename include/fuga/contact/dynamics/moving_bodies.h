@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_moving_bodies_h
+#define fuga_contact_dynamics_moving_bodies_h
+
+#include <fuga/base/fields.h>
+#include <fuga/base/numerics/dense_matrix.h>
+
+namespace fuga
+{
+  /**
+   * Energies of bodies in motion since it began [MNm], without what the bodies store because they
+   * were loaded before. Nothing is lost if
+   *
+   *     work = kinetic + bodies + damping + joints.              (doc/theory.md, section 19)
+   */
+  struct MotionLedger
+  {
+    /** Of the loads that have changed, of the ground, and of the forces with which the joints
+     * carried the loads before the motion. */
+    double work    = 0.;
+    double kinetic = 0.;
+    double bodies  = 0.;
+    /** What dampers and the damping of the bodies have taken. */
+    double damping = 0.;
+    /** ∫ p·dδ: what the layers have stored and friction has taken. */
+    double joints = 0.;
+    /** The largest of them so far. */
+    double largest = 0.;
+
+    double
+    defect() const
+    {
+      return work - kinetic - bodies - damping - joints;
+    }
+  };
+
+  template <typename Ledger, typename Visitor, only_for<Ledger, MotionLedger> = 0>
+  void
+  for_each_field(Ledger &ledger, Visitor &&visit)
+  {
+    auto &[work, kinetic, bodies, damping, joints, largest] = ledger;
+    visit("work", work);
+    visit("kinetic", kinetic);
+    visit("bodies", bodies);
+    visit("damping", damping);
+    visit("joints", joints);
+    visit("largest", largest);
+  }
+
+  /**
+   * Bodies with inertia between joints, integrated in time by steps of the length h/2^k, k the
+   * number of a *rung*. What the contact layer sees of a step is a small linear system in the
+   * changes x of the interface coordinates,
+   *
+   *     Ŝ x + Bᵀ (p - p_n) = g,     δ = δ_n + B x,               (doc/theory.md, section 19)
+   *
+   * with Ŝ of the stiffness K + a1 C + a0 M, which is the same in all steps of a rung, and the push
+   * g of inertia, damping and the growth of the loads.
+   */
+  class MovingBodies
+  {
+  public:
+    virtual ~MovingBodies() = default;
+
+    /** The joints carry the forces @p forces when the motion begins. */
+    virtual void
+    begin(const Vector &forces) = 0;
+
+    /** Ŝ of a rung; computed at every call. */
+    virtual DenseMatrix
+    condensed_stiffness(const unsigned int rung) = 0;
+
+    /** B, n_bars x n_coordinates. An empty matrix stands for the identity. */
+    virtual const DenseMatrix &
+    jump_operator() const = 0;
+
+    /** g of a step of this rung from the present time. */
+    virtual Vector
+    begin_step(const unsigned int rung) = 0;
+
+    /** The step begun last goes to its end, where the coordinates have changed by @p x and the bars
+     * carry @p forces. */
+    virtual void
+    finish_step(const Vector &x, const Vector &forces) = 0;
+
+    /** Energies at the present time; joints and largest are for the path to fill in. */
+    virtual MotionLedger
+    energies() const = 0;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_step_record_h
+#define fuga_contact_dynamics_step_record_h
+
+#include <fuga/contact/path/path_observer.h>
+#include <fuga/contact/system/layered_system.h>
+
+#include <functional>
+
+namespace fuga
+{
+  /**
+   * Keeps the reports of a step of time until it is known whether the step counts, and adds up what
+   * it costs the joints.
+   */
+  class StepRecord : public PathObserver
+  {
+  public:
+    /** The step begins in @p start. Water in joints stands still during a motion: paths of steps
+     * do not know it, and all states that are handed on get that of @p start. */
+    StepRecord(const JointState &start,
+               const std::vector<ContactElement> &elements,
+               const LayeredSystem &system);
+
+    void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) override;
+    void
+    jumped(const JointState &to) override;
+    void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) override;
+    void
+    reached(const std::size_t index, const JointState &state) override;
+
+    /** Tells @p observer everything. */
+    void
+    replay(PathObserver &observer) const;
+
+    const JointState &
+    start() const
+    {
+      return first;
+    }
+
+    /** Where the step has come to, without water. */
+    const JointState &
+    end() const
+    {
+      return last;
+    }
+
+    JointState
+    end_with_water() const
+    {
+      return with_water(last);
+    }
+
+    /** ∫ p·dδ of all bars [MNm]. */
+    double
+    joint_work() const;
+
+    /**
+     * What events within the step cost [MNm]: the time integration knows of (p_n + p)/2 only. Sum
+     * over the elements of the difference between the work of this mean on the jump and
+     * joint_work(), and of that between the mean and the mean along the path, an impulse, whose
+     * work on lips that move with @p rate [m/s] comes later. @p length: of the step [s].
+     */
+    double
+    cost_of_events(const double length, const double rate) const;
+
+    /** Largest change of a jump [m]. */
+    double
+    largest_change() const;
+
+  private:
+    JointState
+    with_water(JointState state) const;
+    Vector
+    change_of_jumps() const;
+
+    const JointState first;
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    JointState last;
+    /** By bar ∫ p dδ, and ∫ p dt with the load time. */
+    Vector work, impulse;
+    /** Called with this object, which may have moved since. */
+    using Report = std::function<void(const StepRecord &, PathObserver &)>;
+    std::vector<Report> reports;
+  };
+} // namespace fuga
+
+#endif

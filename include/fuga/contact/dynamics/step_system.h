@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_step_system_h
+#define fuga_contact_dynamics_step_system_h
+
+#include <fuga/contact/contact_element.h>
+#include <fuga/contact/contact_system.h>
+#include <fuga/contact/joint_state.h>
+#include <fuga/contact/load_history.h>
+#include <fuga/contact/system/layered_system.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /**
+   * A step of bodies in motion as a static problem: the condensed stiffness Ŝ of a rung, see
+   * MovingBodies, and three patterns that change from step to step: the forces on the coordinates
+   * at its beginning, those at its end, and, always with the factor 1, the jumps δ_n with which it
+   * begins.
+   */
+  class StepSystem : public ContactSystem
+  {
+  public:
+    /** @p jump_operator and @p elements must live as long as this object. */
+    StepSystem(DenseMatrix &&stiffness,
+               const DenseMatrix &jump_operator,
+               const std::vector<ContactElement> &elements);
+
+    /** A step from @p state under the push g. */
+    void
+    begin(const JointState &state, const Vector &push);
+
+    /** Factors of the patterns between the load times @p begin and @p end of the step. */
+    static LoadHistory
+    history(const double begin, const double end);
+
+    const LayeredSystem &
+    layered() const
+    {
+      return *layered_system;
+    }
+
+    /** x at the end of the step, where the bars have these jumps and forces. */
+    Vector
+    coordinates(const Vector &jumps, const Vector &forces) const;
+
+    const DenseMatrix &
+    stiffness() const override
+    {
+      return S;
+    }
+
+    const DenseMatrix &
+    load_patterns() const override
+    {
+      return F;
+    }
+
+    const DenseMatrix &
+    jump_operator() const override
+    {
+      return B;
+    }
+
+    const DenseMatrix &
+    imposed_jumps() const override
+    {
+      return E;
+    }
+
+    /** None: inertia resists every motion. */
+    const DenseMatrix &
+    rigid_motions() const override
+    {
+      return no_motions;
+    }
+
+    const DenseMatrix &
+    rigid_motion_loads() const override
+    {
+      return no_loads;
+    }
+
+  private:
+    Vector
+    on_coordinates(const Vector &forces) const;
+
+    DenseMatrix S;
+    const DenseMatrix &B;
+    DenseMatrix no_motions, no_loads, F, E;
+    std::optional<LayeredSystem> layered_system;
+    /** Forces of the closed joint per unit of force on the coordinates, by columns. */
+    DenseMatrix reactions_to_units;
+    /** Of S, if there are more bars than coordinates. */
+    std::optional<LuFactors> factors;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_time_integration_h
+#define fuga_contact_dynamics_time_integration_h
+
+#include <fuga/contact/dynamics/moving_bodies.h>
+
+#include <functional>
+
+namespace fuga
+{
+  /**
+   * The generalised-α method (J. Chung, G. M. Hulbert, A time integration algorithm for structural
+   * dynamics with improved numerical dissipation, J. Appl. Mech. 60, 1993) for
+   *
+   *     M ü + C u̇ + K u + Gᵀ p = f(t)
+   *
+   * with a diagonal M, in increments: a step of the length h solves
+   *
+   *     (K + a1 C + a0 M) Δu + Gᵀ Δp = push.
+   *
+   * With the spectral radius 1 it is the trapezoidal rule, which keeps the energy. Degrees of
+   * freedom without mass are in equilibrium at all times.
+   */
+  class TimeIntegration
+  {
+  public:
+    /** C times a velocity. */
+    using Damping = std::function<Vector(const Vector &)>;
+
+    /** @p mass: diagonal of M [MN s²/m]; @p spectral_radius: ρ∞ from 0 to 1. */
+    TimeIntegration(Vector mass, Damping damping, const double spectral_radius);
+
+    /** a0 [1/s²] and a1 [1/s] of a step of the length @p h. */
+    double
+    mass_factor(const double h) const;
+    double
+    damping_factor(const double h) const;
+
+    /** At rest, or with the velocity @p v, where @p out_of_balance = f - C v - K u - Gᵀ p. */
+    void
+    begin(const Vector &v, const Vector &out_of_balance);
+
+    /** Of a step of the length @p h, over which the loads change by @p growth. */
+    Vector
+    push(const double h, const Vector &growth) const;
+
+    /** Goes on by a step with the solution @p du, and over which the loads were @p mean in the
+     * mean. Counts work, kinetic energy and damping. */
+    void
+    advance(const double h, const Vector &du, const Vector &mean, MotionLedger &ledger);
+
+    const Vector &
+    displacement() const
+    {
+      return u;
+    }
+
+    const Vector &
+    velocity() const
+    {
+      return v;
+    }
+
+    const Vector &
+    acceleration() const
+    {
+      return a;
+    }
+
+    const Vector &
+    mass() const
+    {
+      return m;
+    }
+
+    /** Says what f - C v - K u - Gᵀ p really is: the next step makes up for the rounding errors
+     * that have added up. */
+    void
+    correct(const Vector &true_out_of_balance);
+
+    /** f - C v - K u - Gᵀ p, which is M a but for what the method damps. */
+    const Vector &
+    inertia() const
+    {
+      return out_of_balance;
+    }
+
+    double
+    kinetic_energy() const;
+
+  private:
+    const Vector m;
+    const Damping damping;
+    const double alpha_m, alpha_f, gamma, beta;
+    /** Since the beginning. */
+    Vector u;
+    Vector v, a, out_of_balance;
+    /** What is out of balance besides. */
+    Vector defect;
+  };
+} // namespace fuga
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/lac/vector.h>
+
+#include <fuga/bodies/dynamics/bodies_in_motion.h>
+#include <fuga/bodies/dynamics/ground_motion.h>
+#include <fuga/bodies/dynamics/lumped_mass.h>
+#include <fuga/bodies/dynamics/time_steps.h>
+#include <fuga/bodies/elasticity/elastic_bodies.h>
+#include <fuga/bodies/joints/contact_bars.h>
+#include <fuga/bodies/processes.h>
+#include <fuga/bodies/solvers/elimination_order.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    void
+    add(const double factor, const Vector &x, Vector &y)
+    {
+      for (std::size_t i = 0; i < x.size(); ++i)
+        y[i] += factor * x[i];
+    }
+  } // namespace
+
+
+  template <int dim>
+  BodiesInMotion<dim>::BodiesInMotion(const CondensedSystem<dim> &bodies,
+                                      const LoadHistory &load_history,
+                                      const unsigned int number_of_stage,
+                                      const std::vector<bool> &massless_joints)
+    : model(bodies)
+    , history(load_history)
+    , stage(number_of_stage)
+    , duration(model.definition().stages[stage].duration)
+    , n_steps(static_cast<unsigned int>(
+        number_of_time_steps(model.definition().dynamics, model.definition().stages[stage])))
+    , step(duration / n_steps)
+    , solvers(model.definition().dynamics.halvings + 1)
+  {
+    const DynamicsDefinition &dynamics = model.definition().dynamics;
+    // The ratio ζ = α/2ω + βω/2 at both frequencies.
+    if (const auto &f = dynamics.damping_frequencies; dynamics.damping_ratio > 0.)
+      {
+        const double factor = 2. * dynamics.damping_ratio / (f[0] + f[1]);
+        mass_damping        = factor * 2. * dealii::numbers::PI * f[0] * f[1];
+        stiffness_damping   = factor / (2. * dealii::numbers::PI);
+      }
+    model.elastic_bodies().assemble_by_nodes(pattern, stiffness);
+    integration = std::make_unique<TimeIntegration>(
+      lumped_mass(model, massless_joints),
+      [this](const Vector &v) { return damping_times(v); },
+      dynamics.spectral_radius);
+  }
+
+
+  template <int dim>
+  BodiesInMotion<dim>::~BodiesInMotion() = default;
+
+
+  template <int dim>
+  TimeGrid
+  BodiesInMotion<dim>::time_grid() const
+  {
+    const DynamicsDefinition &dynamics = model.definition().dynamics;
+    return {static_cast<double>(stage), n_steps, step, dynamics.halvings, dynamics.event_tolerance};
+  }
+
+
+  template <int dim>
+  void
+  BodiesInMotion<dim>::begin(const Vector &bar_forces)
+  {
+    first_forces = bar_forces;
+    present_time = 0.;
+    ledger       = MotionLedger();
+    forces       = forces_at(0.);
+
+    const Discretization<dim> &space = model.discretization();
+    Vector velocity(space.n_dofs(), 0.);
+    const bool is_first = stage == first_dynamic_stage(model.definition());
+    for (std::size_t cell = 0; cell < space.n_cells() && is_first; ++cell)
+      for (const Material &material : model.definition().materials)
+        if (material.body == model.jointed_mesh().body_names[space.cell_body(cell)])
+          for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              if (const std::size_t dof = space.cell_nodes(cell)[i] * dim + c;
+                  !model.fixed_dofs()[dof])
+                velocity[dof] = material.initial_velocity[c];
+    Vector out_of_balance = forces;
+    add(-1., damping_times(velocity), out_of_balance);
+    space.hanging_nodes().move_to_masters(out_of_balance);
+    integration->begin(velocity, out_of_balance);
+    ledger.kinetic = ledger.work = integration->kinetic_energy();
+  }
+
+
+  template <int dim>
+  DenseMatrix
+  BodiesInMotion<dim>::condensed_stiffness(const unsigned int rung)
+  {
+    const auto &coordinates  = model.interface_coordinates();
+    const double h           = length_of_step(rung);
+    SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
+    const double damped      = 1. + integration->damping_factor(h) * stiffness_damping;
+    for (double &value : matrix.values)
+      value *= damped;
+    add_inertia(integration->mass_factor(h) + integration->damping_factor(h) * mass_damping,
+                matrix);
+    std::vector<int> order;
+    if (processes::is_first())
+      order = elimination_order(model.discretization(), coordinates);
+    solvers[rung] = std::make_unique<SchurSolver>(std::move(order));
+    return solvers[rung]->eliminate(matrix, coordinates.n_interface());
+  }
+
+
+  // Adds the factor times CᵀMC.
+  template <int dim>
+  void
+  BodiesInMotion<dim>::add_inertia(const double factor, SymmetricTriplets &matrix) const
+  {
+    if (!processes::is_first())
+      return;
+    using Term = typename InterfaceCoordinates<dim>::Term;
+    std::vector<Term> terms;
+    const Vector &mass = integration->mass();
+    for (std::size_t dof = 0; dof < mass.size(); ++dof)
+      {
+        if (mass[dof] == 0.)
+          continue;
+        model.interface_coordinates().terms_of(dof, terms);
+        for (const Term &row : terms)
+          for (const Term &column : terms)
+            if (row.coordinate >= column.coordinate)
+              {
+                matrix.rows.push_back(static_cast<int>(row.coordinate) + 1);
+                matrix.columns.push_back(static_cast<int>(column.coordinate) + 1);
+                matrix.values.push_back(factor * mass[dof] * row.factor * column.factor);
+              }
+      }
+  }
+
+
+  template <int dim>
+  Vector
+  BodiesInMotion<dim>::begin_step(const unsigned int rung)
+  {
+    rung_of_step   = rung;
+    const double h = length_of_step(rung);
+    forces_at_end  = forces_at(present_time + h);
+    Vector growth  = forces_at_end;
+    add(-1., forces, growth);
+    const Vector push = model.interface_coordinates().gather(integration->push(h, growth));
+    DenseMatrix loads(push.size(), 1);
+    std::copy(push.begin(), push.end(), loads.data());
+    const DenseMatrix condensed = solvers[rung]->condense(loads);
+    return {condensed.data(), condensed.data() + condensed.n_rows()};
+  }
+
+
+  template <int dim>
+  void
+  BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces)
+  {
+    const double h  = length_of_step(rung_of_step);
+    const Vector y  = solvers[rung_of_step]->expand(x);
+    const Vector du = model.interface_coordinates().distribute(y.data(), {});
+    Vector mean     = model.bar_forces(first_forces);
+    add(0.5, forces, mean);
+    add(0.5, forces_at_end, mean);
+    integration->advance(h, du, mean, ledger);
+    const Vector &u      = integration->displacement();
+    const Vector elastic = stiffness_times(u);
+    ledger.bodies        = 0.5 * dot(u, elastic);
+    forces               = forces_at_end;
+    present_time += h;
+    integration->correct(out_of_balance(bar_forces, elastic));
+  }
+
+
+  template <int dim>
+  Vector
+  BodiesInMotion<dim>::out_of_balance(const Vector &bar_forces, const Vector &elastic) const
+  {
+    Vector changes = bar_forces;
+    add(-1., first_forces, changes);
+    Vector result = forces;
+    add(-1., elastic, result);
+    add(-1., model.bar_forces(changes), result);
+    add(-1., damping_times(integration->velocity()), result);
+    model.discretization().hanging_nodes().move_to_masters(result);
+    for (std::size_t dof = 0; dof < result.size(); ++dof)
+      if (model.fixed_dofs()[dof])
+        result[dof] = 0.;
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  BodiesInMotion<dim>::stiffness_times(const Vector &u) const
+  {
+    const dealii::Vector<double> x(u.begin(), u.end());
+    dealii::Vector<double> product(x.size());
+    stiffness.vmult(product, x);
+    Vector result(product.begin(), product.end());
+    processes::sum(result);
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  BodiesInMotion<dim>::damping_times(const Vector &v) const
+  {
+    if (mass_damping == 0. && stiffness_damping == 0.)
+      return {};
+    Vector result = stiffness_times(v);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
+  BodiesInMotion<dim>::forces_at(const double time) const
+  {
+    Vector factors = history.factors(stage + std::min(time / duration, 1.));
+    if (stage > 0)
+      {
+        add(-1., history.factors(stage), factors);
+        factors.back() =
+          -1.; // what is out of balance when the phase begins: CarriedLoads::released
+      }
+    Vector result = model.applied_forces(factors);
+    result.resize(model.discretization().n_dofs(), 0.);
+    const std::array<double, 3> acceleration = ground_acceleration_at(time);
+    const Vector &mass                       = integration->mass();
+    for (std::size_t dof = 0; dof < result.size(); ++dof)
+      result[dof] -= mass[dof] * acceleration[dof % dim];
+    return result;
+  }
+
+
+  template <int dim>
+  std::array<double, 3>
+  BodiesInMotion<dim>::ground_acceleration_at(const double time) const
+  {
+    const DynamicsDefinition &dynamics = model.definition().dynamics;
+    std::array<double, 3> result       = {{0., 0., 0.}};
+    for (unsigned int c = 0; c < dim && dynamics.earthquake_stage == stage; ++c)
+      result[c] = acceleration_at(dynamics.ground[c], time);
+    return result;
+  }
+
+
+  template <int dim>
+  double
+  BodiesInMotion<dim>::total_mass(const unsigned int component) const
+  {
+    double sum = 0.;
+    for (std::size_t dof = component; dof < integration->mass().size(); dof += dim)
+      sum += integration->mass()[dof];
+    return sum;
+  }
+
+
+  template <int dim>
+  EquilibriumError
+  BodiesInMotion<dim>::equilibrium_error(const Vector &p) const
+  {
+    Vector loads = forces;
+    add(-1., integration->inertia(), loads);
+    add(-1., damping_times(integration->velocity()), loads);
+    Vector changes = p;
+    add(-1., first_forces, changes);
+    return model.equilibrium_error_under(
+      loads, model.by_degrees_of_freedom(integration->displacement()), changes, {});
+  }
+
+
+  template <int dim>
+  BodiesWork
+  BodiesInMotion<dim>::work() const
+  {
+    BodiesWork sum = model.work();
+    for (const std::unique_ptr<SchurSolver> &solver : solvers)
+      if (solver)
+        {
+          sum.n_factorisations += solver->work().n_factorisations;
+          sum.n_condensed_loads += solver->work().n_condensed_loads;
+          sum.n_solutions += solver->work().n_solutions;
+        }
+    return sum;
+  }
+
+
+  template class BodiesInMotion<2>;
+  template class BodiesInMotion<3>;
+} // namespace fuga

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/dynamics/lumped_mass.h>
+#include <fuga/bodies/joints/contact_bars.h>
+#include <fuga/bodies/loads/depth_pressure.h>
+#include <fuga/bodies/model_names.h>
+#include <fuga/bodies/space/cell_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace fuga
+{
+  namespace
+  {
+    Vector
+    body_densities(const JointedMesh &mesh, const ModelDefinition &model)
+    {
+      const DynamicsDefinition &dynamics = model.dynamics;
+      Vector density(mesh.body_names.size(), 0.);
+      for (const Material &material : model.materials)
+        if (std::find(dynamics.massless_bodies.begin(),
+                      dynamics.massless_bodies.end(),
+                      material.body) == dynamics.massless_bodies.end())
+          density[index_of(mesh.body_names, material.body)] =
+            material.weight_density / dynamics.gravity;
+      return density;
+    }
+
+    template <int dim>
+    std::vector<bool>
+    nodes_without_mass(const BodyModel<dim> &model, const std::vector<bool> &massless_joints)
+    {
+      std::vector<bool> result(model.discretization().n_nodes(), false);
+      for (const NodePair<dim> &pair : model.joint_geometry().pairs())
+        if (massless_joints[pair.joint])
+          for (const unsigned int node : {pair.plus_node, pair.minus_node})
+            if (node != Discretization<dim>::no_node)
+              result[node] = true;
+      return result;
+    }
+
+    /** What of the mass of a cell each of its nodes gets; all sum up to 1. */
+    template <int dim>
+    void
+    shares_of_nodes(const CellValues<dim> &values,
+                    const unsigned int *nodes,
+                    const std::vector<bool> &massless,
+                    Vector &shares)
+    {
+      Vector all(shares.size(), 0.);
+      for (std::size_t q = 0; q < values.n_points(); ++q)
+        for (std::size_t i = 0; i < all.size(); ++i)
+          all[i] += values.volume(q) * values.value(i, q) * values.value(i, q);
+      shares = all;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (massless[nodes[i]])
+          shares[i] = 0.;
+      double sum = std::accumulate(shares.begin(), shares.end(), 0.);
+      if (sum == 0.) // a layer of one cell between two joints
+        {
+          shares = all;
+          sum    = std::accumulate(all.begin(), all.end(), 0.);
+        }
+      for (double &share : shares)
+        share /= sum;
+    }
+
+    /** The mass m of water along the normal n at a node: m n_c² along the axis c. */
+    template <int dim>
+    void
+    add_water(const BodyModel<dim> &model, const AddedMass &added, Vector &mass)
+    {
+      const Discretization<dim> &space = model.discretization();
+      DepthPressure pressure;
+      pressure.root   = 0.875 * added.unit_weight / model.definition().dynamics.gravity;
+      pressure.bottom = added.bottom;
+      Vector along_normals(space.n_dofs(), 0.);
+      add_depth_pressure(space,
+                         pressure,
+                         added.level,
+                         selection(model.jointed_mesh().label_names, added.boundaries),
+                         along_normals);
+      for (std::size_t node = 0; node < space.n_nodes(); ++node)
+        {
+          const double *const m = along_normals.data() + node * dim;
+          const double size     = std::sqrt(std::inner_product(m, m + dim, m, 0.));
+          for (unsigned int c = 0; c < dim && size > 0.; ++c)
+            mass[node * dim + c] += m[c] * m[c] / size;
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  Vector
+  lumped_mass(const BodyModel<dim> &model, const std::vector<bool> &massless_joints)
+  {
+    const Discretization<dim> &space = model.discretization();
+    const Vector density             = body_densities(model.jointed_mesh(), model.definition());
+    const std::vector<bool> massless = nodes_without_mass(model, massless_joints);
+    Vector mass(space.n_dofs(), 0.), shares(space.reference_element().n_nodes());
+    CellValues<dim> values(space);
+    for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+      {
+        if (density[space.cell_body(cell)] == 0.)
+          continue;
+        values.move_to(cell);
+        const unsigned int *nodes = space.cell_nodes(cell);
+        double volume             = 0.;
+        for (std::size_t q = 0; q < values.n_points(); ++q)
+          volume += values.volume(q);
+        shares_of_nodes(values, nodes, massless, shares);
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            mass[nodes[i] * dim + c] += density[space.cell_body(cell)] * volume * shares[i];
+      }
+    for (const AddedMass &water : model.definition().dynamics.added_masses)
+      add_water(model, water, mass);
+    space.hanging_nodes().move_to_masters(mass);
+    for (std::size_t dof = 0; dof < mass.size(); ++dof)
+      if (model.fixed_dofs()[dof])
+        mass[dof] = 0.;
+    return mass;
+  }
+
+
+  template Vector
+  lumped_mass(const BodyModel<2> &, const std::vector<bool> &);
+  template Vector
+  lumped_mass(const BodyModel<3> &, const std::vector<bool> &);
+} // namespace fuga

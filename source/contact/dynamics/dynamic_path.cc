@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/dynamics/dynamic_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace fuga
+{
+  /** The bodies in steps of one length, and the path through them, whose schemes live on from step
+   * to step. */
+  struct DynamicPath::Rung
+  {
+    Rung(DenseMatrix &&stiffness, DynamicPath &of)
+      : system(std::move(stiffness), of.bodies.jump_operator(), of.elements)
+      , path(of.elements, system.layered(), of.step_history, of.options)
+    {
+    }
+
+    StepSystem system;
+    EventPath path;
+  };
+
+  DynamicPath::DynamicPath(const std::vector<ContactElement> &contact_elements,
+                           const LayeredSystem &layered_system,
+                           const LoadHistory &load_history,
+                           MovingBodies &moving_bodies,
+                           const TimeGrid &time_grid,
+                           const PathOptions &path_options)
+    : ContactPath(contact_elements, layered_system, load_history)
+    , bodies(moving_bodies)
+    , grid(time_grid)
+    , options(path_options)
+    , rungs(grid.halvings + 1)
+    , steps_of_rung(grid.halvings + 1, 0)
+    , step_history(StepSystem::history(0., 1.))
+  {
+  }
+
+  DynamicPath::~DynamicPath() = default;
+
+  SchemeWork
+  DynamicPath::work() const
+  {
+    SchemeWork sum;
+    for (const std::unique_ptr<Rung> &one : rungs)
+      if (one)
+        {
+          const SchemeWork work = one->path.work();
+          sum.n_factorisations += work.n_factorisations;
+          sum.n_updates += work.n_updates;
+          sum.n_bars_ever_active = std::max(sum.n_bars_ever_active, work.n_bars_ever_active);
+        }
+    return sum;
+  }
+
+  PathResult
+  DynamicPath::follow(const std::vector<double> &levels, ReportCounter &observer)
+  {
+    JointState state  = cut.state;
+    PathResult result = cut.result;
+    ledger            = MotionLedger();
+    tick              = 0;
+    slip_rates.assign(elements.size(), TangentVector{});
+    length_before = largest_rate = 0.;
+    bodies.begin(state.forces);
+    make_cut(state, result, observer);
+    for (unsigned int step = 0; step < grid.n_steps; ++step)
+      advance(0, levels, state, result, observer);
+    make_cut(state, result, observer);
+    return result;
+  }
+
+  void
+  DynamicPath::advance(const unsigned int number,
+                       const std::vector<double> &levels,
+                       JointState &state,
+                       PathResult &result,
+                       PathObserver &observer)
+  {
+    const Attempt step = attempt(number, state, result);
+    if (is_good(step, number))
+      return accept(step, number, levels, state, result, observer);
+    if (number < grid.halvings)
+      {
+        advance(number + 1, levels, state, result, observer);
+        advance(number + 1, levels, state, result, observer);
+        return;
+      }
+    throw NumericalFailure(
+      fmt::format("No state of the joints was found at the end of a step of {:.3g} s at load time "
+                  "{:.12g}{}{}. Allow more halvings (Dynamics/Halvings) or shorter steps.",
+                  length_of(number),
+                  state.t,
+                  step.result.tried.empty() ? "" : ": ",
+                  step.result.tried));
+  }
+
+  DynamicPath::Rung &
+  DynamicPath::rung(const unsigned int number)
+  {
+    if (!rungs[number])
+      rungs[number] = std::make_unique<Rung>(bodies.condensed_stiffness(number), *this);
+    return *rungs[number];
+  }
+
+  DynamicPath::Attempt
+  DynamicPath::attempt(const unsigned int number, const JointState &state, const PathResult &result)
+  {
+    Rung &step                = rung(number);
+    const std::size_t n_ticks = std::size_t(1) << (grid.halvings - number);
+    step.system.begin(state, bodies.begin_step(number));
+    step_history     = StepSystem::history(state.t, time_at(tick + n_ticks));
+    JointState start = state;
+    start.access.clear();
+    start.water.clear();
+    start.missing_water.clear();
+    start.kept_water.clear();
+    Attempt attempt{{}, StepRecord(state, elements, step.system.layered())};
+    attempt.result = step.path.follow_step(start, result, attempt.record);
+    return attempt;
+  }
+
+  // In the shortest steps events may cost what they cost.
+  bool
+  DynamicPath::is_good(const Attempt &attempt, const unsigned int number) const
+  {
+    if (attempt.result.verdict != Verdict::done)
+      return false;
+    if (number == grid.halvings)
+      return true;
+    const double length = length_of(number);
+    const double rate   = std::max(largest_rate, attempt.record.largest_change() / length);
+    const double cost =
+      attempt.record.cost_of_events(length, rate) + cost_of_rest(attempt.record, length);
+    const double scale = std::max(ledger.largest, std::abs(attempt.record.joint_work()));
+    return cost <= grid.event_tolerance * scale;
+  }
+
+  void
+  DynamicPath::accept(const Attempt &attempt,
+                      const unsigned int number,
+                      const std::vector<double> &levels,
+                      JointState &state,
+                      PathResult &result,
+                      PathObserver &observer)
+  {
+    const StepSystem &of_step = rung(number).system;
+    const JointState &end     = attempt.record.end();
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      slip_rates[k] = mean_slip_rate(attempt.record, k, length_of(number));
+    length_before = length_of(number);
+    largest_rate  = std::max(largest_rate, attempt.record.largest_change() / length_before);
+    tick += std::size_t(1) << (grid.halvings - number);
+    ++steps_of_rung[number];
+
+    bodies.finish_step(
+      of_step.coordinates(of_step.layered().jumps(end.dislocations, end.forces), end.forces),
+      end.forces);
+    const double joints  = ledger.joints + attempt.record.joint_work();
+    const double largest = ledger.largest;
+    ledger               = bodies.energies();
+    ledger.joints        = joints;
+    ledger.largest       = std::max({largest,
+                                     std::abs(ledger.work),
+                                     ledger.kinetic,
+                                     ledger.bodies,
+                                     ledger.damping,
+                                     std::abs(ledger.joints)});
+
+    observer.began_step(of_step, step_history);
+    attempt.record.replay(observer);
+    state  = attempt.record.end_with_water();
+    result = attempt.result;
+    reach_levels(levels, state, observer);
+    observer.ended_step(state);
+  }
+
+  // The rate at the end of the step is extrapolated from the mean rates of this one and the one
+  // before; where it points against the slip, the element came to rest in between.
+  double
+  DynamicPath::cost_of_rest(const StepRecord &record, const double length) const
+  {
+    double cost = 0.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const TangentVector rate = mean_slip_rate(record, k, length);
+        if (fuga::length(rate) == 0. || fuga::length(slip_rates[k]) == 0.)
+          continue;
+        const TangentVector change = sum(rate, -1., slip_rates[k]);
+        const TangentVector at_end = sum(rate, length / (length + length_before), change);
+        const double back          = -dot(at_end, direction_of(rate));
+        if (back <= 0.)
+          continue;
+        const double slowing = 2. * fuga::length(change) / (length + length_before);
+        cost += fuga::length(tangential(elements[k], record.end().forces)) * 0.5 * back *
+                std::min(length, back / slowing);
+      }
+    return cost;
+  }
+
+  TangentVector
+  DynamicPath::mean_slip_rate(const StepRecord &record,
+                              const std::size_t k,
+                              const double length) const
+  {
+    if (!is_slipping(record.end().states[k]))
+      return {};
+    const TangentVector slip = sum(record.end().slips[k], -1., record.start().slips[k]);
+    return {{slip[0] / length, slip[1] / length}};
+  }
+
+  double
+  DynamicPath::time_at(const std::size_t of_tick) const
+  {
+    const std::size_t per_step = std::size_t(1) << grid.halvings;
+    return grid.begin + static_cast<double>(of_tick) / static_cast<double>(per_step * grid.n_steps);
+  }
+} // namespace fuga

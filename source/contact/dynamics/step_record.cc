@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/dynamics/step_record.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace fuga
+{
+  StepRecord::StepRecord(const JointState &start_of_step,
+                         const std::vector<ContactElement> &contact_elements,
+                         const LayeredSystem &layered_system)
+    : first(start_of_step)
+    , elements(contact_elements)
+    , system(layered_system)
+    , last(start_of_step)
+    , work(layered_system.n_bars(), 0.)
+    , impulse(layered_system.n_bars(), 0.)
+  {
+  }
+
+  // Forces are linear along a piece and jumps cubics, as the judge has it.
+  void
+  StepRecord::advanced(const PathPoint &from, const PathPoint &to, const double length)
+  {
+    const Vector before      = system.jumps(from.state.dislocations, from.state.forces);
+    const Vector after       = system.jumps(to.state.dislocations, to.state.forces);
+    const Vector rate_before = system.jumps(from.rates.dislocations, from.rates.forces);
+    const Vector rate_after  = system.jumps(to.rates.dislocations, to.rates.forces);
+    for (std::size_t bar = 0; bar < work.size(); ++bar)
+      {
+        const double p0 = from.state.forces[bar], p1 = to.state.forces[bar];
+        work[bar] += 0.5 * (p0 + p1) * (after[bar] - before[bar]) -
+                     (p1 - p0) * length / 12. * (rate_before[bar] - rate_after[bar]);
+        impulse[bar] += 0.5 * (p0 + p1) * (to.state.t - from.state.t);
+      }
+    last = to.state;
+    reports.emplace_back([from, to, length](const StepRecord &of, PathObserver &observer) {
+      observer.advanced({of.with_water(from.state), from.rates, from.load_rate},
+                        {of.with_water(to.state), to.rates, to.load_rate},
+                        length);
+    });
+  }
+
+  void
+  StepRecord::jumped(const JointState &to)
+  {
+    last = to;
+    reports.emplace_back(
+      [to](const StepRecord &of, PathObserver &observer) { observer.jumped(of.with_water(to)); });
+  }
+
+  void
+  StepRecord::changed(const std::vector<ContactEvent> &events, const JointState &state)
+  {
+    last = state;
+    reports.emplace_back([events, state](const StepRecord &of, PathObserver &observer) {
+      observer.changed(events, of.with_water(state));
+    });
+  }
+
+  void
+  StepRecord::reached(const std::size_t, const JointState &)
+  {
+    // Levels are the business of the path of all steps.
+  }
+
+  void
+  StepRecord::replay(PathObserver &observer) const
+  {
+    for (const Report &report : reports)
+      report(*this, observer);
+  }
+
+  double
+  StepRecord::joint_work() const
+  {
+    return std::accumulate(work.begin(), work.end(), 0.);
+  }
+
+  double
+  StepRecord::cost_of_events(const double length, const double rate) const
+  {
+    const Vector changes = change_of_jumps();
+    double result        = 0.;
+    for (const ContactElement &element : elements)
+      {
+        double energy = 0.;
+        for (std::size_t i = 0; i < element.n_bars(); ++i)
+          {
+            const unsigned int bar = element.bar(i);
+            const double mean      = 0.5 * (first.forces[bar] + last.forces[bar]);
+            energy += work[bar] - mean * changes[bar];
+            result += std::abs(impulse[bar] / (last.t - first.t) - mean) * length * rate;
+          }
+        result += std::abs(energy);
+      }
+    return result;
+  }
+
+  double
+  StepRecord::largest_change() const
+  {
+    return max_abs(change_of_jumps());
+  }
+
+  Vector
+  StepRecord::change_of_jumps() const
+  {
+    Vector result       = system.jumps(last.dislocations, last.forces);
+    const Vector before = system.jumps(first.dislocations, first.forces);
+    for (std::size_t bar = 0; bar < result.size(); ++bar)
+      result[bar] -= before[bar];
+    return result;
+  }
+
+  JointState
+  StepRecord::with_water(JointState state) const
+  {
+    state.access        = first.access;
+    state.water         = first.water;
+    state.missing_water = first.missing_water;
+    state.kept_water    = first.kept_water;
+    return state;
+  }
+} // namespace fuga

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/base/numerics/blas.h>
+#include <fuga/contact/dynamics/step_system.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Columns of the patterns. */
+    constexpr std::size_t at_begin = 0, at_end = 1, of_jumps = 2, n_patterns = 3;
+
+    std::size_t
+    number_of_bars(const std::vector<ContactElement> &elements)
+    {
+      std::size_t result = 0;
+      for (const ContactElement &element : elements)
+        result += element.n_bars();
+      return result;
+    }
+
+    DenseMatrix
+    identity(const std::size_t n)
+    {
+      DenseMatrix result(n, n);
+      for (std::size_t i = 0; i < n; ++i)
+        result(i, i) = 1.;
+      return result;
+    }
+  } // namespace
+
+  StepSystem::StepSystem(DenseMatrix &&stiffness,
+                         const DenseMatrix &jump_operator,
+                         const std::vector<ContactElement> &elements)
+    : S(std::move(stiffness))
+    , B(jump_operator)
+    , no_motions(number_of_bars(elements), 0)
+    , no_loads(0, n_patterns)
+    , F(identity(S.n_rows()))
+  {
+    layered_system.emplace(*this, elements);
+    reactions_to_units = layered_system->reactions();
+    F                  = DenseMatrix(S.n_rows(), n_patterns);
+    E                  = DenseMatrix(layered_system->n_bars(), n_patterns);
+    if (!B.empty())
+      factors.emplace(DenseMatrix(S));
+  }
+
+  Vector
+  StepSystem::on_coordinates(const Vector &forces) const
+  {
+    return B.empty() ? forces : multiply_transposed(B, forces);
+  }
+
+  void
+  StepSystem::begin(const JointState &state, const Vector &push)
+  {
+    const Vector before = on_coordinates(state.forces);
+    const Vector jumps  = layered_system->jumps(state.dislocations, state.forces);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      {
+        F(i, at_begin) = before[i];
+        F(i, at_end)   = before[i] + push[i];
+      }
+    std::copy(jumps.begin(), jumps.end(), E.column(of_jumps));
+
+    DenseMatrix reactions(layered_system->n_bars(), n_patterns);
+    for (const std::size_t column : {at_begin, at_end})
+      {
+        const Vector of_load =
+          multiply(reactions_to_units, Vector(F.column(column), F.column(column) + F.n_rows()));
+        std::copy(of_load.begin(), of_load.end(), reactions.column(column));
+      }
+    layered_system->take_loads(std::move(reactions));
+  }
+
+  LoadHistory
+  StepSystem::history(const double begin, const double end)
+  {
+    const Vector first = {1., 0., 1.}, last = {0., 1., 1.};
+    if (begin == 0.)
+      return LoadHistory({begin, end}, {first, last});
+    return LoadHistory({0., begin, end}, {first, first, last});
+  }
+
+  Vector
+  StepSystem::coordinates(const Vector &jumps, const Vector &forces) const
+  {
+    Vector result(S.n_rows());
+    if (B.empty())
+      for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = jumps[i] - E(i, of_jumps);
+    else
+      {
+        const Vector carried = on_coordinates(forces);
+        for (std::size_t i = 0; i < result.size(); ++i)
+          result[i] = F(i, at_end) - carried[i];
+        factors->solve(result);
+      }
+    return result;
+  }
+} // namespace fuga

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""Histories of stages in which inertia acts."""
+
+import matplotlib.ticker
+
+from report.figures import new_figure, set_margins, to_figure
+from report.numbers import rounded
+
+SHOWN_JOINTS = 4
+
+
+def histories(results):
+    """Ground, forces and motions of the joints and energies over time; None without a dynamic stage."""
+    if results.motion is None:
+        return None
+    table = results.motion
+    frame, units = table.frame, table.units
+    stages = frame["t"].apply(lambda t: int(t) if t > int(t) else int(t) - 1)
+    frame = frame[stages == stages.iloc[-1]]
+    joints = list(dict.fromkeys(frame["joint"]))[:SHOWN_JOINTS]
+    one = frame[frame["joint"] == joints[0]]
+    figure = new_figure(7.4)
+    rows = figure.subplots(4, sharex=True)
+    for column in ("ground_x", "ground_y", "ground_z"):
+        if column in table and one[column].any():
+            rows[0].plot(one["time"], one[column], linewidth=0.6, label=column.replace("_", " "))
+    rows[0].set_ylabel(f"ground [{units['ground_x'].replace('s2', 's²')}]")
+    for joint in joints:
+        of_joint, suffix = frame[frame["joint"] == joint], f" of {joint}" if len(joints) > 1 else ""
+        rows[1].plot(of_joint["time"], of_joint["T"], linewidth=0.7, label="T" + suffix)
+        rows[1].plot(of_joint["time"], of_joint["N"], linewidth=0.7, label="N" + suffix)
+        rows[2].plot(of_joint["time"], of_joint["mean_slip"], linewidth=0.9, label="mean slip" + suffix)
+        rows[2].plot(of_joint["time"], of_joint["largest_gap"], linewidth=0.7, label="largest gap" + suffix)
+    rows[1].set_ylabel(f"force [{units['T']}]")
+    rows[2].set_ylabel(f"[{units['mean_slip']}]")
+    names = {"work": "work", "joint_work": "joints", "damping": "damping", "kinetic_energy": "kinetic",
+             "energy_bodies": "bodies"}
+    for column, name in names.items():
+        rows[3].plot(one["time"], one[column], linewidth=0.8, label=name)
+    rows[3].set_ylabel(f"energy [{units['work']}]")
+    rows[3].set_xlabel("time [s]")
+    for axes in rows:
+        axes.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(5))
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(loc="upper left", ncols=5)
+    set_margins(figure, hspace=0.12)
+    last = {joint: frame[frame["joint"] == joint].iloc[-1] for joint in joints}
+    remains = "; ".join(f"'{joint}' {rounded(row['mean_slip'], 4)} {units['mean_slip']} of slip in the mean, "
+                        f"{rounded(row['largest_gap'], 3)} {units['largest_gap']} of largest gap" for joint, row in last.items())
+    return to_figure(figure, "Histories over the time since the stage began: acceleration of the ground, forces and motions of the "
+                             f"joints, energies since the beginning of the stage. At its end: {remains}.")

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// Bars that hit an obstacle: waves between contact and flight, by whole runs of the program.
+
+#include "known_answer.h"
+#include "scenes/grid_mesh.h"
+#include "scenes/scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga::tests
+{
+  namespace
+  {
+    /** A bar of the length 10 (c = 30) that falls 5 under g = 10 onto a rigid obstacle. */
+    nlohmann::ordered_json
+    falling_bar(const double duration, const double step, const int levels)
+    {
+      nlohmann::ordered_json scene;
+      scene["Bodies"]["block"] = {
+        {"Young modulus", 900.}, {"Poisson ratio", 0.}, {"Weight density", 10.}};
+      scene["Joints"]["ground"]            = {{"Plus lip", "contact"},
+                                              {"Minus lip", "rigid"},
+                                              {"Normal law", "rigid"},
+                                              {"Initial gap", 5.}};
+      scene["Boundaries"]["left"]["Fixed"] = scene["Boundaries"]["right"]["Fixed"] = "x";
+      for (const char *side : {"top", "corner"})
+        scene["Boundaries"][side]["Fixed"] = "free";
+      scene["Loads"]["weight"] = {{"Type", "weight"}};
+      scene["Stages"]["fall"]  = {
+         {"Loads", "weight: 1"}, {"Duration", duration}, {"Levels", levels}};
+      scene["Dynamics"] = {{"Time step", step}, {"Gravity", 10.}, {"Event tolerance", 1e-6}};
+      return scene;
+    }
+  } // namespace
+
+  // D. Doyen, A. Ern, S. Piperno, Time-integration schemes for the finite element dynamic Signorini
+  // problem, SIAM J. Sci. Comput. 33, 2011: contact from t = 1 to 5/3 with the force
+  // (E/c)(v0 + g τ), then free flight; energy constant.
+  TEST(Impact, BouncingBar)
+  {
+    const SceneRun run = run_scene(write_scene(
+      block_mesh(uniform(0., 0.1, 1), uniform(0., 10., 200), 0.1), falling_bar(2., 0.001, 40)));
+    ASSERT_EQ(run.exit_code, 0);
+    EXPECT_LE(run.certificate(), 1e-9);
+    const char *source = "closed form (Doyen, Ern and Piperno 2011)";
+    for (const int i : {22, 24, 26, 28, 30, 32})
+      {
+        const double t = 0.05 * i;
+        double force   = 0.;
+        for (const double N : run.values("N", t / 2.))
+          force -= N;
+        expect_answer({"D5 bouncing bar",
+                       "force / area at t = " + std::to_string(t),
+                       300. + 300. * (t - 1.),
+                       source},
+                      force / 0.1,
+                      0.01 * 500.);
+      }
+    const auto &motion   = run.summary.at("motion");
+    const double largest = motion.at("largest_energy");
+    EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()), 1e-6 * largest);
+  }
+} // namespace fuga::tests
