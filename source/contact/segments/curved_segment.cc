@@ -66,7 +66,9 @@ namespace fuga
           predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
 
         std::optional<PathPoint> next = solve(tau, predicted);
-        const double defect = next ? step_defect(points[a], *next, tau - taus[a]) : no_boundary;
+        const double defect           = next && !slips_back(points[a].state, next->state)
+                                          ? step_defect(points[a], *next, tau - taus[a])
+                                          : no_boundary;
         if (defect > 1. && tau - taus[a] > shortest)
           {
             step = (tau - taus[a]) / (2. * step_growth);
@@ -90,6 +92,19 @@ namespace fuga
           step *= step_growth;
       }
     return taus.back();
+  }
+
+  // Behind a rate of slip that is zero the equations of the scheme have solutions that are none, to
+  // which a long step may lead: slips that have gone back.
+  bool
+  CurvedSegment::slips_back(const JointState &from, const JointState &to) const
+  {
+    const double noise = slip_rate_tolerance * largest_jump;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (is_slipping(to.states[k]) && carries_shear(context.elements[k], to.strengths[k]) &&
+          dot(context.scheme.slip_direction_of(k), sum(to.slips[k], -1., from.slips[k])) < -noise)
+        return true;
+    return false;
   }
 
   void

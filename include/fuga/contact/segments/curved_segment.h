@@ -68,6 +68,8 @@ namespace fuga
     Vector
     interpolate(const std::size_t a, const double tau) const;
     bool
+    slips_back(const JointState &from, const JointState &to) const;
+    bool
     is_reduction() const
     {
       return course.share_rate != 0.;
