@@ -172,7 +172,6 @@ namespace fuga
               if (!at_root[i].has_rate && is_met(i))
                 lost_slip.push_back(at_root[i].element);
             forget_behind(b);
-            meet_event();
             return;
           }
         if (!violated)
@@ -208,33 +207,6 @@ namespace fuga
                  first_root(a, b) < no_boundary)
           locate_end(a, b);
       }
-  }
-
-  // Tolerances are those of the rounding of the largest terms. What begins to slip must not begin
-  // off its cone by as much: the point is moved to where the reserve is used up.
-  void
-  CurvedSegment::meet_event()
-  {
-    const std::size_t b = taus.size() - 1;
-    double way          = no_boundary;
-    for (std::size_t i = 0; i < functions[b].size(); ++i)
-      if (const EventFunction &f = functions[b][i], &before = functions[b - 1][i];
-          f.has_rate && f.value <= f.tolerance && f.rate < 0. && before.value > before.tolerance)
-        way = std::min(way, -f.value / f.rate);
-    const double tau = taus[b] + way;
-    if (way == no_boundary || tau == taus[b] || tau <= taus[b - 1] || tau > course.length)
-      return;
-    std::optional<PathPoint> point = solve(tau, points[b].state.dislocations);
-    if (!point)
-      return;
-    std::vector<EventFunction> there = event_functions(tau, *point);
-    if (std::any_of(there.begin(), there.end(), [](const EventFunction &f) {
-          return f.value < -f.tolerance;
-        }))
-      return;
-    taus[b]      = tau;
-    points[b]    = std::move(*point);
-    functions[b] = std::move(there);
   }
 
   // What lies behind an event is no state of the path.

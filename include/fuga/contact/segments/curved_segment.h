@@ -60,8 +60,6 @@ namespace fuga
     void
     locate_end(std::size_t a, std::size_t b);
     void
-    meet_event();
-    void
     divide_behind(std::size_t a, const double shortest);
     std::optional<PathPoint>
     solve(const double tau, const Vector &predicted_dislocations);
