@@ -105,6 +105,42 @@ namespace fuga::tests
     EXPECT_LT(motion.worst.worst(), 1e-9);
   }
 
+  // Two masses on a spring; the second one is pushed for 0.2 s, the first one rubs, and loses a
+  // third of its friction with the first slip (Code_Aster, SDND106A).
+  TEST(Springs, TwoMassesWithFrictionAtRestAndInMotion)
+  {
+    constexpr double m = 5., k = 1e4, N = 1e4, F = 3000.;
+    FrictionLaw friction   = coulomb(0.3);
+    friction.friction_loss = 0.1;
+    // An element that is open all the time tells the displacement of the second mass.
+    ToyJoint joint(2, 1., make_rigid_law(), make_linear_law(1e-4 / (m * 1e6)), friction);
+    joint.elements[1].initial_gap = 1.;
+    Springs springs;
+    springs.masses    = {0., m, 0., m};
+    springs.stiffness = springs.jumps = DenseMatrix(4, 4);
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        springs.jumps(i, i)     = 1.;
+        springs.stiffness(i, i) = i % 2 == 0 ? 1. : k;
+      }
+    springs.stiffness(1, 3) = springs.stiffness(3, 1) = -k;
+    springs.step                                      = 1e-3;
+    springs.loads    = [](const double) { return Vector{0., 0., 0., F}; };
+    JointState first = virgin_state(joint.elements, 4, false);
+    first.forces[0]  = -N;
+    const SpringMotion motion(springs, joint.elements, first, 150);
+    const char *problem = "D4 two masses with friction at rest and in motion";
+    const char *source  = "Code_Aster SDND106A";
+    const auto u        = [&](const double t, const std::size_t mass) {
+      return motion.displacements[static_cast<std::size_t>(std::lround(t / 1e-3))][mass];
+    };
+    EXPECT_NEAR(u(0.02, 1), 0., 1e-6);
+    expect_answer({problem, "u2(0.02) [m]", 0.11221, source}, u(0.02, 3), 1e-3 * 0.11221);
+    expect_answer({problem, "u1(0.15) [m]", 1.35332, source}, u(0.15, 1), 1e-3 * 1.35332);
+    expect_answer({problem, "u2(0.15) [m]", 1.80751, source}, u(0.15, 3), 1e-3 * 1.80751);
+    EXPECT_LT(motion.worst.worst(), 1e-9);
+  }
+
   // Newmark's sliding block under a rectangular pulse A of the duration T, yield N: it comes to
   // rest at A T/N, having slid (A T)²/(2 N) (1 - N/A).
   TEST(Springs, NewmarksBlock)
