@@ -23,8 +23,14 @@ namespace fuga
   }
 
   template <int dim>
-  Model<dim>::Model(const Parameters &run_parameters, const PhaseEnd &before)
-    : Model(run_parameters, {before.stage, {}, {}, {}, {}}, &before, Condensation::with_loads)
+  Model<dim>::Model(const Parameters &run_parameters,
+                    const PhaseEnd &before,
+                    std::shared_ptr<CondensedSystem<dim>> same_bodies)
+    : Model(run_parameters,
+            {before.stage, {}, {}, {}, {}},
+            &before,
+            Condensation::with_loads,
+            std::move(same_bodies))
   {
   }
 
@@ -32,12 +38,15 @@ namespace fuga
   Model<dim>::Model(const Parameters &run_parameters,
                     const ConstructionState &state,
                     const PhaseEnd *before,
-                    const Condensation condensation)
-    : parameters(run_parameters)
+                    const Condensation condensation,
+                    std::shared_ptr<CondensedSystem<dim>> same_bodies)
+    : shared_parameters(std::make_shared<const Parameters>(run_parameters))
+    , parameters(*shared_parameters)
     , timer(before ? before->timer : PhaseTimer())
     , shared_mesh(before ? before->mesh : read_mesh())
     , mesh(*shared_mesh)
-    , bodies(mesh, parameters.model, frictionless_joints(), condensation, state.stage)
+    , shared_bodies(make_bodies(state.stage, condensation, std::move(same_bodies)))
+    , bodies(*shared_bodies)
     , construction(state)
     , monitor_points(find_monitor_points())
     , loads(make_loads(before, condensation))
@@ -50,7 +59,7 @@ namespace fuga
     if (before)
       take_over_joints(*before);
     if (construction.stage > 0)
-      bodies.set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
+      shared_bodies->set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
     timer.set_apart(bodies.phases());
     timer.finish("elements and loads");
     interruption::check("while the model was set up");
@@ -67,6 +76,31 @@ namespace fuga
       split_joints(read_gmsh_mesh(parameters.mesh_file), joint_definitions()));
     timer.finish("mesh");
     return result;
+  }
+
+  // Whoever has the bodies may go on using them behind the model.
+  template <int dim>
+  std::shared_ptr<CondensedSystem<dim>>
+  Model<dim>::make_bodies(const unsigned int stage,
+                          const Condensation condensation,
+                          std::shared_ptr<CondensedSystem<dim>> same_bodies) const
+  {
+    if (same_bodies)
+      {
+        same_bodies->phases() = PhaseTimer();
+        return same_bodies;
+      }
+    struct WithDefinition
+    {
+      std::shared_ptr<const Parameters> parameters;
+      std::shared_ptr<const JointedMesh> mesh;
+      CondensedSystem<dim> bodies;
+    };
+    const auto all = std::shared_ptr<WithDefinition>(
+      new WithDefinition{shared_parameters,
+                         shared_mesh,
+                         {mesh, parameters.model, frictionless_joints(), condensation, stage}});
+    return {all, &all->bodies};
   }
 
   template <int dim>
@@ -111,7 +145,7 @@ namespace fuga
     if (condensation == Condensation::never)
       bodies.check_load_patterns(program.patterns);
     else
-      bodies.set_load_patterns(std::move(program.patterns));
+      shared_bodies->set_load_patterns(std::move(program.patterns));
     return program;
   }
 

@@ -75,7 +75,7 @@ namespace fuga
         if (!shape.dofs.empty())
           construction.shapes.push_back(std::move(shape));
       }
-    bodies.set_stress_free_shapes(construction.shapes);
+    shared_bodies->set_stress_free_shapes(construction.shapes);
     CarriedLoads carried =
       carried_loads(bodies, parameters.model, construction, program.patterns, factors);
     program.patterns.push_back(std::move(carried.carried));

@@ -18,9 +18,12 @@ namespace fuga
       {
         const PhaseEnd end = simulation->leave_phase();
         simulation.reset();
-        const Parameters parameters = model->parameters;
+        const std::shared_ptr<const Parameters> parameters = model->shared_parameters;
+        std::shared_ptr<CondensedSystem<dim>> bodies;
+        if (!changes_construction(parameters->model, end.stage))
+          bodies = model->shared_bodies;
         model.reset(); // two factorisations at once would take twice the memory
-        model      = std::make_unique<const Model<dim>>(parameters, end);
+        model      = std::make_unique<const Model<dim>>(*parameters, end, std::move(bodies));
         simulation = std::make_unique<Simulation<dim>>(*model);
         simulation->on_checkpoint(on_checkpoint);
         code = simulation->enter_phase(end);

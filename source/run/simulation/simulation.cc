@@ -23,13 +23,13 @@ namespace fuga
     : model(shared_model)
     , parameters(model.parameters)
     , accuracy(std::move(of_mesh))
-    , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
-    , layered(model.bodies, joint.elements)
-    , safety_search(model, parameters.joints, joint, layered)
-    , loading(model.loads.history.until(model.loads.end_of_loading))
-    , motion(make_motion())
-    , path(make_path())
-    , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
+    , phase(model, parameters.joints)
+    , joint(phase.joint)
+    , layered(phase.layered)
+    , safety_search(phase.safety_search)
+    , motion(phase.motion)
+    , path(phase.path)
+    , judge(phase.judge)
     , tables(joint.elements)
     , context{joint.elements,
               model.joint_names,
@@ -52,19 +52,6 @@ namespace fuga
 
   template <int dim>
   Simulation<dim>::~Simulation() = default;
-
-  template <int dim>
-  std::unique_ptr<ContactPath>
-  Simulation<dim>::make_path() const
-  {
-    if (motion)
-      return std::make_unique<DynamicPath>(
-        joint.elements, layered, loading, *motion, motion->time_grid(), model.path_options());
-    if (model.bodies.has_stiffness())
-      return std::make_unique<EventPath>(joint.elements, layered, loading, model.path_options());
-    return std::make_unique<MatrixFreePath>(
-      joint.elements, layered, model.bodies, model.bodies, loading);
-  }
 
   template <int dim>
   ExitCode
@@ -156,10 +143,8 @@ namespace fuga
     n_events += events.size();
     history.add_events(events, certificate.worst());
     if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty() && !motion)
-      write_monitors(state.t,
-                     "event",
-                     judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t),
-                     model.loads.history.factors(state.t));
+      write_monitors(
+        state.t, "event", phase.monitored(state), model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
     checkpoint_at_event();
@@ -197,13 +182,13 @@ namespace fuga
   void
   Simulation<dim>::write_state(const JointState &state, const bool with_fields)
   {
-    const work::Scope phase(work::Phase::results);
+    const work::Scope scope(work::Phase::results);
     model.timer.finish("path");
     Certificate certificate = judge.judge(state);
     const Vector jumps      = layered.jumps(state.dislocations, state.forces);
     const Vector x          = judge.coordinates(jumps, state.t);
     const Vector a          = model.loads.history.factors(state.t);
-    const auto results      = element_results(joint.elements, state, jumps, closed_water(a));
+    const auto results      = phase.results(state);
     if (with_fields)
       {
         const dealii::Vector<double> u = displacement(state, x, a, certificate);
@@ -220,9 +205,9 @@ namespace fuga
     history.add_level(state.t,
                       results,
                       model.resultants(results, judge.dissipation()),
-                      energies(),
+                      phase.energies(),
                       certificate.worst());
-    write_monitors(state.t, "level", motion ? displacement_in_motion() : x, a);
+    write_monitors(state.t, "level", phase.monitored(state), a);
     log.level(state.t, results, certificate.worst());
     publish(false);
     model.timer.finish("tables");
@@ -243,7 +228,7 @@ namespace fuga
     if (motion)
       {
         take(motion->equilibrium_error(state.forces));
-        u = model.bodies.by_degrees_of_freedom(displacement_in_motion());
+        u = model.bodies.by_degrees_of_freedom(phase.displacement_in_motion());
       }
     else
       {
@@ -279,14 +264,6 @@ namespace fuga
             temperature.strain(model.monitor_points[i].position(), model.monitors[i].body());
       }
     history.add_monitors(t, occasion, coordinates, factors, thermal_strains);
-  }
-
-  template <int dim>
-  Vector
-  Simulation<dim>::closed_water(const Vector &factors) const
-  {
-    const DenseMatrix &water = model.bodies.closed_water();
-    return water.empty() ? Vector() : multiply(water, factors);
   }
 
   // At a limit load the last state in equilibrium is written like a level.

@@ -191,11 +191,7 @@ namespace fuga
     const Units &u    = parameters.output.units;
     std::string title = "Resultants";
     const std::vector<JointResultant> resultants =
-      model.resultants(element_results(joint.elements,
-                                       last_state,
-                                       layered.jumps(last_state.dislocations, last_state.forces),
-                                       closed_water(model.loads.history.factors(last_state.t))),
-                       judge.dissipation());
+      model.resultants(phase.results(last_state), judge.dissipation());
     for (std::size_t j = 0; j < resultants.size(); ++j)
       {
         if (!model.joints_there[j])

@@ -60,7 +60,7 @@ namespace fuga
             return std::make_unique<EventPath>(joint.elements, layered, loads, options);
           },
           layered,
-          loading,
+          phase.loading,
           model.loads.levels);
       }
     catch (const NumericalFailure &)

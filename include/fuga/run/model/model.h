@@ -35,14 +35,22 @@ namespace fuga
                    const ConstructionState &construction = {},
                    const Condensation condensation       = Condensation::with_loads);
 
-    /** The phase behind @p before. */
-    Model(const Parameters &parameters, const PhaseEnd &before);
+    /**
+     * The phase behind @p before. @p same_bodies: those of another model, which is used no more,
+     * with the same bodies and joints: they are not condensed again.
+     */
+    Model(const Parameters &parameters,
+          const PhaseEnd &before,
+          std::shared_ptr<CondensedSystem<dim>> same_bodies = nullptr);
 
-    const Parameters parameters;
+    const std::shared_ptr<const Parameters> shared_parameters;
+    const Parameters &parameters;
     mutable PhaseTimer timer;
     const std::shared_ptr<const JointedMesh> shared_mesh;
     const JointedMesh &mesh;
-    CondensedSystem<dim> bodies;
+    /** They know the parameters of the model that they were made for. */
+    const std::shared_ptr<CondensedSystem<dim>> shared_bodies;
+    const CondensedSystem<dim> &bodies;
     /** What this phase took over. */
     ConstructionState construction;
     /** Found before the bodies are condensed, as loads and joints are. */
@@ -108,8 +116,13 @@ namespace fuga
     Model(const Parameters &parameters,
           const ConstructionState &construction,
           const PhaseEnd *before,
-          const Condensation condensation);
+          const Condensation condensation,
+          std::shared_ptr<CondensedSystem<dim>> same_bodies = nullptr);
 
+    std::shared_ptr<CondensedSystem<dim>>
+    make_bodies(const unsigned int stage,
+                const Condensation condensation,
+                std::shared_ptr<CondensedSystem<dim>> same_bodies) const;
     void
     check_later_phases() const;
     void

@@ -4,13 +4,10 @@
 #ifndef fuga_run_simulation_simulation_h
 #define fuga_run_simulation_simulation_h
 
-#include <fuga/bodies/dynamics/bodies_in_motion.h>
 #include <fuga/output/restart/checkpoint.h>
 #include <fuga/output/tables/accuracy_report.h>
 #include <fuga/output/tables/summary.h>
-#include <fuga/run/model/joint_model.h>
-#include <fuga/run/model/model.h>
-#include <fuga/run/model/safety_search.h>
+#include <fuga/run/model/phase_run.h>
 #include <fuga/run/simulation/table_range.h>
 
 #include <functional>
@@ -106,10 +103,6 @@ namespace fuga
       MechanismCertificate mechanism;
     };
 
-    std::unique_ptr<BodiesInMotion<dim>>
-    make_motion() const;
-    std::unique_ptr<ContactPath>
-    make_path() const;
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
     /** What shows that the data are too ill-conditioned for the bound of the certificate; empty if
@@ -164,12 +157,6 @@ namespace fuga
                  const Vector &x,
                  const Vector &a,
                  Certificate &certificate) const;
-    /** The same of bodies in motion, by nodes. */
-    Vector
-    displacement_in_motion() const;
-    /** Energies for the tables. */
-    EnergyLedger
-    energies() const;
     void
     write_last_state();
     void
@@ -177,9 +164,6 @@ namespace fuga
                    const std::string &occasion,
                    const Vector &coordinates,
                    const Vector &factors);
-    /** Forces of water in closed elements; empty without water. */
-    Vector
-    closed_water(const Vector &factors) const;
     void
     finish(const Outcome &outcome);
     /** Leaves complete files of what was reached, and a checkpoint. @throws Interrupted always. */
@@ -204,23 +188,19 @@ namespace fuga
     const Model<dim> &model;
     const Parameters &parameters;
     const AccuracyReport accuracy;
-    const JointModel joint;
-    const LayeredSystem layered;
-    const SafetySearch<dim> safety_search;
-    /** The loads without the searches for safety that follow them. */
-    const LoadHistory loading;
+    PhaseRun<dim> phase;
+    const JointModel &joint;
+    const LayeredSystem &layered;
+    const SafetySearch<dim> &safety_search;
     /** Of a dynamic stage. */
-    std::unique_ptr<BodiesInMotion<dim>> motion;
-    std::unique_ptr<ContactPath> path;
-    Judge judge;
+    const std::unique_ptr<BodiesInMotion<dim>> &motion;
+    const std::unique_ptr<ContactPath> &path;
+    Judge &judge;
     TableRange tables;
     const HistoryContext context;
     RunLog log;
     FieldWriter<dim> fields;
     HistoryWriter history;
-
-    /** When the motion of a dynamic stage began. */
-    std::optional<EnergyLedger> energies_at_rest;
 
     /** The path began with the first load of the model. */
     bool from_the_beginning = false;

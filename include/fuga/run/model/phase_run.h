@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_run_model_phase_run_h
+#define fuga_run_model_phase_run_h
+
+#include <fuga/bodies/dynamics/bodies_in_motion.h>
+#include <fuga/contact/judge/certificate.h>
+#include <fuga/output/results/joint_results.h>
+#include <fuga/run/model/joint_model.h>
+#include <fuga/run/model/model.h>
+#include <fuga/run/model/safety_search.h>
+
+#include <optional>
+
+namespace fuga
+{
+  /**
+   * One phase of construction on its way: what a run and a variant of a sweep have in common. The
+   * members are in the order in which data goes through them. Nothing is written.
+   */
+  template <int dim>
+  class PhaseRun
+  {
+  public:
+    /**
+     * @p joints: with their laws and strength. @p similar: a layered system of other joints of the
+     * same model, which is used if theirs have the same compliances. Model and joints must outlive
+     * this object.
+     */
+    PhaseRun(const Model<dim> &model,
+             const std::vector<JointParameters> &joints,
+             const std::shared_ptr<const LayeredSystem> &similar = nullptr);
+
+    ~PhaseRun();
+
+    const Model<dim> &model;
+    const JointModel joint;
+    const std::shared_ptr<const LayeredSystem> shared_layered;
+    const LayeredSystem &layered;
+    const SafetySearch<dim> safety_search;
+    /** The loads without the searches for safety that follow them. */
+    const LoadHistory loading;
+    /** Of a dynamic stage. */
+    const std::unique_ptr<BodiesInMotion<dim>> motion;
+    const std::unique_ptr<ContactPath> path;
+    Judge judge;
+
+    /** What an observer of the path hears before and behind a step of a dynamic stage. */
+    void
+    began_step(const ContactSystem &system, const LoadHistory &history);
+    void
+    ended_step(const JointState &state);
+
+    /** The path of a dynamic stage. */
+    const DynamicPath &
+    dynamic_path() const;
+
+    /** Energies for the tables. */
+    EnergyLedger
+    energies() const;
+
+    /** Displacement of bodies in motion, by nodes. */
+    Vector
+    displacement_in_motion() const;
+
+    /** What monitors take in a state: interface coordinates, or displacements in motion. */
+    Vector
+    monitored(const JointState &state) const;
+
+    std::vector<ElementResult>
+    results(const JointState &state) const;
+
+    /** What the next phase has to know of the end of this one, but for the records of a run. */
+    PhaseEnd
+    leave(const JointState &last_state, const PathResult &result, const std::size_t next_level);
+
+    /** Lets the judge go on behind the phase that ended so, for which the model was made. Returns
+     * what the path goes on from, with the records of @p before. */
+    Checkpoint
+    enter(const PhaseEnd &before);
+
+  private:
+    std::shared_ptr<const LayeredSystem>
+    make_layered(const std::shared_ptr<const LayeredSystem> &similar) const;
+    std::unique_ptr<BodiesInMotion<dim>>
+    make_motion() const;
+    std::unique_ptr<ContactPath>
+    make_path() const;
+
+    /** When the motion of a dynamic stage began. */
+    std::optional<EnergyLedger> energies_at_rest;
+  };
+} // namespace fuga
+
+#endif

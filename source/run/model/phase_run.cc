@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/bodies/dynamics/time_steps.h>
+#include <fuga/bodies/space/discretization.h>
+#include <fuga/contact/dynamics/dynamic_path.h>
+#include <fuga/contact/element/joint_water.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/contact/path/matrix_free_path.h>
+#include <fuga/run/model/phase_run.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Only the compliances of the bars enter a layered system; friction and cohesion do not. */
+    bool
+    is_of(const LayeredSystem &system, const std::vector<ContactElement> &elements)
+    {
+      const auto same =
+        [&system](const std::size_t bar, const ComplianceLaw &law, const ContactElement &element) {
+          return system.compliance(bar) == bar_compliance(law, element.area);
+        };
+      return std::all_of(elements.begin(), elements.end(), [&](const ContactElement &element) {
+        return same(element.normal_bar, *element.normal_law, element) &&
+               (!element.has_tangential_bar() ||
+                same(element.tangential_bar, *element.shear_law, element));
+      });
+    }
+  } // namespace
+
+  template <int dim>
+  PhaseRun<dim>::PhaseRun(const Model<dim> &of_phase,
+                          const std::vector<JointParameters> &joints,
+                          const std::shared_ptr<const LayeredSystem> &similar)
+    : model(of_phase)
+    , joint(make_joint_model<dim>(model.bodies, joints, model.parameters.model.constants))
+    , shared_layered(make_layered(similar))
+    , layered(*shared_layered)
+    , safety_search(model, joints, joint, layered)
+    , loading(model.loads.history.until(model.loads.end_of_loading))
+    , motion(make_motion())
+    , path(make_path())
+    , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
+  {
+  }
+
+  template <int dim>
+  PhaseRun<dim>::~PhaseRun() = default;
+
+  template <int dim>
+  std::shared_ptr<const LayeredSystem>
+  PhaseRun<dim>::make_layered(const std::shared_ptr<const LayeredSystem> &similar) const
+  {
+    return similar && is_of(*similar, joint.elements)
+             ? similar
+             : std::make_shared<const LayeredSystem>(model.bodies, joint.elements);
+  }
+
+  template <int dim>
+  std::unique_ptr<BodiesInMotion<dim>>
+  PhaseRun<dim>::make_motion() const
+  {
+    if (!model.is_dynamic())
+      return nullptr;
+    return std::make_unique<BodiesInMotion<dim>>(
+      model.bodies, loading, model.construction.stage, model.massless_joints());
+  }
+
+  template <int dim>
+  std::unique_ptr<ContactPath>
+  PhaseRun<dim>::make_path() const
+  {
+    if (motion)
+      return std::make_unique<DynamicPath>(
+        joint.elements, layered, loading, *motion, motion->time_grid(), model.path_options());
+    if (model.bodies.has_stiffness())
+      return std::make_unique<EventPath>(joint.elements, layered, loading, model.path_options());
+    return std::make_unique<MatrixFreePath>(
+      joint.elements, layered, model.bodies, model.bodies, loading);
+  }
+
+  template <int dim>
+  void
+  PhaseRun<dim>::began_step(const ContactSystem &system, const LoadHistory &history_of_step)
+  {
+    if (!energies_at_rest)
+      energies_at_rest = judge.energies();
+    judge.begin_step(system, history_of_step);
+  }
+
+  template <int dim>
+  void
+  PhaseRun<dim>::ended_step(const JointState &state)
+  {
+    judge.end_step(state);
+  }
+
+  template <int dim>
+  const DynamicPath &
+  PhaseRun<dim>::dynamic_path() const
+  {
+    return static_cast<const DynamicPath &>(*path);
+  }
+
+  // What the judge calls the energy of moving bodies is the work on the stiffness of the steps. The
+  // tables have no columns for what is kinetic, or was damped: they tell of the rest of the work.
+  template <int dim>
+  EnergyLedger
+  PhaseRun<dim>::energies() const
+  {
+    EnergyLedger result = judge.energies();
+    if (energies_at_rest)
+      {
+        const MotionLedger &of_motion = dynamic_path().energies();
+        result.external_work =
+          energies_at_rest->external_work + of_motion.work - of_motion.kinetic - of_motion.damping;
+        result.bodies = energies_at_rest->bodies + of_motion.bodies;
+      }
+    return result;
+  }
+
+  template <int dim>
+  Vector
+  PhaseRun<dim>::displacement_in_motion() const
+  {
+    Vector u = motion->displacement();
+    if (model.construction.displacement.empty())
+      return u;
+    const Vector before = model.bodies.discretization().by_nodes(model.construction.displacement);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] += before[i];
+    return u;
+  }
+
+  template <int dim>
+  Vector
+  PhaseRun<dim>::monitored(const JointState &state) const
+  {
+    return motion ? displacement_in_motion()
+                  : judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t);
+  }
+
+  template <int dim>
+  std::vector<ElementResult>
+  PhaseRun<dim>::results(const JointState &state) const
+  {
+    const DenseMatrix &water = model.bodies.closed_water();
+    return element_results(joint.elements,
+                           state,
+                           layered.jumps(state.dislocations, state.forces),
+                           water.empty() ? Vector()
+                                         : multiply(water, model.loads.history.factors(state.t)));
+  }
+
+  template <int dim>
+  PhaseEnd
+  PhaseRun<dim>::leave(const JointState &last_state,
+                       const PathResult &result,
+                       const std::size_t next_level)
+  {
+    PhaseEnd end;
+    end.stage      = model.next_stage();
+    end.mesh       = model.shared_mesh;
+    end.elements   = joint.elements;
+    end.identities = model.bodies.identities();
+    end.shapes     = model.construction.shapes;
+
+    const dealii::Vector<double> u =
+      motion
+        ? model.bodies.by_degrees_of_freedom(displacement_in_motion())
+        : model.bodies.recover(model.loads.history.factors(last_state.t), monitored(last_state));
+    if (motion)
+      judge.end_motion(energies().bodies);
+    end.displacement.assign(u.begin(), u.end());
+    end.was_there.assign(u.size(), false);
+    const Discretization<dim> &space = model.bodies.discretization();
+    for (std::size_t node = 0; node < space.n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        end.was_there[space.dof(node, c)] = true;
+
+    end.checkpoint.record.last_state = last_state;
+    end.checkpoint.judge             = judge.memory();
+    end.checkpoint.cut.result        = result;
+    end.checkpoint.cut.iterations    = path->iterations();
+    end.checkpoint.cut.next_level    = next_level;
+    return end;
+  }
+
+  template <int dim>
+  Checkpoint
+  PhaseRun<dim>::enter(const PhaseEnd &before)
+  {
+    const PhaseTransfer transfer(before, joint.elements, model.bodies.identities());
+    Checkpoint checkpoint = before.checkpoint;
+    JointState &state = checkpoint.cut.state = model.first_state;
+    // Water in what is grouted is squeezed out.
+    const Vector factors = model.loads.history.factors(state.t);
+    const Vector no_force(layered.n_bars(), 0.);
+    renew_water(joint.elements, layered, factors, no_force, WaterRelief::allowed, state);
+    checkpoint.record.last_state = state;
+    CriticalFriction &critical   = checkpoint.cut.result.critical;
+    critical.elements            = transfer.numbers(critical.elements);
+
+    Vector &dissipation = checkpoint.judge.element_dissipation;
+    dissipation         = transfer.of_elements(dissipation);
+    judge.begin_phase(checkpoint.judge, model.first_state);
+    checkpoint.judge = judge.memory();
+    return checkpoint;
+  }
+
+  template class PhaseRun<2>;
+  template class PhaseRun<3>;
+} // namespace fuga
