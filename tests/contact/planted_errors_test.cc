@@ -259,9 +259,20 @@ TEST_F(PlantedMechanisms, AStrengthThatTheLoadTakesAway)
       EXPECT_NEAR((*found)[2 * node + 1], 1., 1e-12);
     }
   EXPECT_NEAR(judge.judge_mechanism(at_strength, motion).drive, 1., 1e-12);
+  // The chain slides, which the contact allows, though the load does not push it.
+  PathResult lost;
+  lost.verdict = Verdict::no_continuation;
+  lost.tried   = "Nothing was found";
+  const LayeredSystem layered(chain, joint.elements);
+  EXPECT_TRUE(prove_limit(judge, joint.elements, layered, at_strength, lost).proves());
+  EXPECT_EQ(lost.verdict, Verdict::limit_load);
+  EXPECT_EQ(lost.mechanism, MechanismKind::sliding);
+  for (std::size_t node = 0; node < n; ++node)
+    EXPECT_NEAR(lost.mechanism_jumps[2 * node + 1], 1., 1e-12);
   const LoadHistory heavier{{0., 1., 2.}, {{0., 0.}, {1., 12.}, {2., 12.}}};
   Judge judge_of_heavier(chain, joint.elements, heavier);
   judge_of_heavier.judge(at_limit.last);
+  EXPECT_FALSE(judge_of_heavier.mechanism(at_strength));
   EXPECT_LE(judge_of_heavier.judge_mechanism(at_strength, motion).drive, 0.);
 }
 

@@ -192,6 +192,30 @@ namespace fuga
     return result;
   }
 
+  Vector
+  Judge::nearest_motion(const JointState &state,
+                        const Motions wanted,
+                        const DenseMatrix &jumps_of,
+                        const Vector &target) const
+  {
+    const Vector delta = jumps(state.dislocations, state.forces);
+    Conditions equal(jumps_of), positive(jumps_of);
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      add_conditions(elements[k],
+                     freedom(k, state, delta),
+                     wanted == Motions::resisted_by_none,
+                     equal,
+                     positive);
+    const Vector amount = nearest_in_cone(equal.matrix(), positive.matrix(), target);
+    if (max_abs(amount) <= no_motion * max_abs(target))
+      return {};
+    Vector result        = multiply(jumps_of, amount);
+    const double largest = max_abs(result);
+    for (double &jump : result)
+      jump /= largest;
+    return result;
+  }
+
   // Rigid motions change no force, and the conditions on them are linear: the motion that the load
   // drives most is the projection of the powers on their cone. Where it vanishes the load drives
   // none.
@@ -202,23 +226,28 @@ namespace fuga
     if (motions.empty())
       return {};
     const DenseMatrix combinations = orthonormal_combinations(motions);
-    const DenseMatrix jumps_of     = multiply(motions, combinations);
-    const Vector delta             = jumps(state.dislocations, state.forces);
-    Conditions equal(jumps_of), positive(jumps_of);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      add_conditions(elements[k],
-                     freedom(k, state, delta),
-                     wanted == Motions::resisted_by_none,
-                     equal,
-                     positive);
-    const Vector powers = multiply_transposed(combinations, powers_of_growth(state));
-    const Vector amount = nearest_in_cone(equal.matrix(), positive.matrix(), powers);
-    if (max_abs(amount) <= no_motion * max_abs(powers))
+    const Vector motion =
+      nearest_motion(state,
+                     wanted,
+                     multiply(motions, combinations),
+                     multiply_transposed(combinations, powers_of_growth(state)));
+    return motion.empty() ? std::optional<Vector>() : motion;
+  }
+
+  // Where the load takes the strength away from lips that slide against it, the motion is the one
+  // that decides, without the rise of the lips.
+  std::optional<Vector>
+  Judge::mechanism(const JointState &state) const
+  {
+    if (std::optional<Vector> driven = driven_motion(state))
+      return driven;
+    const std::optional<Vector> rising = driven_motion(state, Motions::resisted_by_none);
+    if (!rising)
       return {};
-    Vector result        = multiply(jumps_of, amount);
-    const double largest = max_abs(result);
-    for (double &jump : result)
-      jump /= largest;
-    return result;
+    const DenseMatrix &motions = system->rigid_motions();
+    const DenseMatrix jumps_of = multiply(motions, orthonormal_combinations(motions));
+    const Vector motion =
+      nearest_motion(state, Motions::possible, jumps_of, multiply_transposed(jumps_of, *rising));
+    return motion.empty() ? std::optional<Vector>() : motion;
   }
 } // namespace fuga

@@ -45,7 +45,7 @@ namespace fuga
     if (is_limit && of_path.proves())
       return of_path;
 
-    const std::optional<Vector> motion = judge.driven_motion(state);
+    const std::optional<Vector> motion = judge.mechanism(state);
     const MechanismCertificate of_judge =
       motion ? judge.judge_mechanism(state, *motion) : MechanismCertificate();
     if (motion && of_judge.proves())

@@ -205,6 +205,11 @@ namespace fuga
     std::optional<Vector>
     driven_motion(const JointState &state, const Motions motions = Motions::possible) const;
 
+    /** A rigid motion that the contact allows in @p state and that proves a limit load if any does;
+     * jumps, largest one. */
+    std::optional<Vector>
+    mechanism(const JointState &state) const;
+
     const EnergyLedger &
     energies() const
     {
@@ -292,6 +297,13 @@ namespace fuga
      * motions of the bodies. */
     Vector
     powers_of_growth(const JointState &state) const;
+    /** Of the wanted motions the one nearest to @p target, a combination of the orthonormal columns
+     * @p jumps_of; jumps, largest one. Empty if that is none. */
+    Vector
+    nearest_motion(const JointState &state,
+                   const Motions wanted,
+                   const DenseMatrix &jumps_of,
+                   const Vector &target) const;
     /** The same on the jumps @p motion, beside the sum of its terms. */
     double
     drive(const JointState &state, const Vector &motion) const;
