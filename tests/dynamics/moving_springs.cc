@@ -7,12 +7,6 @@ namespace fuga::tests
 {
   namespace
   {
-    double
-    length_of_step(const Springs &springs, const unsigned int rung)
-    {
-      return springs.step / static_cast<double>(1U << rung);
-    }
-
     TimeIntegration::Damping
     damping_of(const Springs &springs)
     {
@@ -38,11 +32,10 @@ namespace fuga::tests
   }
 
   void
-  MovingSprings::begin(const Vector &forces)
+  MovingSprings::begin(const Vector &forces, MotionLedger &ledger)
   {
     first_forces         = forces;
     t                    = 0.;
-    ledger               = MotionLedger();
     const Vector at_rest = Vector(springs.masses.size(), 0.);
     const Vector &v      = springs.velocities.empty() ? at_rest : springs.velocities;
     integration.begin(v, plus(springs.loads(0.), -1., damping_of(springs)(v)));
@@ -53,7 +46,7 @@ namespace fuga::tests
   DenseMatrix
   MovingSprings::condensed_stiffness(const unsigned int rung)
   {
-    const double length = length_of_step(springs, rung);
+    const double length = springs.length_of(rung);
     DenseMatrix S       = springs.stiffness;
     for (std::size_t i = 0; i < S.n_rows(); ++i)
       {
@@ -67,12 +60,12 @@ namespace fuga::tests
   Vector
   MovingSprings::begin_step(const unsigned int rung)
   {
-    h = length_of_step(springs, rung);
+    h = springs.length_of(rung);
     return integration.push(h, plus(springs.loads(t + h), -1., springs.loads(t)));
   }
 
   void
-  MovingSprings::finish_step(const Vector &x, const Vector &)
+  MovingSprings::finish_step(const Vector &x, const Vector &, MotionLedger &ledger)
   {
     Vector mean = plus(springs.loads(t), 1., springs.loads(t + h));
     for (double &value : mean)

@@ -26,6 +26,13 @@ namespace fuga::tests
     Vector velocities;
     double step            = 0.;
     double spectral_radius = 1.;
+
+    /** Length of the steps of a rung. */
+    double
+    length_of(const unsigned int rung) const
+    {
+      return step / static_cast<double>(1U << rung);
+    }
   };
 
   class MovingSprings : public MovingBodies
@@ -34,7 +41,7 @@ namespace fuga::tests
     explicit MovingSprings(Springs springs);
 
     void
-    begin(const Vector &forces) override;
+    begin(const Vector &forces, MotionLedger &ledger) override;
     DenseMatrix
     condensed_stiffness(const unsigned int rung) override;
     const DenseMatrix &
@@ -45,12 +52,7 @@ namespace fuga::tests
     Vector
     begin_step(const unsigned int rung) override;
     void
-    finish_step(const Vector &x, const Vector &forces) override;
-    MotionLedger
-    energies() const override
-    {
-      return ledger;
-    }
+    finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) override;
 
     const TimeIntegration &
     motion() const
@@ -67,7 +69,6 @@ namespace fuga::tests
   private:
     const Springs springs;
     TimeIntegration integration;
-    MotionLedger ledger;
     Vector first_forces;
     double t = 0., h = 0.;
   };

@@ -6,6 +6,7 @@
 
 #include <fuga/base/numerics/dense_matrix.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -73,6 +74,14 @@ namespace fuga
     unsigned int earthquake_stage = 0;
     Baseline baseline             = Baseline::warn;
     std::vector<AddedMass> added_masses;
+
+    /** Whether massless_bodies name the body. */
+    bool
+    is_massless(const std::string &body) const
+    {
+      return std::find(massless_bodies.begin(), massless_bodies.end(), body) !=
+             massless_bodies.end();
+    }
   };
 } // namespace fuga
 

@@ -85,6 +85,16 @@ namespace fuga
     visit("kept_water", kept_water);
   }
 
+  /** Gives a state the water of another one, or takes its water if that has none. */
+  inline void
+  take_water(const JointState &from, JointState &state)
+  {
+    state.access        = from.access;
+    state.water         = from.water;
+    state.missing_water = from.missing_water;
+    state.kept_water    = from.kept_water;
+  }
+
   /** How a JointState changes per unit of the path parameter. */
   struct JointRates
   {

@@ -112,6 +112,13 @@ namespace fuga
     return blas::dot(x.size(), x.data(), y.data());
   }
 
+  void
+  add_multiple(const double factor, const Vector &x, Vector &y)
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      y[i] += factor * x[i];
+  }
+
   double
   max_abs(const Vector &x)
   {

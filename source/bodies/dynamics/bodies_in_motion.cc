@@ -10,6 +10,7 @@
 #include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/joints/contact_bars.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/solvers/elimination_order.h>
 
@@ -20,11 +21,17 @@ namespace fuga
 {
   namespace
   {
-    void
-    add(const double factor, const Vector &x, Vector &y)
+    TimeGrid
+    grid_of(const ModelDefinition &model, const unsigned int stage)
     {
-      for (std::size_t i = 0; i < x.size(); ++i)
-        y[i] += factor * x[i];
+      const DynamicsDefinition &dynamics = model.dynamics;
+      const StageDefinition &definition  = model.stages[stage];
+      const auto n_steps = static_cast<unsigned int>(number_of_time_steps(dynamics, definition));
+      return {static_cast<double>(stage),
+              n_steps,
+              definition.duration / n_steps,
+              dynamics.halvings,
+              dynamics.event_tolerance};
     }
   } // namespace
 
@@ -38,10 +45,8 @@ namespace fuga
     , history(load_history)
     , stage(number_of_stage)
     , duration(model.definition().stages[stage].duration)
-    , n_steps(static_cast<unsigned int>(
-        number_of_time_steps(model.definition().dynamics, model.definition().stages[stage])))
-    , step(duration / n_steps)
-    , solvers(model.definition().dynamics.halvings + 1)
+    , grid(grid_of(model.definition(), stage))
+    , solvers(grid.halvings + 1)
   {
     const DynamicsDefinition &dynamics = model.definition().dynamics;
     // The ratio ζ = α/2ω + βω/2 at both frequencies.
@@ -64,39 +69,38 @@ namespace fuga
 
 
   template <int dim>
-  TimeGrid
-  BodiesInMotion<dim>::time_grid() const
+  void
+  BodiesInMotion<dim>::begin(const Vector &bar_forces, MotionLedger &ledger)
   {
-    const DynamicsDefinition &dynamics = model.definition().dynamics;
-    return {static_cast<double>(stage), n_steps, step, dynamics.halvings, dynamics.event_tolerance};
+    first_forces          = bar_forces;
+    first_forces_at_nodes = model.bar_forces(bar_forces);
+    present_time          = 0.;
+    forces                = forces_at(0.);
+    const Vector velocity = initial_velocity();
+    integration->begin(velocity, out_of_balance(bar_forces, velocity, {}));
+    ledger.kinetic = ledger.work = integration->kinetic_energy();
   }
 
 
   template <int dim>
-  void
-  BodiesInMotion<dim>::begin(const Vector &bar_forces)
+  Vector
+  BodiesInMotion<dim>::initial_velocity() const
   {
-    first_forces = bar_forces;
-    present_time = 0.;
-    ledger       = MotionLedger();
-    forces       = forces_at(0.);
-
-    const Discretization<dim> &space = model.discretization();
-    Vector velocity(space.n_dofs(), 0.);
-    const bool is_first = stage == first_dynamic_stage(model.definition());
-    for (std::size_t cell = 0; cell < space.n_cells() && is_first; ++cell)
-      for (const Material &material : model.definition().materials)
-        if (material.body == model.jointed_mesh().body_names[space.cell_body(cell)])
-          for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
-            for (unsigned int c = 0; c < dim; ++c)
-              if (const std::size_t dof = space.cell_nodes(cell)[i] * dim + c;
-                  !model.fixed_dofs()[dof])
-                velocity[dof] = material.initial_velocity[c];
-    Vector out_of_balance = forces;
-    add(-1., damping_times(velocity), out_of_balance);
-    space.hanging_nodes().move_to_masters(out_of_balance);
-    integration->begin(velocity, out_of_balance);
-    ledger.kinetic = ledger.work = integration->kinetic_energy();
+    const Discretization<dim> &space   = model.discretization();
+    const ModelDefinition &definition  = model.definition();
+    const std::vector<std::string> &of = model.jointed_mesh().body_names;
+    Vector result(space.n_dofs(), 0.);
+    if (stage != first_dynamic_stage(definition))
+      return result;
+    std::vector<std::array<double, 3>> velocities(of.size());
+    for (const Material &material : definition.materials)
+      velocities[index_of(of, material.body)] = material.initial_velocity;
+    for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+      for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const std::size_t dof = space.cell_nodes(cell)[i] * dim + c; !model.fixed_dofs()[dof])
+            result[dof] = velocities[space.cell_body(cell)][c];
+    return result;
   }
 
 
@@ -105,17 +109,16 @@ namespace fuga
   BodiesInMotion<dim>::condensed_stiffness(const unsigned int rung)
   {
     const auto &coordinates  = model.interface_coordinates();
-    const double h           = length_of_step(rung);
+    const double h           = grid.length_of(rung);
     SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
     const double damped      = 1. + integration->damping_factor(h) * stiffness_damping;
     for (double &value : matrix.values)
       value *= damped;
     add_inertia(integration->mass_factor(h) + integration->damping_factor(h) * mass_damping,
                 matrix);
-    std::vector<int> order;
-    if (processes::is_first())
+    if (order.empty() && processes::is_first())
       order = elimination_order(model.discretization(), coordinates);
-    solvers[rung] = std::make_unique<SchurSolver>(std::move(order));
+    solvers[rung] = std::make_unique<SchurSolver>(order);
     return solvers[rung]->eliminate(matrix, coordinates.n_interface());
   }
 
@@ -152,10 +155,10 @@ namespace fuga
   BodiesInMotion<dim>::begin_step(const unsigned int rung)
   {
     rung_of_step   = rung;
-    const double h = length_of_step(rung);
+    const double h = grid.length_of(rung);
     forces_at_end  = forces_at(present_time + h);
     Vector growth  = forces_at_end;
-    add(-1., forces, growth);
+    add_multiple(-1., forces, growth);
     const Vector push = model.interface_coordinates().gather(integration->push(h, growth));
     DenseMatrix loads(push.size(), 1);
     std::copy(push.begin(), push.end(), loads.data());
@@ -166,38 +169,37 @@ namespace fuga
 
   template <int dim>
   void
-  BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces)
+  BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger)
   {
-    const double h  = length_of_step(rung_of_step);
+    const double h  = grid.length_of(rung_of_step);
     const Vector y  = solvers[rung_of_step]->expand(x);
     const Vector du = model.interface_coordinates().distribute(y.data(), {});
-    Vector mean     = model.bar_forces(first_forces);
-    add(0.5, forces, mean);
-    add(0.5, forces_at_end, mean);
+    Vector mean     = first_forces_at_nodes;
+    add_multiple(0.5, forces, mean);
+    add_multiple(0.5, forces_at_end, mean);
     integration->advance(h, du, mean, ledger);
     const Vector &u      = integration->displacement();
     const Vector elastic = stiffness_times(u);
     ledger.bodies        = 0.5 * dot(u, elastic);
     forces               = forces_at_end;
     present_time += h;
-    integration->correct(out_of_balance(bar_forces, elastic));
+    integration->correct(out_of_balance(bar_forces, integration->velocity(), elastic));
   }
 
 
   template <int dim>
   Vector
-  BodiesInMotion<dim>::out_of_balance(const Vector &bar_forces, const Vector &elastic) const
+  BodiesInMotion<dim>::out_of_balance(const Vector &bar_forces,
+                                      const Vector &velocity,
+                                      const Vector &elastic) const
   {
     Vector changes = bar_forces;
-    add(-1., first_forces, changes);
+    add_multiple(-1., first_forces, changes);
     Vector result = forces;
-    add(-1., elastic, result);
-    add(-1., model.bar_forces(changes), result);
-    add(-1., damping_times(integration->velocity()), result);
+    add_multiple(-1., elastic, result);
+    add_multiple(-1., model.bar_forces(changes), result);
+    add_multiple(-1., damping_times(velocity), result);
     model.discretization().hanging_nodes().move_to_masters(result);
-    for (std::size_t dof = 0; dof < result.size(); ++dof)
-      if (model.fixed_dofs()[dof])
-        result[dof] = 0.;
     return result;
   }
 
@@ -235,9 +237,9 @@ namespace fuga
     Vector factors = history.factors(stage + std::min(time / duration, 1.));
     if (stage > 0)
       {
-        add(-1., history.factors(stage), factors);
-        factors.back() =
-          -1.; // what is out of balance when the phase begins: CarriedLoads::released
+        add_multiple(-1., history.factors(stage), factors);
+        // What is out of balance when the phase begins (CarriedLoads::released) moves at once.
+        factors.back() = -1.;
       }
     Vector result = model.applied_forces(factors);
     result.resize(model.discretization().n_dofs(), 0.);
@@ -262,25 +264,14 @@ namespace fuga
 
 
   template <int dim>
-  double
-  BodiesInMotion<dim>::total_mass(const unsigned int component) const
-  {
-    double sum = 0.;
-    for (std::size_t dof = component; dof < integration->mass().size(); dof += dim)
-      sum += integration->mass()[dof];
-    return sum;
-  }
-
-
-  template <int dim>
   EquilibriumError
   BodiesInMotion<dim>::equilibrium_error(const Vector &p) const
   {
     Vector loads = forces;
-    add(-1., integration->inertia(), loads);
-    add(-1., damping_times(integration->velocity()), loads);
+    add_multiple(-1., integration->inertia(), loads);
+    add_multiple(-1., damping_times(integration->velocity()), loads);
     Vector changes = p;
-    add(-1., first_forces, changes);
+    add_multiple(-1., first_forces, changes);
     return model.equilibrium_error_under(
       loads, model.by_degrees_of_freedom(integration->displacement()), changes, {});
   }

@@ -21,9 +21,7 @@ namespace fuga
       const DynamicsDefinition &dynamics = model.dynamics;
       Vector density(mesh.body_names.size(), 0.);
       for (const Material &material : model.materials)
-        if (std::find(dynamics.massless_bodies.begin(),
-                      dynamics.massless_bodies.end(),
-                      material.body) == dynamics.massless_bodies.end())
+        if (!dynamics.is_massless(material.body))
           density[index_of(mesh.body_names, material.body)] =
             material.weight_density / dynamics.gravity;
       return density;

@@ -18,6 +18,13 @@ namespace fuga
   }
 
 
+  bool
+  has_dynamic_stage(const ModelDefinition &model)
+  {
+    return first_dynamic_stage(model) < model.stages.size();
+  }
+
+
   double
   number_of_time_steps(const DynamicsDefinition &dynamics, const StageDefinition &stage)
   {

@@ -29,20 +29,13 @@ namespace fuga
       return built;
     }
 
-    void
-    add(const double factor, const Vector &x, Vector &sum)
-    {
-      for (std::size_t i = 0; i < x.size(); ++i)
-        sum[i] += factor * x[i];
-    }
-
     /** Displacement that the patterns prescribe at the held degrees of freedom. */
     Vector
     prescribed(const std::vector<LoadPattern> &patterns, const Vector &factors, const std::size_t n)
     {
       Vector result(n, 0.);
       for (std::size_t j = 0; j < patterns.size(); ++j)
-        add(factors[j], patterns[j].prescribed, result);
+        add_multiple(factors[j], patterns[j].prescribed, result);
       return result;
     }
 
@@ -89,7 +82,7 @@ namespace fuga
         for (std::size_t i = 0; i < shape.dofs.size(); ++i)
           all[shape.dofs[i]] = shape.displacements[i];
         const std::vector<bool> built = bodies_built_in(mesh.body_names, model, shape.stage);
-        add(1., bodies.forces(space.by_nodes(all), &built), result.carried.forces);
+        add_multiple(1., bodies.forces(space.by_nodes(all), &built), result.carried.forces);
       }
     result.carried.prescribed =
       further_displacements(u, prescribed(patterns, factors, space.n_dofs()), system.fixed_dofs());
@@ -97,10 +90,10 @@ namespace fuga
     Vector terms;
     Vector &released = result.released.forces = bodies.forces(u, terms);
     const Vector contact                      = system.bar_forces(state.forces);
-    add(-1., result.carried.forces, released);
-    add(1., contact, released);
+    add_multiple(-1., result.carried.forces, released);
+    add_multiple(1., contact, released);
     for (std::size_t j = 0; j < patterns.size(); ++j)
-      add(-factors[j], patterns[j].forces, released);
+      add_multiple(-factors[j], patterns[j].forces, released);
     double largest = 0.;
     for (const Vector *part :
          std::initializer_list<const Vector *>{&terms, &contact, &result.carried.forces})

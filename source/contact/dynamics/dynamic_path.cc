@@ -67,7 +67,7 @@ namespace fuga
     tick              = 0;
     slip_rates.assign(elements.size(), TangentVector{});
     length_before = largest_rate = 0.;
-    bodies.begin(state.forces);
+    bodies.begin(state.forces, ledger);
     make_cut(state, result, observer);
     for (unsigned int step = 0; step < grid.n_steps; ++step)
       advance(0, levels, state, result, observer);
@@ -94,7 +94,7 @@ namespace fuga
     throw NumericalFailure(
       fmt::format("No state of the joints was found at the end of a step of {:.3g} s at load time "
                   "{:.12g}{}{}. Allow more halvings (Dynamics/Halvings) or shorter steps.",
-                  length_of(number),
+                  grid.length_of(number),
                   state.t,
                   step.result.tried.empty() ? "" : ": ",
                   step.result.tried));
@@ -116,10 +116,7 @@ namespace fuga
     step.system.begin(state, bodies.begin_step(number));
     step_history     = StepSystem::history(state.t, time_at(tick + n_ticks));
     JointState start = state;
-    start.access.clear();
-    start.water.clear();
-    start.missing_water.clear();
-    start.kept_water.clear();
+    take_water(JointState(), start);
     Attempt attempt{{}, StepRecord(state, elements, step.system.layered())};
     attempt.result = step.path.follow_step(start, result, attempt.record);
     return attempt;
@@ -133,7 +130,7 @@ namespace fuga
       return false;
     if (number == grid.halvings)
       return true;
-    const double length = length_of(number);
+    const double length = grid.length_of(number);
     const double rate   = std::max(largest_rate, attempt.record.largest_change() / length);
     const double cost =
       attempt.record.cost_of_events(length, rate) + cost_of_rest(attempt.record, length);
@@ -152,25 +149,18 @@ namespace fuga
     const StepSystem &of_step = rung(number).system;
     const JointState &end     = attempt.record.end();
     for (std::size_t k = 0; k < elements.size(); ++k)
-      slip_rates[k] = mean_slip_rate(attempt.record, k, length_of(number));
-    length_before = length_of(number);
+      slip_rates[k] = mean_slip_rate(attempt.record, k, grid.length_of(number));
+    length_before = grid.length_of(number);
     largest_rate  = std::max(largest_rate, attempt.record.largest_change() / length_before);
     tick += std::size_t(1) << (grid.halvings - number);
     ++steps_of_rung[number];
 
     bodies.finish_step(
       of_step.coordinates(of_step.layered().jumps(end.dislocations, end.forces), end.forces),
-      end.forces);
-    const double joints  = ledger.joints + attempt.record.joint_work();
-    const double largest = ledger.largest;
-    ledger               = bodies.energies();
-    ledger.joints        = joints;
-    ledger.largest       = std::max({largest,
-                                     std::abs(ledger.work),
-                                     ledger.kinetic,
-                                     ledger.bodies,
-                                     ledger.damping,
-                                     std::abs(ledger.joints)});
+      end.forces,
+      ledger);
+    ledger.joints += attempt.record.joint_work();
+    ledger.note_largest();
 
     observer.began_step(of_step, step_history);
     attempt.record.replay(observer);

@@ -118,10 +118,7 @@ namespace fuga
   JointState
   StepRecord::with_water(JointState state) const
   {
-    state.access        = first.access;
-    state.water         = first.water;
-    state.missing_water = first.missing_water;
-    state.kept_water    = first.kept_water;
+    take_water(first, state);
     return state;
   }
 } // namespace fuga

@@ -54,10 +54,16 @@ namespace fuga
     const work::Scope phase(work::Phase::path);
     cut = from;
     restore_schemes(cut);
-    next_level      = cut.next_level;
-    resticking      = cut.resticking;
     iteration_count = cut.iterations;
-    standstill      = Standstill();
+    return follow_from_cut(levels, observer);
+  }
+
+  PathResult
+  ContactPath::follow_from_cut(const std::vector<double> &levels, PathObserver &observer)
+  {
+    next_level = cut.next_level;
+    resticking = cut.resticking;
+    standstill = Standstill();
     ReportCounter reports(observer, cut.n_reports);
     return follow(levels, reports);
   }
@@ -80,11 +86,7 @@ namespace fuga
     cut        = PathCut();
     cut.state  = state;
     cut.result = so_far;
-    next_level = 0;
-    resticking = {};
-    standstill = Standstill();
-    ReportCounter reports(observer, cut.n_reports);
-    return follow({}, reports);
+    return follow_from_cut({}, observer);
   }
 
   void

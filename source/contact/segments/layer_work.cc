@@ -157,8 +157,9 @@ namespace fuga
       }
     count.largest_energy = std::max(count.largest_energy, stored);
     known                = std::max(known, count.largest_energy);
-    work                 = std::max(std::min(work, known * growth_of_energy(context, course, tau)),
-                    count.largest_energy);
+    if (work > known) // the growth is 1 at least, and costs two products
+      work = std::min(work, known * growth_of_energy(context, course, tau));
+    work = std::max(work, count.largest_energy);
     return work > 0. ? defect / (largest_defect * work) : 0.;
   }
 } // namespace fuga

@@ -19,13 +19,6 @@ namespace fuga
     /** More steps than anybody waits for: a slip of units. */
     constexpr double largest_number_of_steps = 1e6;
 
-    bool
-    has_dynamic_stage(const ModelDefinition &model)
-    {
-      return first_dynamic_stage(model) < model.stages.size();
-    }
-
-
     /** The numbers of an entry between ';'. @p form: how they are written, for messages. */
     std::vector<double>
     read_numbers(const ParameterSection &section,
@@ -58,7 +51,7 @@ namespace fuga
         values.attempt(bodies[i], [&]() {
           if (!bodies[i].given(e.initial_velocity))
             return;
-          if (first == model.stages.size())
+          if (!has_dynamic_stage(model))
             bodies[i].fail(
               e.initial_velocity,
               "no stage has a Duration, so that nothing moves by itself. Add the entry "

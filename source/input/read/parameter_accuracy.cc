@@ -82,14 +82,18 @@ namespace fuga
           e.quantity,
           "the variants of a sweep have the mesh of the file: none finds its own. Remove the "
           "section Sweep and run the variants one by one (--set), or remove this entry.");
-      const unsigned int dynamic = first_dynamic_stage(parameters.model);
-      if (dynamic < parameters.model.stages.size())
-        section.fail(e.quantity,
-                     fmt::format("the estimate of the error is of slow loads, but stage '{}' ({}) "
-                                 "has a Duration. Refine the mesh by Mesh/Refinements, and remove "
-                                 "this entry.",
-                                 parameters.model.stages[dynamic].name,
-                                 parameters.model.stages[dynamic].origin));
+      if (has_dynamic_stage(parameters.model))
+        {
+          const StageDefinition &stage =
+            parameters.model.stages[first_dynamic_stage(parameters.model)];
+          section.fail(
+            e.quantity,
+            fmt::format("the estimate of the error is of slow loads, but stage '{}' ({}) "
+                        "has a Duration. Refine the mesh by Mesh/Refinements, and remove "
+                        "this entry.",
+                        stage.name,
+                        stage.origin));
+        }
       if (changes_construction(parameters.model))
         section.fail(e.quantity,
                      "bodies are built or removed, or joints grouted, on the way: the mesh is not "

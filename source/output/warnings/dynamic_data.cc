@@ -46,9 +46,8 @@ namespace fuga
         const BodyEntries &e      = entries_of<BodyEntries>();
         const DynamicsEntries &of = entries_of<DynamicsEntries>();
         for (const Material &material : model.materials)
-          if (const auto &massless = dynamics.massless_bodies;
-              material.weight_density == 0. && moves(material) &&
-              std::find(massless.begin(), massless.end(), material.body) == massless.end())
+          if (material.weight_density == 0. && moves(material) &&
+              !dynamics.is_massless(material.body))
             warnings.push_back(
               fmt::format("{} = 0: the body has no inertia in stages with a Duration. If that is "
                           "meant, name it in {}.",
@@ -197,7 +196,7 @@ namespace fuga
   std::vector<std::string>
   implausible_dynamics(const Parameters &parameters)
   {
-    if (first_dynamic_stage(parameters.model) == parameters.model.stages.size())
+    if (!has_dynamic_stage(parameters.model))
       return {};
     DynamicReview review(parameters);
     review.bodies();

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/space/discretization.h>
-#include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/matrix_free_path.h>

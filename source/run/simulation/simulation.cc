@@ -4,10 +4,9 @@
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/work_counter.h>
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/judge/limit_proof.h>
-#include <fuga/contact/path/event_path.h>
-#include <fuga/contact/path/matrix_free_path.h>
 #include <fuga/output/tables/summary.h>
 #include <fuga/run/simulation/simulation.h>
 
@@ -39,9 +38,7 @@ namespace fuga
               parameters.output.units,
               !model.bodies.closed_water().empty(),
               dim == 3,
-              std::any_of(parameters.model.stages.begin(),
-                          parameters.model.stages.end(),
-                          [](const StageDefinition &stage) { return stage.is_dynamic(); }),
+              has_dynamic_stage(parameters.model),
               DrivingQuantities(parameters.model, model.loads.load_factors)}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)

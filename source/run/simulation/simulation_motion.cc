@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/run/simulation/simulation.h>
 
 #include <fmt/format.h>

@@ -105,6 +105,10 @@ namespace fuga
   double
   dot(const Vector &x, const Vector &y);
 
+  /** y += factor x, for as many entries as x has. */
+  void
+  add_multiple(const double factor, const Vector &x, Vector &y);
+
   /** The largest absolute value, 0 for an empty vector. */
   double
   max_abs(const Vector &x);

@@ -8,7 +8,6 @@
 
 #include <fuga/bodies/condensed/condensed_system.h>
 #include <fuga/bodies/solvers/schur_solver.h>
-#include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/load_history.h>
 
@@ -39,7 +38,7 @@ namespace fuga
     ~BodiesInMotion() override;
 
     void
-    begin(const Vector &forces) override;
+    begin(const Vector &bar_forces, MotionLedger &ledger) override;
 
     DenseMatrix
     condensed_stiffness(const unsigned int rung) override;
@@ -54,16 +53,13 @@ namespace fuga
     begin_step(const unsigned int rung) override;
 
     void
-    finish_step(const Vector &x, const Vector &bar_forces) override;
+    finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger) override;
 
-    MotionLedger
-    energies() const override
+    const TimeGrid &
+    time_grid() const
     {
-      return ledger;
+      return grid;
     }
-
-    TimeGrid
-    time_grid() const;
 
     /** Since the stage began [s]. */
     double
@@ -79,22 +75,12 @@ namespace fuga
       return ground_acceleration_at(present_time);
     }
 
-    /** Displacement since the stage began, and velocity; entry node * dim + component. */
+    /** Displacement since the stage began; entry node * dim + component. */
     const Vector &
     displacement() const
     {
       return integration->displacement();
     }
-
-    const Vector &
-    velocity() const
-    {
-      return integration->velocity();
-    }
-
-    /** Sum of all masses along an axis [MN s²/m]. */
-    double
-    total_mass(const unsigned int component) const;
 
     /** Error of the equilibrium M ü + C u̇ + K u + Gᵀ(p - p_0) = f of all nodes for bar forces @p p. */
     EquilibriumError
@@ -111,9 +97,13 @@ namespace fuga
     Vector
     damping_times(const Vector &v) const;
 
-    /** f - C u̇ - K u - Gᵀ(p - p_0) for bar forces p and K u. */
+    /** By nodes: those of the bodies, at the beginning of the first motion; else zero. */
     Vector
-    out_of_balance(const Vector &bar_forces, const Vector &elastic) const;
+    initial_velocity() const;
+
+    /** f - C u̇ - K u - Gᵀ(p - p_0) for bar forces p, the @p velocity u̇ and K u (empty: zero). */
+    Vector
+    out_of_balance(const Vector &bar_forces, const Vector &velocity, const Vector &elastic) const;
 
     /** What loads and ground do beyond what they did at the beginning [MN]. */
     Vector
@@ -122,12 +112,6 @@ namespace fuga
     std::array<double, 3>
     ground_acceleration_at(const double time) const;
 
-    double
-    length_of_step(const unsigned int rung) const
-    {
-      return step / static_cast<double>(1U << rung);
-    }
-
     void
     add_inertia(const double factor, SymmetricTriplets &matrix) const;
 
@@ -135,8 +119,7 @@ namespace fuga
     const LoadHistory &history;
     const unsigned int stage;
     const double duration;
-    const unsigned int n_steps;
-    const double step;
+    const TimeGrid grid;
     /** α and β of Rayleigh's damping αM + βK [1/s, s]. */
     double mass_damping = 0., stiffness_damping = 0.;
     dealii::SparsityPattern pattern;
@@ -144,9 +127,10 @@ namespace fuga
     dealii::SparseMatrix<double> stiffness;
     std::unique_ptr<TimeIntegration> integration;
     std::vector<std::unique_ptr<SchurSolver>> solvers; // by rung
-    MotionLedger ledger;
-    /** Bar forces at the beginning. */
-    Vector first_forces;
+    /** See elimination_order(); the same for all of them. */
+    std::vector<int> order;
+    /** Bar forces at the beginning, and what they are at the nodes. */
+    Vector first_forces, first_forces_at_nodes;
     /** Forces now and at the end of the step. */
     Vector forces, forces_at_end;
     double present_time       = 0.;

@@ -12,6 +12,9 @@ namespace fuga
   unsigned int
   first_dynamic_stage(const ModelDefinition &model);
 
+  bool
+  has_dynamic_stage(const ModelDefinition &model);
+
   /** The number of equal steps of a dynamic stage: so many that none is longer than the time step
    * and that every level is the end of one. */
   double

@@ -11,20 +11,6 @@
 
 namespace fuga
 {
-  /** How a stage is cut into steps of time. */
-  struct TimeGrid
-  {
-    /** Load time at which the stage begins; it ends at begin + 1. */
-    double begin         = 0.;
-    unsigned int n_steps = 1;
-    /** Length of a step [s]. */
-    double step = 0.;
-    /** How often a step may be halved. */
-    unsigned int halvings = 5;
-    /** Share of the largest energy that the events of a step may cost, or else it is halved. */
-    double event_tolerance = 1e-4;
-  };
-
   /**
    * The contact of bodies in motion, step of time by step of time. A step is the static problem
    * with another stiffness, see MovingBodies, and the paper's step-by-step analysis leads through
@@ -107,12 +93,6 @@ namespace fuga
     /** Mean rate of slip of an element in a step [m/s]; zero if it does not slip at the end. */
     TangentVector
     mean_slip_rate(const StepRecord &record, const std::size_t k, const double length) const;
-
-    double
-    length_of(const unsigned int number) const
-    {
-      return grid.step / static_cast<double>(1U << number);
-    }
 
     /** Load time after this number of the shortest steps. */
     double

@@ -7,8 +7,32 @@
 #include <fuga/base/fields.h>
 #include <fuga/base/numerics/dense_matrix.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fuga
 {
+  /** How a stage is cut into steps of time. */
+  struct TimeGrid
+  {
+    /** Load time at which the stage begins; it ends at begin + 1. */
+    double begin         = 0.;
+    unsigned int n_steps = 1;
+    /** Length of a step [s]. */
+    double step = 0.;
+    /** How often a step may be halved. */
+    unsigned int halvings = 5;
+    /** Share of the largest energy that the events of a step may cost, or else it is halved. */
+    double event_tolerance = 1e-4;
+
+    /** Length of the steps of a rung, see MovingBodies [s]. */
+    double
+    length_of(const unsigned int rung) const
+    {
+      return step / static_cast<double>(1U << rung);
+    }
+  };
+
   /**
    * Energies of bodies in motion since it began [MNm], without what the bodies store because they
    * were loaded before. Nothing is lost if
@@ -28,6 +52,12 @@ namespace fuga
     double joints = 0.;
     /** The largest of them so far. */
     double largest = 0.;
+
+    void
+    note_largest()
+    {
+      largest = std::max({largest, std::abs(work), kinetic, bodies, damping, std::abs(joints)});
+    }
 
     double
     defect() const
@@ -64,9 +94,10 @@ namespace fuga
   public:
     virtual ~MovingBodies() = default;
 
-    /** The joints carry the forces @p forces when the motion begins. */
+    /** The joints carry the forces @p forces when the motion begins, with the energies that are put
+     * into @p ledger. */
     virtual void
-    begin(const Vector &forces) = 0;
+    begin(const Vector &forces, MotionLedger &ledger) = 0;
 
     /** Ŝ of a rung; computed at every call. */
     virtual DenseMatrix
@@ -81,13 +112,9 @@ namespace fuga
     begin_step(const unsigned int rung) = 0;
 
     /** The step begun last goes to its end, where the coordinates have changed by @p x and the bars
-     * carry @p forces. */
+     * carry @p forces. Brings @p ledger up to date, but for the work on the joints. */
     virtual void
-    finish_step(const Vector &x, const Vector &forces) = 0;
-
-    /** Energies at the present time; joints and largest are for the path to fill in. */
-    virtual MotionLedger
-    energies() const = 0;
+    finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) = 0;
   };
 } // namespace fuga
 

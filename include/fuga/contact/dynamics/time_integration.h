@@ -64,12 +64,6 @@ namespace fuga
     }
 
     const Vector &
-    acceleration() const
-    {
-      return a;
-    }
-
-    const Vector &
     mass() const
     {
       return m;

@@ -75,6 +75,10 @@ namespace fuga
                 const LayeredSystem &system,
                 const LoadHistory &history);
 
+    /** follow() with all that a cut knows but the schemes. */
+    PathResult
+    follow_from_cut(const std::vector<double> &levels, PathObserver &observer);
+
     /** The loop over the events, from the last cut on. */
     virtual PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) = 0;

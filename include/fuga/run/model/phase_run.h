@@ -5,6 +5,7 @@
 #define fuga_run_model_phase_run_h
 
 #include <fuga/bodies/dynamics/bodies_in_motion.h>
+#include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/output/results/joint_results.h>
 #include <fuga/run/model/joint_model.h>
