@@ -85,7 +85,7 @@ namespace fuga::tests
            const unsigned int halvings,
            const double event_tolerance)
       : bodies(springs)
-      , at_rest(bodies.condensed_stiffness(0), springs.jumps, elements)
+      , at_rest(bodies.condensed_stiffness(0), 0, springs.jumps, elements)
       , history(StepSystem::history(0., 1.))
       , path(elements,
              at_rest.layered(),

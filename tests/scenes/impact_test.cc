@@ -65,4 +65,22 @@ namespace fuga::tests
     const double largest = motion.at("largest_energy");
     EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()), 1e-6 * largest);
   }
+
+  // A hundred bounces shall not change the energy by more than 1e-10; a bounce costs a hundredth of
+  // that. (Weight that begins to act loses a little at once on the lips, which have no mass.)
+  TEST(Impact, BounceKeepsTheEnergy)
+  {
+    const auto lost = [](const int n_bounces) {
+      nlohmann::ordered_json scene         = falling_bar(n_bounces * 16. / 3., 0.01, 4 * n_bounces);
+      scene["Dynamics"]["Halvings"]        = 20;
+      scene["Dynamics"]["Event tolerance"] = 1e-14;
+      const SceneRun run =
+        run_scene(write_scene(block_mesh(uniform(0., 0.1, 1), uniform(0., 10., 20), 0.1), scene));
+      EXPECT_EQ(run.exit_code, 0);
+      EXPECT_LE(run.certificate(), 1e-9);
+      return run.summary.at("motion").at("not_accounted_for").get<double>();
+    };
+    const double energy = 0.5 * 1. * 10. * 0.1 * 10. * 10.; // m v0²/2
+    EXPECT_NEAR(lost(2), lost(1), 1e-12 * energy);
+  }
 } // namespace fuga::tests

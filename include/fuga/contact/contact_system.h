@@ -72,6 +72,13 @@ namespace fuga
       return none;
     }
 
+    /** Forces [MN] that this problem knows besides F a, to which errors are related. */
+    virtual double
+    force_scale() const
+    {
+      return 0.;
+    }
+
     /**
      * Rigid motions of the bodies that no support holds: n_bars x n_motions, the jump that a unit
      * motion causes in every bar. Used by the certificate for the equilibrium of each body.

@@ -15,9 +15,10 @@ namespace fuga
    * to step. */
   struct DynamicPath::Rung
   {
-    Rung(DenseMatrix &&stiffness, DynamicPath &of)
-      : system(std::move(stiffness), of.bodies.jump_operator(), of.elements)
-      , path(of.elements, system.layered(), of.step_history, of.options)
+    Rung(const unsigned int number, DynamicPath &of)
+      : system(
+          of.bodies.condensed_stiffness(number), number, of.bodies.jump_operator(), of.elements)
+      , path(of.elements, system.layered(), of.history_of_path, of.options)
     {
     }
 
@@ -37,7 +38,8 @@ namespace fuga
     , options(path_options)
     , rungs(grid.halvings + 1)
     , steps_of_rung(grid.halvings + 1, 0)
-    , step_history(StepSystem::history(0., 1.))
+    , history_of_path(StepSystem::history(0., 1.))
+    , history_of_step(history_of_path)
   {
   }
 
@@ -104,7 +106,7 @@ namespace fuga
   DynamicPath::rung(const unsigned int number)
   {
     if (!rungs[number])
-      rungs[number] = std::make_unique<Rung>(bodies.condensed_stiffness(number), *this);
+      rungs[number] = std::make_unique<Rung>(number, *this);
     return *rungs[number];
   }
 
@@ -114,10 +116,12 @@ namespace fuga
     Rung &step                = rung(number);
     const std::size_t n_ticks = std::size_t(1) << (grid.halvings - number);
     step.system.begin(state, bodies.begin_step(number));
-    step_history     = StepSystem::history(state.t, time_at(tick + n_ticks));
+    const double end = time_at(tick + n_ticks);
+    history_of_step  = StepSystem::history(state.t, end);
     JointState start = state;
+    start.t          = 0.;
     take_water(JointState(), start);
-    Attempt attempt{{}, StepRecord(state, elements, step.system.layered())};
+    Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered())};
     attempt.result = step.path.follow_step(start, result, attempt.record);
     return attempt;
   }
@@ -162,10 +166,11 @@ namespace fuga
     ledger.joints += attempt.record.joint_work();
     ledger.note_largest();
 
-    observer.began_step(of_step, step_history);
+    observer.began_step(of_step, history_of_step);
     attempt.record.replay(observer);
-    state  = attempt.record.end_with_water();
-    result = attempt.result;
+    state    = attempt.record.end_of_motion();
+    result   = attempt.result;
+    result.t = state.t;
     reach_levels(levels, state, observer);
     observer.ended_step(state);
   }

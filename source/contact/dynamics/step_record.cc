@@ -9,15 +9,18 @@
 namespace fuga
 {
   StepRecord::StepRecord(const JointState &start_of_step,
+                         const double end_of_step,
                          const std::vector<ContactElement> &contact_elements,
                          const LayeredSystem &layered_system)
     : first(start_of_step)
+    , end_time(end_of_step)
     , elements(contact_elements)
     , system(layered_system)
     , last(start_of_step)
     , work(layered_system.n_bars(), 0.)
     , impulse(layered_system.n_bars(), 0.)
   {
+    last.t = 0.;
   }
 
   // Forces are linear along a piece and jumps cubics, as the judge has it.
@@ -37,9 +40,7 @@ namespace fuga
       }
     last = to.state;
     reports.emplace_back([from, to, length](const StepRecord &of, PathObserver &observer) {
-      observer.advanced({of.with_water(from.state), from.rates, from.load_rate},
-                        {of.with_water(to.state), to.rates, to.load_rate},
-                        length);
+      observer.advanced(of.in_motion(from), of.in_motion(to), length);
     });
   }
 
@@ -48,7 +49,7 @@ namespace fuga
   {
     last = to;
     reports.emplace_back(
-      [to](const StepRecord &of, PathObserver &observer) { observer.jumped(of.with_water(to)); });
+      [to](const StepRecord &of, PathObserver &observer) { observer.jumped(of.in_motion(to)); });
   }
 
   void
@@ -56,7 +57,10 @@ namespace fuga
   {
     last = state;
     reports.emplace_back([events, state](const StepRecord &of, PathObserver &observer) {
-      observer.changed(events, of.with_water(state));
+      std::vector<ContactEvent> in_motion = events;
+      for (ContactEvent &event : in_motion)
+        event.t = of.load_time(event.t);
+      observer.changed(in_motion, of.in_motion(state));
     });
   }
 
@@ -92,7 +96,7 @@ namespace fuga
             const unsigned int bar = element.bar(i);
             const double mean      = 0.5 * (first.forces[bar] + last.forces[bar]);
             energy += work[bar] - mean * changes[bar];
-            result += std::abs(impulse[bar] / (last.t - first.t) - mean) * length * rate;
+            result += std::abs(impulse[bar] / last.t - mean) * length * rate;
           }
         result += std::abs(energy);
       }
@@ -115,10 +119,26 @@ namespace fuga
     return result;
   }
 
+  double
+  StepRecord::load_time(const double of_path) const
+  {
+    return of_path == 1. ? end_time : first.t + of_path * (end_time - first.t);
+  }
+
   JointState
-  StepRecord::with_water(JointState state) const
+  StepRecord::in_motion(JointState state) const
   {
     take_water(first, state);
+    state.t = load_time(state.t);
     return state;
+  }
+
+  PathPoint
+  StepRecord::in_motion(const PathPoint &of_path) const
+  {
+    PathPoint result{in_motion(of_path.state), of_path.rates, of_path.load_rate};
+    if (result.load_rate)
+      *result.load_rate *= end_time - first.t;
+    return result;
   }
 } // namespace fuga

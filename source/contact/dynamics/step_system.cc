@@ -5,6 +5,7 @@
 #include <fuga/contact/dynamics/step_system.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fuga
 {
@@ -33,9 +34,11 @@ namespace fuga
   } // namespace
 
   StepSystem::StepSystem(DenseMatrix &&stiffness,
+                         const unsigned int rung_of_stiffness,
                          const DenseMatrix &jump_operator,
                          const std::vector<ContactElement> &elements)
     : S(std::move(stiffness))
+    , rung(rung_of_stiffness)
     , B(jump_operator)
     , no_motions(number_of_bars(elements), 0)
     , no_loads(0, n_patterns)
@@ -58,6 +61,7 @@ namespace fuga
   void
   StepSystem::begin(const JointState &state, const Vector &push)
   {
+    pushed              = std::ldexp(max_abs(push), static_cast<int>(rung));
     const Vector before = on_coordinates(state.forces);
     const Vector jumps  = layered_system->jumps(state.dislocations, state.forces);
     for (std::size_t i = 0; i < before.size(); ++i)

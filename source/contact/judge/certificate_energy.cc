@@ -5,6 +5,7 @@
 #include <fuga/base/work_counter.h>
 #include <fuga/contact/judge/certificate.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -114,7 +115,8 @@ namespace fuga
   void
   Judge::begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step)
   {
-    history = &history_of_step;
+    history       = &history_of_step;
+    largest_force = std::max(largest_force, of_step.force_scale());
     if (system == &of_step)
       return;
     if (!in_motion)

@@ -22,7 +22,7 @@ namespace fuga
     defaulted(
       "Halvings",
       &DynamicsDefinition::halvings,
-      integer(0, 8),
+      integer(0, 20),
       "How often a step may be halved to find the time of an event; 0: all steps are whole.");
     defaulted("Event tolerance",
               &DynamicsDefinition::event_tolerance,

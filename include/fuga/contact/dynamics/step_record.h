@@ -18,9 +18,12 @@ namespace fuga
   class StepRecord : public PathObserver
   {
   public:
-    /** The step begins in @p start. Water in joints stands still during a motion: paths of steps
-     * do not know it, and all states that are handed on get that of @p start. */
+    /** The step begins in @p start and ends at the load time @p end. Its path has a time of its own,
+     * from 0 to 1, lest the shortest steps of long stages have few digits, and does not know the
+     * water in joints, which stands still during a motion: all states that are handed on get the
+     * load time, and the water of @p start. */
     StepRecord(const JointState &start,
+               const double end,
                const std::vector<ContactElement> &elements,
                const LayeredSystem &system);
 
@@ -43,17 +46,18 @@ namespace fuga
       return first;
     }
 
-    /** Where the step has come to, without water. */
+    /** Where the path of the step has come to. */
     const JointState &
     end() const
     {
       return last;
     }
 
+    /** The same in the motion. */
     JointState
-    end_with_water() const
+    end_of_motion() const
     {
-      return with_water(last);
+      return in_motion(last);
     }
 
     /** ∫ p·dδ of all bars [MNm]. */
@@ -74,16 +78,21 @@ namespace fuga
     largest_change() const;
 
   private:
+    double
+    load_time(const double of_path) const;
     JointState
-    with_water(JointState state) const;
+    in_motion(JointState of_path) const;
+    PathPoint
+    in_motion(const PathPoint &of_path) const;
     Vector
     change_of_jumps() const;
 
     const JointState first;
+    const double end_time;
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     JointState last;
-    /** By bar ∫ p dδ, and ∫ p dt with the load time. */
+    /** By bar ∫ p dδ, and ∫ p dt with the time of the path. */
     Vector work, impulse;
     /** Called with this object, which may have moved since. */
     using Report = std::function<void(const StepRecord &, PathObserver &)>;

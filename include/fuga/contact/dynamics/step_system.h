@@ -23,8 +23,10 @@ namespace fuga
   class StepSystem : public ContactSystem
   {
   public:
-    /** @p jump_operator and @p elements must live as long as this object. */
+    /** @p rung: that of the @p stiffness. @p jump_operator and @p elements must live as long as this
+     * object. */
     StepSystem(DenseMatrix &&stiffness,
+               const unsigned int rung,
                const DenseMatrix &jump_operator,
                const std::vector<ContactElement> &elements);
 
@@ -64,6 +66,14 @@ namespace fuga
       return B;
     }
 
+    /** The push over a whole step of the grid: that over a short one, after a flight, is all the
+     * force there is, and smaller than what rounding of the way so far is worth. */
+    double
+    force_scale() const override
+    {
+      return pushed;
+    }
+
     const DenseMatrix &
     imposed_jumps() const override
     {
@@ -88,6 +98,7 @@ namespace fuga
     on_coordinates(const Vector &forces) const;
 
     DenseMatrix S;
+    const unsigned int rung;
     const DenseMatrix &B;
     DenseMatrix no_motions, no_loads, F, E;
     std::optional<LayeredSystem> layered_system;
@@ -95,6 +106,7 @@ namespace fuga
     DenseMatrix reactions_to_units;
     /** Of S, if there are more bars than coordinates. */
     std::optional<LuFactors> factors;
+    double pushed = 0.;
   };
 } // namespace fuga
 
