@@ -94,6 +94,38 @@ namespace fuga
     return taus.back();
   }
 
+  std::optional<PathPoint>
+  CurvedSegment::solve(const double tau, const Vector &predicted_dislocations)
+  {
+    PathPoint point    = {points.front().state, {}};
+    JointState &state  = point.state;
+    state.dislocations = predicted_dislocations;
+    release(course.drive, tau, state);
+    complete_state(context, course, tau, state);
+    // A law knows nothing behind its closure limit, where the prediction may lead.
+    if (passes_limit_of_law(context.elements, state))
+      {
+        state.dislocations = points.front().state.dislocations;
+        complete_state(context, course, tau, state);
+        if (passes_limit_of_law(context.elements, state))
+          return {};
+      }
+    if (course.share_rate != 0.)
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        context.scheme.set_strength(k, state.strengths[k]);
+    if (!equilibrium.solve(tau, largest_jump, state))
+      return {};
+
+    context.scheme.linearise(state);
+    const std::optional<JointRates> rates =
+      context.scheme.rates(drive_at(context.elements, course, state));
+    if (!rates)
+      return {};
+    if (is_behind_pole())
+      return {};
+    point.rates = *rates;
+    return point;
+  }
   // Behind a rate of slip that is zero the equations of the scheme have solutions that are none, to
   // which a long step may lead: slips that have gone back.
   bool
@@ -128,59 +160,6 @@ namespace fuga
       "thickness. Use Iteration = newton.",
       last.t,
       largest_ratio));
-  }
-
-  // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event.
-  void
-  CurvedSegment::locate_end(std::size_t a, std::size_t b)
-  {
-    lost_slip.clear();
-    const int max_trials = 200;
-    for (int trial = 0; trial < max_trials; ++trial)
-      {
-        double root        = first_root(a, b);
-        const double width = taus[b] - taus[a];
-        // The interpolation is trusted as long as it shrinks the bracket; every fourth time it is
-        // halved.
-        if (trial % 4 == 3 || root == no_boundary)
-          root = taus[a] + 0.5 * width;
-        root = std::clamp(root, taus[a] + 1e-3 * width, taus[b]);
-
-        if (root < taus[b])
-          {
-            std::optional<PathPoint> point = solve(root, interpolate(a, root));
-            if (!point)
-              fail_behind(a, "An event could not be located");
-            b = insert(root, std::move(*point));
-          }
-        const auto &at_root = functions[b];
-        const bool violated =
-          std::any_of(at_root.begin(), at_root.end(), [](const EventFunction &f) {
-            return f.value < -f.tolerance;
-          });
-        const bool narrow = taus[b] - taus[a] <= 1e-14 * course.length;
-        const auto is_met = [&](const std::size_t i) {
-          return at_root[i].value <= at_root[i].tolerance &&
-                 functions[a][i].value > at_root[i].value;
-        };
-        bool met = false;
-        for (std::size_t i = 0; i < at_root.size(); ++i)
-          met |= is_met(i);
-        if (narrow || (met && !violated))
-          {
-            for (std::size_t i = 0; i < at_root.size(); ++i)
-              if (!at_root[i].has_rate && is_met(i))
-                lost_slip.push_back(at_root[i].element);
-            forget_behind(b);
-            return;
-          }
-        if (!violated)
-          {
-            a = b;
-            ++b;
-          }
-      }
-    fail_behind(a, "The location of an event does not converge");
   }
 
   // Of a step that was found to be short enough only a part is left, without what lies behind the
@@ -234,64 +213,6 @@ namespace fuga
     points.insert(points.begin() + place, std::move(point));
     taus.insert(taus.begin() + place, tau);
     return static_cast<std::size_t>(place);
-  }
-
-  // What is zero is told by the forces and jumps at the beginning of the segment, or of the point
-  // itself: a segment that begins without any load has no scale for what is to come.
-  std::vector<CurvedSegment::EventFunction>
-  CurvedSegment::event_functions(const double tau, const PathPoint &point) const
-  {
-    std::vector<EventFunction> result;
-    const JointState &state = point.state;
-    Vector factors          = course.factors;
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      factors[i] += tau * course.factor_rates[i];
-    ContactBoundary here(context.elements, context.system);
-    here.set_scales(state, factors, 1.);
-    const Drive drive                   = drive_at(context.elements, course, state);
-    const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
-    const std::vector<Reserve> at_start = context.boundary.reserves(state, point.rates, drive);
-    for (std::size_t i = 0; i < reserves.size(); ++i)
-      result.push_back({reserves[i].value,
-                        reserves[i].rate,
-                        std::max(reserves[i].tolerance, at_start[i].tolerance),
-                        true,
-                        0});
-    const double slip_rate_noise =
-      slip_rate_tolerance *
-      max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (is_slipping(state.states[k]) && carries_shear(context.elements[k], state.strengths[k]))
-        result.push_back({slip_speed(context, point, k), 0., slip_rate_noise, false, k});
-    return result;
-  }
-
-  // The first zero, between points a and b, of the interpolated event functions that a does not
-  // violate.
-  double
-  CurvedSegment::first_root(const std::size_t a, const std::size_t b) const
-  {
-    double nearest      = no_boundary;
-    const double length = taus[b] - taus[a];
-    for (std::size_t i = 0; i < functions[a].size(); ++i)
-      {
-        const EventFunction &f = functions[a][i], &g = functions[b][i];
-        double share = no_boundary;
-        // What is zero at both points and grows, or falls, at both has rates of rounding.
-        if (f.has_rate && std::abs(f.value) <= f.tolerance && std::abs(g.value) <= g.tolerance &&
-            f.rate * g.rate > 0.)
-          continue;
-        if (f.has_rate)
-          {
-            const CubicOnUnitInterval cubic(f.value, f.rate * length, g.value, g.rate * length);
-            if (cubic.minimum() < -g.tolerance)
-              share = cubic.first_descending_root();
-          }
-        else if (g.value < -g.tolerance)
-          share = std::max(f.value, 0.) / (std::max(f.value, 0.) - g.value);
-        nearest = std::min(nearest, taus[a] + share * length);
-      }
-    return nearest;
   }
 
   Vector

@@ -60,6 +60,8 @@ namespace fuga
     void
     locate_end(std::size_t a, std::size_t b);
     void
+    meet_event();
+    void
     divide_behind(std::size_t a, const double shortest);
     std::optional<PathPoint>
     solve(const double tau, const Vector &predicted_dislocations);
@@ -84,6 +86,10 @@ namespace fuga
     insert(const double tau, PathPoint &&point);
     double
     jump_of(const PathPoint &point) const;
+    ContactBoundary
+    boundary_at(const double tau, const JointState &state) const;
+    std::vector<std::size_t>
+    elements_on_boundary(const double tau, const JointState &state) const;
     [[noreturn]] void
     fail_behind(const std::size_t a, const char *what);
     void
