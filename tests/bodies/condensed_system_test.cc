@@ -153,6 +153,39 @@ TEST(CondensedSystem, crossing)
 }
 
 
+// Lips that were moved by e, without motion of the bodies, are found out of balance and moved back:
+// by the jumps of e, to where the forces of the bars had them.
+TEST(CondensedSystem, lips_out_of_balance_are_moved_back)
+{
+  for (const bool crossing : {false, true})
+    {
+      const BlockMesh mesh        = crossing ? blocks_round_a_crossing(2) : two_blocks();
+      const ModelDefinition model = crossing ? crossing_model() : two_block_model();
+      CondensedSystem<2> system(mesh.mesh, model, std::vector<bool>(crossing ? 4 : 1, false));
+      set_all_loads(system, model);
+      const Vector a(crossing ? 1 : 2, 1.);
+      const Solution solution = solve_linear(system, 1e-3, 2e-3);
+      Vector e(solution.x.size(), 0.);
+      e[2]              = 1e-4;
+      e                 = system.rigid_part(e).remainder;
+      Vector x          = solution.x;
+      double moved      = 0.;
+      const Vector jump = crossing ? multiply(system.jump_operator(), e) : e;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += e[i];
+      for (const double value : jump)
+        moved = std::max(moved, std::abs(value));
+      auto u = system.recover(a, x);
+      EXPECT_GT(system.equilibrium_error(u, solution.p, a).residual, 1e-4);
+      EXPECT_NEAR(system.balance_lips(solution.p, a, u), moved, 1e-10 * moved);
+      EXPECT_LT(system.equilibrium_error(u, solution.p, a).residual, 1e-12);
+      const Vector jumps = system.jumps(u);
+      for (std::size_t i = 0; i < jumps.size(); ++i)
+        EXPECT_NEAR(jumps[i], solution.jumps[i], 1e-13);
+    }
+}
+
+
 // A block on a rigid plane, one side on rollers, its corner held: the pair at the corner carries no
 // element. With only the rollers it keeps its normal bar. The plane carries the weight.
 TEST(CondensedSystem, rigid_obstacle_and_supports_at_its_end)

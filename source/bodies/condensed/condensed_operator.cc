@@ -289,6 +289,22 @@ namespace fuga
 
 
   template <int dim>
+  Vector
+  CondensedOperator<dim>::coordinates_under(Vector f) const
+  {
+    if (!has_stiffness() || S.empty())
+      return {};
+    projection->take_out_work(f);
+    const LuFactors factors(projection->held(S, largest_diagonal(S)));
+    if (!(factors.reciprocal_condition() > std::numeric_limits<double>::epsilon()))
+      return {};
+    factors.solve(f);
+    projection->take_out_motion(f);
+    return f;
+  }
+
+
+  template <int dim>
   TangentSolver::Solution
   CondensedOperator<dim>::solve_with_bars(const std::vector<ElementStiffness> &stiffness,
                                           const Vector &r,

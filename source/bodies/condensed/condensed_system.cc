@@ -259,6 +259,26 @@ namespace fuga
 
 
   template <int dim>
+  double
+  CondensedSystem<dim>::balance_lips(const Vector &p,
+                                     const Vector &a,
+                                     dealii::Vector<double> &u) const
+  {
+    Vector loads         = this->bar_forces(p);
+    const Vector applied = combination(a, &LoadPattern::forces);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      loads[i] = (applied.empty() ? 0. : applied[i]) - loads[i];
+    const Vector missing = this->out_of_balance(loads, this->discretization().by_nodes(u));
+    const Vector x       = condensed.coordinates_under(
+      Vector(missing.end() - static_cast<std::ptrdiff_t>(n_coordinates()), missing.end()));
+    if (x.empty())
+      return 0.;
+    u += bonded_field({}, x);
+    return max_abs(jump_operator().empty() ? x : multiply(jump_operator(), x));
+  }
+
+
+  template <int dim>
   BodiesWork
   CondensedSystem<dim>::work() const
   {

@@ -74,6 +74,18 @@ namespace fuga
   }
 
 
+  DenseMatrix
+  RigidProjection::held(const DenseMatrix &S, const double stiffness) const
+  {
+    DenseMatrix result = S;
+    for (std::size_t k = 0; k < Q.n_columns(); ++k)
+      for (std::size_t j = 0; j < result.n_columns(); ++j)
+        for (std::size_t i = 0; i < result.n_rows(); ++i)
+          result(i, j) += stiffness * Q(i, k) * R(j, k);
+    return result;
+  }
+
+
   void
   RigidProjection::project_loads(DenseMatrix &F, const DenseMatrix &work) const
   {

@@ -80,6 +80,11 @@ namespace fuga
     Vector
     resistance(const Vector &x) const;
 
+    /** S⁻¹ f, without motions of the bodies and work on them; empty if S is not known or singular
+     * besides. */
+    Vector
+    coordinates_under(Vector f) const;
+
     TangentSolver::Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
                     const Vector &r,

@@ -197,6 +197,15 @@ namespace fuga
                       const Vector &a,
                       const dealii::Vector<double> &motion = {}) const;
 
+    /**
+     * S and the stiffness of the full model differ by the rounding of the elimination, which may
+     * leave the lips out of balance by more than that of their displacements. Moves the lips of @p
+     * u to where K u balances the bar forces @p p and the loads. Returns the largest jump by which
+     * they moved.
+     */
+    double
+    balance_lips(const Vector &p, const Vector &a, dealii::Vector<double> &u) const;
+
     BodiesWork
     work() const;
 

@@ -34,6 +34,10 @@ namespace fuga
     void
     take_out_work(Vector &forces) const;
 
+    /** S + c R (RᵀR)⁻¹ Rᵀ: what holds the bodies as well. */
+    DenseMatrix
+    held(const DenseMatrix &S, const double stiffness) const;
+
     /** Amounts of the motions nearest to given jumps. */
     Vector
     motion_of(const Vector &jumps) const

@@ -157,6 +157,15 @@ namespace fuga
                  const Vector &x,
                  const Vector &a,
                  Certificate &certificate) const;
+    /** Moves the lips of @p u to where the bodies are in balance with the forces on them, if the @p
+     * residual is worth it and both errors are smaller then. Returns whether it did. */
+    bool
+    balance_lips(const Vector &on_lips,
+                 const Vector &a,
+                 const dealii::Vector<double> &motion_of_bodies,
+                 const double residual,
+                 dealii::Vector<double> &u,
+                 Certificate &certificate) const;
     void
     write_last_state();
     void
