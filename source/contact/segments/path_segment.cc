@@ -114,7 +114,8 @@ namespace fuga
   }
 
   // Where hardly anything holds the bodies, a small correction of forces moves them far enough to
-  // meet, or miss, each other: the event is then looked for on the chord to the corrected end.
+  // meet, or miss, each other: the event is then looked for on the chord to the corrected end. A
+  // correction that is larger than the step itself makes no chord: the event has been met.
   double
   StraightSegment::find_end()
   {
@@ -123,7 +124,8 @@ namespace fuga
       {
         double moved = 0.;
         end_point    = point(end, moved);
-        if (moved <= context.boundary.gap_tolerance() || chord == max_chords)
+        if (moved <= context.boundary.gap_tolerance() || chord == max_chords ||
+            moved >= end * max_abs(start.rates.dislocations))
           break;
         JointRates rates = start.rates;
         for (std::size_t i = 0; i < rates.forces.size(); ++i)
