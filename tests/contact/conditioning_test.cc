@@ -3,6 +3,7 @@
 
 #include "contact/toy_system.h"
 
+#include <fuga/base/errors.h>
 #include <fuga/contact/judge/conditioning.h>
 #include <fuga/contact/path/event_path.h>
 #include <gtest/gtest.h>
@@ -71,4 +72,27 @@ TEST(Conditioning, OfAnEndThatChanges)
   EXPECT_FALSE(found.explains(1e-3));
   found.forces = 1.;
   EXPECT_FALSE(found.explains(1e-3));
+}
+
+// A path that fails in the same way whatever the last digits are says nothing against the data; one
+// that fails only under one of the loads does.
+TEST(Conditioning, OfAPathThatFails)
+{
+  const Pressed pressed(0.1);
+  const LayeredSystem layered(pressed.node, pressed.joint.elements);
+  for (const int n_failures : {3, 1})
+    {
+      int n_paths              = 0;
+      const Conditioning found = conditioning(
+        [&](const LoadHistory &loads) {
+          if (n_paths++ < n_failures)
+            throw NumericalFailure("planted");
+          return std::make_unique<EventPath>(pressed.joint.elements, layered, loads, PathOptions());
+        },
+        layered,
+        pressed.history,
+        {2.});
+      EXPECT_EQ(n_paths, 3);
+      EXPECT_EQ(found.other_end, n_failures == 1);
+    }
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fuga
 {
@@ -115,24 +116,31 @@ namespace fuga
                const LoadHistory &history,
                const std::vector<double> &levels)
   {
+    // A numerical failure is an end like any other.
     const auto follow = [&](const LoadHistory &loads, LevelRecord &record) {
-      const PathResult result = make_path(loads)->run(levels, record);
+      std::optional<Verdict> verdict;
+      try
+        {
+          verdict = make_path(loads)->run(levels, record).verdict;
+        }
+      catch (const NumericalFailure &)
+        {
+        }
       record.note(record.end);
-      return result;
+      return verdict;
     };
     LevelRecord record(system);
-    const PathResult result = follow(history, record);
+    const std::optional<Verdict> verdict = follow(history, record);
     Conditioning worst;
     for (int k = 1; k <= n_changes; ++k)
       {
         LevelRecord other(system);
-        worst.change             = k * last_digits;
-        const PathResult changed = follow(scaled(history, 1. + worst.change), other);
-        worst.forces             = std::max(worst.forces, difference(record.forces, other.forces));
-        worst.jumps              = std::max(worst.jumps, difference(record.jumps, other.jumps));
-        worst.other_end |= changed.verdict != result.verdict ||
-                           record.forces.size() != other.forces.size() ||
-                           std::abs(changed.t - result.t) > 1e-6 * std::max(1., result.t);
+        worst.change                         = k * last_digits;
+        const std::optional<Verdict> changed = follow(scaled(history, 1. + worst.change), other);
+        worst.forces = std::max(worst.forces, difference(record.forces, other.forces));
+        worst.jumps  = std::max(worst.jumps, difference(record.jumps, other.jumps));
+        worst.other_end |= changed != verdict || record.forces.size() != other.forces.size() ||
+                           std::abs(other.end.t - record.end.t) > 1e-6 * std::max(1., record.end.t);
       }
     return worst;
   }

@@ -93,7 +93,10 @@ namespace fuga
         outcome.code    = ExitCode::numerical_failure;
         outcome.message = limit_of_law();
         if (outcome.message.empty())
-          outcome.message = failure.what();
+          {
+            const std::string doubt = doubt_about_data();
+            outcome.message = doubt.empty() ? failure.what() : doubt + ". " + failure.what();
+          }
         outcome.path.t = last_state.t;
       }
     catch (const Interrupted &)

@@ -42,32 +42,26 @@ namespace fuga
     };
   } // namespace
 
-  // Only where it costs no more than the run did: bodies that are condensed, loads from the
-  // beginning.
+  // Only where it costs no more than the run did: bodies that are condensed and at rest, loads from
+  // the beginning.
   template <int dim>
   std::string
   Simulation<dim>::doubt_about_data() const
   {
-    if (!from_the_beginning || !model.bodies.has_stiffness())
+    if (!from_the_beginning || motion || !model.bodies.has_stiffness())
       return {};
-    PathOptions options  = model.path_options();
-    options.beyond_limit = false;
-    Conditioning found;
-    try
-      {
-        found = conditioning(
-          [&](const LoadHistory &loads) {
-            return std::make_unique<EventPath>(joint.elements, layered, loads, options);
-          },
-          layered,
-          phase.loading,
-          model.loads.levels);
-      }
-    catch (const NumericalFailure &)
-      {
-        found.other_end = true;
-      }
-    if (!found.explains(worst.worst()))
+    PathOptions options      = model.path_options();
+    options.beyond_limit     = false;
+    const Conditioning found = conditioning(
+      [&](const LoadHistory &loads) {
+        return std::make_unique<EventPath>(joint.elements, layered, loads, options);
+      },
+      layered,
+      phase.loading,
+      model.loads.levels);
+    // The certificate is in doubt or, of a path that failed, its end.
+    const bool is_certified = worst.worst() <= parameters.solver.certificate_bound;
+    if (is_certified ? !found.other_end : !found.explains(worst.worst()))
       return {};
 
     const Units &u = parameters.output.units;
@@ -81,20 +75,20 @@ namespace fuga
         });
         distances.add(std::hypot(element.position[0], element.position[1], element.position[2]));
       }
-    return fmt::format("ill-conditioned data: if all loads grow by {:.1e} of their size, {}. The "
-                       "certificate, {:.1e}, is no "
-                       "worse than that. Moduli {}, compliances {}/{}, joints {} from the origin",
-                       found.change,
-                       found.other_end
-                         ? std::string("the path ends in another way")
-                         : fmt::format("forces move by {:.1e} and jumps by {:.1e} of the largest",
-                                       found.forces,
-                                       found.jumps),
-                       worst.worst(),
-                       moduli.text(u.stress()),
-                       compliances.text(u.length),
-                       u.stress(),
-                       distances.text(u.length));
+    return fmt::format(
+      "ill-conditioned data: if all loads grow by {:.1e} of their size, {}{}. Moduli {}, "
+      "compliances {}/{}, joints {} from the origin",
+      found.change,
+      found.other_end ? std::string("the path ends in another way")
+                      : fmt::format("forces move by {:.1e} and jumps by {:.1e} of the largest",
+                                    found.forces,
+                                    found.jumps),
+      is_certified ? std::string()
+                   : fmt::format(". The certificate, {:.1e}, is no worse than that", worst.worst()),
+      moduli.text(u.stress()),
+      compliances.text(u.length),
+      u.stress(),
+      distances.text(u.length));
   }
 
   template class Simulation<2>;

@@ -31,7 +31,7 @@ namespace fuga
    * Follows a path from its beginning and again with all loads larger by some 1e-15: what a double
    * can just tell. An answer that moves by as much as it violates the contact conditions is known
    * no better, whatever the solver does. Costs several paths: for answers that are in doubt.
-   * @p make_path makes the path under given loads. @throws NumericalFailure, as ContactPath::run().
+   * @p make_path makes the path under given loads.
    */
   Conditioning
   conditioning(const std::function<std::unique_ptr<ContactPath>(const LoadHistory &)> &make_path,
