@@ -76,8 +76,7 @@ namespace fuga
     first_forces_at_nodes = model.bar_forces(bar_forces);
     present_time          = 0.;
     forces                = forces_at(0.);
-    const Vector velocity = initial_velocity();
-    integration->begin(velocity, out_of_balance(bar_forces, velocity, {}));
+    integration->begin(initial_velocity(), net_forces(bar_forces, {}));
     ledger.kinetic = ledger.work = integration->kinetic_energy();
   }
 
@@ -183,22 +182,19 @@ namespace fuga
     ledger.bodies        = 0.5 * dot(u, elastic);
     forces               = forces_at_end;
     present_time += h;
-    integration->correct(out_of_balance(bar_forces, integration->velocity(), elastic));
+    integration->correct(net_forces(bar_forces, elastic));
   }
 
 
   template <int dim>
   Vector
-  BodiesInMotion<dim>::out_of_balance(const Vector &bar_forces,
-                                      const Vector &velocity,
-                                      const Vector &elastic) const
+  BodiesInMotion<dim>::net_forces(const Vector &bar_forces, const Vector &elastic) const
   {
     Vector changes = bar_forces;
     add_multiple(-1., first_forces, changes);
     Vector result = forces;
     add_multiple(-1., elastic, result);
     add_multiple(-1., model.bar_forces(changes), result);
-    add_multiple(-1., damping_times(velocity), result);
     model.discretization().hanging_nodes().move_to_masters(result);
     return result;
   }
@@ -226,6 +222,7 @@ namespace fuga
     Vector result = stiffness_times(v);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
+    model.discretization().hanging_nodes().move_to_masters(result);
     return result;
   }
 
@@ -269,7 +266,7 @@ namespace fuga
   {
     Vector loads = forces;
     add_multiple(-1., integration->inertia(), loads);
-    add_multiple(-1., damping_times(integration->velocity()), loads);
+    add_multiple(-1., integration->damping_forces(), loads);
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
     return model.equilibrium_error_under(

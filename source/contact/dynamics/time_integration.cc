@@ -32,11 +32,14 @@ namespace fuga
   }
 
   void
-  TimeIntegration::begin(const Vector &initial_velocity, const Vector &initial_out_of_balance)
+  TimeIntegration::begin(const Vector &initial_velocity, const Vector &net_forces)
   {
     u.assign(m.size(), 0.);
     v              = initial_velocity;
-    out_of_balance = defect = initial_out_of_balance;
+    damped         = damping(v);
+    out_of_balance = net_forces;
+    add_multiple(-1., damped, out_of_balance);
+    defect = out_of_balance;
     for (std::size_t i = 0; i < m.size(); ++i)
       {
         a[i]                                     = m[i] > 0. ? out_of_balance[i] / m[i] : 0.;
@@ -47,17 +50,19 @@ namespace fuga
   Vector
   TimeIntegration::push(const double h, const Vector &growth) const
   {
-    Vector result = growth, of_damping(m.size());
+    Vector result = growth;
     for (std::size_t i = 0; i < m.size(); ++i)
       {
         const double of_motion =
           (1. - alpha_m) * (v[i] / (beta * h) + (0.5 / beta - 1.) * a[i]) - alpha_m * a[i];
         result[i] += defect[i] + (out_of_balance[i] + m[i] * of_motion) / (1. - alpha_f);
-        of_damping[i] = gamma / beta * v[i] - h * (1. - 0.5 * gamma / beta) * a[i];
       }
-    const Vector damped = damping(of_damping);
-    for (std::size_t i = 0; i < damped.size(); ++i)
-      result[i] += damped[i];
+    if (damped.empty())
+      return result;
+    add_multiple(gamma / beta, damped, result);
+    // Zero for the trapezoidal rule.
+    if (const double of_acceleration = h * (1. - 0.5 * gamma / beta); of_acceleration != 0.)
+      add_multiple(-of_acceleration, damping(a), result);
     return result;
   }
 
@@ -67,30 +72,31 @@ namespace fuga
                            const Vector &mean,
                            MotionLedger &ledger)
   {
-    Vector mean_velocity(m.size());
+    const Vector v_at_begin = v, damped_at_begin = damped;
     for (std::size_t i = 0; i < m.size(); ++i)
       {
-        const double a_before = a[i], v_before = v[i];
+        const double a_before = a[i], v_before = v_at_begin[i];
         u[i] += du[i];
         a[i] = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
         v[i] = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
         out_of_balance[i] =
           (m[i] * ((1. - alpha_m) * a[i] + alpha_m * a_before) - alpha_f * out_of_balance[i]) /
           (1. - alpha_f);
-        defect[i]        = 0.;
-        mean_velocity[i] = du[i] / h;
+        defect[i] = 0.;
       }
+    damped = damping(v);
     ledger.work += dot(mean, du);
-    if (const Vector damped = damping(mean_velocity); !damped.empty())
-      ledger.damping += h * dot(damped, mean_velocity);
+    for (std::size_t i = 0; i < damped.size(); ++i)
+      ledger.damping += 0.25 * h * (damped_at_begin[i] + damped[i]) * (v_at_begin[i] + v[i]);
     ledger.kinetic = kinetic_energy();
   }
 
   void
-  TimeIntegration::correct(const Vector &true_out_of_balance)
+  TimeIntegration::correct(const Vector &net_forces)
   {
-    for (std::size_t i = 0; i < m.size(); ++i)
-      defect[i] = true_out_of_balance[i] - out_of_balance[i];
+    defect = net_forces;
+    add_multiple(-1., damped, defect);
+    add_multiple(-1., out_of_balance, defect);
   }
 
   double

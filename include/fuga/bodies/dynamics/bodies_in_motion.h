@@ -101,9 +101,9 @@ namespace fuga
     Vector
     initial_velocity() const;
 
-    /** f - C u̇ - K u - Gᵀ(p - p_0) for bar forces p, the @p velocity u̇ and K u (empty: zero). */
+    /** f - K u - Gᵀ(p - p_0) for bar forces p and K u (empty: zero). */
     Vector
-    out_of_balance(const Vector &bar_forces, const Vector &velocity, const Vector &elastic) const;
+    net_forces(const Vector &bar_forces, const Vector &elastic) const;
 
     /** What loads and ground do beyond what they did at the beginning [MN]. */
     Vector

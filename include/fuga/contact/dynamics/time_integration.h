@@ -38,9 +38,9 @@ namespace fuga
     double
     damping_factor(const double h) const;
 
-    /** At rest, or with the velocity @p v, where @p out_of_balance = f - C v - K u - Gᵀ p. */
+    /** With the velocity @p v, where @p net_forces = f - K u - Gᵀ p. */
     void
-    begin(const Vector &v, const Vector &out_of_balance);
+    begin(const Vector &v, const Vector &net_forces);
 
     /** Of a step of the length @p h, over which the loads change by @p growth. */
     Vector
@@ -69,10 +69,17 @@ namespace fuga
       return m;
     }
 
-    /** Says what f - C v - K u - Gᵀ p really is: the next step makes up for the rounding errors
-     * that have added up. */
+    /** C v; empty without damping. */
+    const Vector &
+    damping_forces() const
+    {
+      return damped;
+    }
+
+    /** Says what f - K u - Gᵀ p really is: the next step makes up for the rounding errors that have
+     * added up. */
     void
-    correct(const Vector &true_out_of_balance);
+    correct(const Vector &net_forces);
 
     /** f - C v - K u - Gᵀ p, which is M a but for what the method damps. */
     const Vector &
@@ -91,6 +98,8 @@ namespace fuga
     /** Since the beginning. */
     Vector u;
     Vector v, a, out_of_balance;
+    /** See damping_forces(): the product is needed more than once. */
+    Vector damped;
     /** What is out of balance besides. */
     Vector defect;
   };
