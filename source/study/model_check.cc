@@ -22,6 +22,14 @@ namespace fuga
       lines.insert(lines.end(), more.begin(), more.end());
     }
 
+    void
+    append_new(std::vector<std::string> &lines, const std::vector<std::string> &more)
+    {
+      for (const std::string &line : more)
+        if (std::find(lines.begin(), lines.end(), line) == lines.end())
+          lines.push_back(line);
+    }
+
     template <int dim>
     CheckedModel
     check_phases(const Parameters &parameters, const Model<dim> &model)
@@ -64,10 +72,11 @@ namespace fuga
           const CheckedModel one = check_phases(model->parameters, *model);
           if (c == 0)
             result.echo = one.echo;
-          for (const std::string &text : one.warnings)
-            if (std::find(result.warnings.begin(), result.warnings.end(), text) ==
-                result.warnings.end())
-              result.warnings.push_back(text);
+          append_new(result.warnings, one.warnings);
+          for (const Variant &variant : sweep.variants)
+            if (variant.condensation == c)
+              append_new(result.warnings,
+                         implausible_dynamics(parameters_of(variant, model->parameters)));
         }
       result.echo.push_back(fmt::format(
         "Sweep: {} variants; the bodies are condensed {}. What is said above is of the "

@@ -69,6 +69,7 @@ namespace fuga
     if (model != nullptr)
       count_model();
     layered.reset();
+    later_bodies.reset();
     driving.reset();
     model.reset();
     condensation = number;
@@ -82,45 +83,49 @@ namespace fuga
   Sweep<dim>::count_model()
   {
     model->timer.finish("variants");
-    const BodiesWork work   = model->bodies.work();
-    BodiesWork &total       = summary.work.bodies;
-    const BodiesWork before = total;
-    total                   = work;
-    total.n_factorisations += before.n_factorisations;
-    total.n_condensed_loads += before.n_condensed_loads;
-    total.n_solutions += before.n_solutions;
-    total.n_recovered_fields += before.n_recovered_fields;
-    total.n_iterations += before.n_iterations;
+    BodiesWork work = model->bodies.work();
+    work.add(summary.work.bodies);
+    if (later_bodies)
+      work.add(later_bodies->work());
+    summary.work.bodies = work;
+    count_steps();
     for (const auto &[name, seconds] : model->timer.seconds())
       if (name != "start" || condensation == 0)
         timer.book(name, seconds);
   }
 
-  // Only the compliances of the bars enter; friction and cohesion do not.
   template <int dim>
-  const LayeredSystem &
-  Sweep<dim>::layered_system_of(const JointModel &joint)
+  void
+  Sweep<dim>::count_steps()
   {
-    bool same = layered != nullptr;
-    for (const ContactElement &element : joint.elements)
-      {
-        same = same && layered->compliance(element.normal_bar) ==
-                         bar_compliance(*element.normal_law, element.area);
-        if (element.has_tangential_bar())
-          same = same && layered->compliance(element.tangential_bar) ==
-                           bar_compliance(*element.shear_law, element.area);
-      }
-    if (!same)
-      {
-        layered = std::make_unique<LayeredSystem>(model->bodies, joint.elements);
-        ++summary.work.n_layered_systems;
-      }
-    return *layered;
+    if (steps)
+      summary.work.bodies.add(steps->work());
+    steps.reset();
   }
 
   template <int dim>
   void
-  Sweep<dim>::count(const SweepRow &row, const ContactPath &path)
+  Sweep<dim>::count(const PhaseRun<dim> &phase)
+  {
+    if (phase.shared_layered != layered)
+      ++summary.work.n_layered_systems;
+    if (&phase.model == model.get())
+      layered = phase.shared_layered;
+    if (phase.motion && phase.motion->step_solvers() != steps)
+      {
+        count_steps();
+        steps = phase.motion->step_solvers();
+      }
+    SchemeWork &total        = summary.work.scheme;
+    const SchemeWork of_path = phase.path->work();
+    total.n_factorisations += of_path.n_factorisations;
+    total.n_updates += of_path.n_updates;
+    total.n_bars_ever_active = std::max(total.n_bars_ever_active, of_path.n_bars_ever_active);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::count(const SweepRow &row)
   {
     ++summary.n_variants;
     ++summary.verdicts[row.verdict];
@@ -128,15 +133,10 @@ namespace fuga
     summary.n_steps += row.path.n_steps;
     summary.n_jumps += row.path.n_jumps;
     summary.n_schemes += row.path.n_schemes;
-    summary.n_iterations += path.iterations().n_iterations;
+    summary.n_iterations += row.n_iterations;
     // Not a number is worse than any number.
     if (!(row.certificate <= summary.worst_certificate))
       summary.worst_certificate = row.certificate;
-    SchemeWork &total       = summary.work.scheme;
-    const SchemeWork of_one = path.work();
-    total.n_factorisations += of_one.n_factorisations;
-    total.n_updates += of_one.n_updates;
-    total.n_bars_ever_active = std::max(total.n_bars_ever_active, of_one.n_bars_ever_active);
   }
 
   template <int dim>

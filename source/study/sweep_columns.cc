@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/study/sweep_row.h>
 
 #include <algorithm>
@@ -23,6 +24,18 @@ namespace fuga
                                    {joint + "T", u.force, of_joint(&JointResultant::T)}};
       if (dim == 3)
         append(columns, {{joint + "T2", u.force, of_joint(&JointResultant::T2)}});
+      if (has_dynamic_stage(model.parameters.model))
+        {
+          append(columns, {{joint + "mean_slip", u.length, of_joint(&JointResultant::mean_slip)}});
+          if (dim == 3)
+            append(columns,
+                   {{joint + "mean_slip2", u.length, of_joint(&JointResultant::mean_slip2)}});
+          append(columns,
+                 {{joint + "largest_slip", u.length, of_joint(&JointResultant::largest_slip)},
+                  {joint + "largest_opening", u.length, [j](const SweepRow &row) {
+                     return row.largest_openings[j];
+                   }}});
+        }
       append(columns,
              {{joint + "M", u.energy(), of_joint(&JointResultant::M)},
               {joint + "share_open", "", of_joint(&JointResultant::share_open)},
@@ -32,6 +45,21 @@ namespace fuga
               {joint + "overturning_safety", "", of_joint(&JointResultant::overturning_safety)},
               {joint + "cracked_length", u.length, of_joint(&JointResultant::cracked_length)}});
       return columns;
+    }
+
+    /** Energies of the last dynamic stage. */
+    Columns<SweepRow>
+    columns_of_motion(const Units &u)
+    {
+      const auto energy = [](double MotionLedger::*const member) {
+        return [member](const SweepRow &row) { return row.motion_energies.*member; };
+      };
+      return {{"work", u.energy(), energy(&MotionLedger::work)},
+              {"kinetic_energy", u.energy(), energy(&MotionLedger::kinetic)},
+              {"energy_bodies", u.energy(), energy(&MotionLedger::bodies)},
+              {"damping", u.energy(), energy(&MotionLedger::damping)},
+              {"joint_work", u.energy(), energy(&MotionLedger::joints)},
+              {"largest_energy", u.energy(), energy(&MotionLedger::largest)}};
     }
 
     /** The methods by which any of the variants looks for a factor of safety. */
@@ -97,6 +125,8 @@ namespace fuga
        {"events", "", [](const SweepRow &row) { return row.path.n_events; }}});
     for (std::size_t j = 0; j < model.joint_names.size(); ++j)
       append(columns, columns_of_joint<dim>(j, model));
+    if (has_dynamic_stage(model.parameters.model))
+      append(columns, columns_of_motion(u));
     for (std::size_t i = 0; i < model.monitors.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         append(columns,

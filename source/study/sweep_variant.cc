@@ -5,80 +5,19 @@
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/path/event_path.h>
-#include <fuga/run/model/safety_search.h>
+#include <fuga/output/warnings/dynamic_data.h>
 #include <fuga/run/simulation/table_range.h>
 #include <fuga/study/sweep.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 namespace fuga
 {
   namespace
   {
-    /** Notes what the table needs and has every event and level judged. */
-    class VariantObserver : public PathObserver
-    {
-    public:
-      VariantObserver(Judge &judge_of_variant,
-                      const std::vector<ContactElement> &elements,
-                      const bool looks_for_safety)
-        : judge(judge_of_variant), tables(elements), keeps_cuts(looks_for_safety)
-      {
-      }
-
-      bool
-      wants_cuts() const override
-      {
-        return keeps_cuts;
-      }
-
-      void
-      advanced(const PathPoint &from, const PathPoint &to, const double length) override
-      {
-        judge.follow(from, to, length);
-        tables.watch(to.state);
-        last_state = to.state;
-      }
-
-      void
-      jumped(const JointState &to) override
-      {
-        judge.lose_track();
-        last_state = to;
-      }
-
-      void
-      changed(const std::vector<ContactEvent> &events, const JointState &state) override
-      {
-        last_state = state;
-        worst.absorb(judge.judge(state));
-        for (const ContactEvent &event : events)
-          {
-            if (event.to == ContactState::open && !searching && !(first_opening <= event.t))
-              first_opening = event.t;
-            if (is_slipping(event.to) && !searching && !(first_slip <= event.t))
-              first_slip = event.t;
-          }
-      }
-
-      void
-      reached(const std::size_t, const JointState &state) override
-      {
-        worst.absorb(judge.judge(state));
-      }
-
-      Judge &judge;
-      TableRange tables;
-      const bool keeps_cuts;
-      /** A search for safety is under way. */
-      bool searching = false;
-      JointState last_state;
-      Certificate worst;
-      double first_opening = std::numeric_limits<double>::quiet_NaN();
-      double first_slip    = std::numeric_limits<double>::quiet_NaN();
-    };
-
     ExitCode
     code_of(const PathResult &result)
     {
@@ -86,50 +25,246 @@ namespace fuga
     }
   } // namespace
 
+  /** Notes what the table needs and has every event and level judged. */
+  template <int dim>
+  class VariantObserver : public PathObserver
+  {
+  public:
+    /** A phase follows, which must live as long as the observer hears of it. */
+    void
+    begin(PhaseRun<dim> &next)
+    {
+      phase = &next;
+      tables.emplace(phase->joint.elements);
+      openings.resize(phase->model.joint_names.size(), 0.);
+    }
+
+    bool
+    wants_cuts() const override
+    {
+      return phase->safety_search.is_wanted();
+    }
+
+    void
+    advanced(const PathPoint &from, const PathPoint &to, const double length) override
+    {
+      phase->judge.follow(from, to, length);
+      tables->watch(to.state);
+      last_state = to.state;
+    }
+
+    void
+    jumped(const JointState &to) override
+    {
+      phase->judge.lose_track();
+      last_state = to;
+    }
+
+    void
+    changed(const std::vector<ContactEvent> &events, const JointState &state) override
+    {
+      last_state = state;
+      worst.absorb(phase->judge.judge(state));
+      for (const ContactEvent &event : events)
+        {
+          if (event.to == ContactState::open && !searching && !(first_opening <= event.t))
+            first_opening = event.t;
+          if (is_slipping(event.to) && !searching && !(first_slip <= event.t))
+            first_slip = event.t;
+        }
+    }
+
+    void
+    reached(const std::size_t index, const JointState &state) override
+    {
+      levels = index + 1;
+      worst.absorb(phase->judge.judge(state));
+    }
+
+    void
+    began_step(const ContactSystem &system, const LoadHistory &history) override
+    {
+      phase->began_step(system, history);
+    }
+
+    void
+    ended_step(const JointState &state) override
+    {
+      last_state         = state;
+      energies_of_motion = phase->dynamic_path().energies();
+      const auto results = phase->results(state);
+      for (std::size_t k = 0; k < results.size(); ++k)
+        {
+          double &opening = openings[phase->joint.elements[k].joint];
+          opening         = std::max(opening, results[k].gap);
+        }
+      phase->ended_step(state);
+    }
+
+    /** At the end of a phase, which is left. */
+    std::vector<std::string>
+    warnings() const
+    {
+      return tables->template warnings<dim>(phase->model.joint_names,
+                                            phase->parameters.output.units.stress());
+    }
+
+    /** A search for safety is under way. */
+    bool searching = false;
+    JointState last_state;
+    Certificate worst;
+    double first_opening = std::numeric_limits<double>::quiet_NaN();
+    double first_slip    = std::numeric_limits<double>::quiet_NaN();
+    std::size_t levels   = 0;
+    Vector openings;
+    MotionLedger energies_of_motion;
+
+  private:
+    PhaseRun<dim> *phase = nullptr;
+    std::optional<TableRange> tables;
+  };
+
+  template <int dim>
+  class Sweep<dim>::VariantRun
+  {
+  public:
+    VariantRun(Sweep &of, const Variant &variant);
+
+    SweepRow
+    result();
+
+  private:
+    PathResult
+    follow_phases();
+    void
+    finish_phase();
+    void
+    take(PathResult found);
+    void
+    find_safety();
+    void
+    take_end();
+
+    Sweep &sweep;
+    const Parameters parameters;
+    SweepRow row;
+    VariantObserver<dim> observer;
+    /** None in the first phase, whose model is that of all variants. */
+    std::unique_ptr<const Model<dim>> later;
+    std::unique_ptr<PhaseRun<dim>> phase;
+  };
+
+  Parameters
+  parameters_of(const Variant &variant, const Parameters &condensation)
+  {
+    Parameters parameters            = condensation;
+    parameters.joints                = variant.joints;
+    parameters.model.dynamics.ground = variant.ground;
+    return parameters;
+  }
+
+  template <int dim>
+  Sweep<dim>::VariantRun::VariantRun(Sweep &of, const Variant &variant)
+    : sweep(of)
+    , parameters(parameters_of(variant, sweep.model->parameters))
+    , phase(std::make_unique<PhaseRun<dim>>(*sweep.model, parameters, sweep.layered, sweep.steps))
+  {
+    row.settings = variant.settings;
+    row.safety   = phase->safety_search.announced();
+    for (const std::string &text : implausible_dynamics(parameters))
+      if (sweep.said.insert(text).second)
+        row.warnings.push_back(text);
+  }
+
+  template <int dim>
+  PathResult
+  Sweep<dim>::VariantRun::follow_phases()
+  {
+    observer.begin(*phase);
+    PathResult found = phase->path->run(phase->model.loads.levels, observer);
+    while (found.verdict == Verdict::done && !phase->model.is_last_phase())
+      {
+        finish_phase();
+        const PhaseEnd end = phase->leave(observer.last_state, found, observer.levels);
+        phase.reset();
+        later = std::make_unique<const Model<dim>>(parameters, end, sweep.later_bodies);
+        sweep.later_bodies = later->shared_bodies;
+        phase = std::make_unique<PhaseRun<dim>>(*later, parameters, nullptr, sweep.steps);
+        const Checkpoint start = phase->enter(end);
+        observer.begin(*phase);
+        found = phase->path->go_on(start.cut, later->loads.levels, observer);
+      }
+    return found;
+  }
+  template <int dim>
+  void
+  Sweep<dim>::VariantRun::finish_phase()
+  {
+    for (const std::string &text : observer.warnings())
+      row.warnings.push_back(text);
+    sweep.count(*phase);
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::VariantRun::take(PathResult found)
+  {
+    const bool is_level = observer.levels > 0 &&
+                          phase->model.loads.levels[observer.levels - 1] == observer.last_state.t;
+    if (!observer.last_state.states.empty() && !is_level)
+      observer.worst.absorb(phase->judge.judge(observer.last_state));
+    prove_limit(phase->judge, phase->joint.elements, phase->layered, observer.last_state, found);
+    row.path      = found;
+    row.verdict   = verdict_name(found.verdict);
+    row.exit_code = code_of(found);
+    if (phase->safety_search.is_wanted() && found.verdict == Verdict::done)
+      find_safety();
+    if (!(observer.worst.worst() <= parameters.solver.certificate_bound))
+      row.exit_code = ExitCode::certificate_violated;
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::VariantRun::find_safety()
+  {
+    const JointState end   = observer.last_state;
+    JointState &last_state = observer.last_state;
+    observer.searching     = true;
+    row.safety             = phase->safety_search.run(
+      phase->path->last_cut(),
+      phase->judge,
+      observer,
+      [&last_state](const JointState &start) { last_state = start; },
+      [this]() { observer.worst.absorb(phase->judge.judge(observer.last_state)); });
+    last_state = end;
+  }
+
+  template <int dim>
+  void
+  Sweep<dim>::VariantRun::take_end()
+  {
+    const JointState &end   = observer.last_state;
+    const Model<dim> &model = phase->model;
+    if (!end.states.empty())
+      {
+        row.resultants = model.resultants(phase->results(end), phase->judge.dissipation());
+        for (const Monitor &monitor : model.monitors)
+          row.displacements.push_back(
+            monitor.displacement(phase->monitored(end), model.loads.history.factors(end.t)));
+      }
+    row.motion       = model.motion(phase->joint.elements, row.path);
+    row.n_iterations = phase->path->iterations().n_iterations;
+    finish_phase();
+  }
+
   template <int dim>
   SweepRow
-  Sweep<dim>::run_variant(const Variant &variant)
+  Sweep<dim>::VariantRun::result()
   {
     const auto begin = std::chrono::steady_clock::now();
-    const JointModel joint =
-      make_joint_model<dim>(model->bodies, variant.joints, model->parameters.model.constants);
-    const LayeredSystem &system = layered_system_of(joint);
-    const SafetySearch<dim> search(*model, variant.joints, joint, system);
-    const LoadHistory &history = model->loads.history;
-    const LoadHistory loading  = history.until(model->loads.end_of_loading);
-    Judge judge(model->bodies, joint.elements, history, model->loads.end_of_loading);
-    VariantObserver observer(judge, joint.elements, search.is_wanted());
-    const auto path =
-      std::make_unique<EventPath>(joint.elements, system, loading, model->path_options());
-
-    SweepRow row;
-    row.settings = variant.settings;
-    row.safety   = search.announced();
     try
       {
-        PathResult found     = path->run(model->loads.levels, observer);
-        const JointState end = observer.last_state;
-        if (!end.states.empty())
-          observer.worst.absorb(judge.judge(end));
-        prove_limit(judge, joint.elements, system, end, found);
-        row.path      = found;
-        row.verdict   = verdict_name(found.verdict);
-        row.exit_code = code_of(found);
-        if (search.is_wanted() && row.path.verdict == Verdict::done)
-          {
-            JointState &last_state = observer.last_state;
-            Certificate &worst     = observer.worst;
-            observer.searching     = true;
-            row.safety             = search.run(
-              path->last_cut(),
-              judge,
-              observer,
-              [&last_state](const JointState &start) { last_state = start; },
-              [&worst, &judge, &last_state]() { worst.absorb(judge.judge(last_state)); });
-            last_state = end;
-          }
-        if (!(observer.worst.worst() <= model->parameters.solver.certificate_bound))
-          row.exit_code = ExitCode::certificate_violated;
+        take(follow_phases());
       }
     catch (const NumericalFailure &failure)
       {
@@ -138,29 +273,27 @@ namespace fuga
         row.message   = failure.what();
         row.path.t    = observer.last_state.t;
       }
-    if (const JointState &end = observer.last_state; !end.states.empty())
-      {
-        const Vector jumps = system.jumps(end.dislocations, end.forces);
-        const Vector x = judge.coordinates(jumps, end.t), a = history.factors(end.t);
-        const DenseMatrix &water = model->bodies.closed_water();
-        const auto results       = element_results(
-          joint.elements, end, jumps, water.empty() ? Vector() : multiply(water, a));
-        row.resultants = model->resultants(results, judge.dissipation());
-        for (const Monitor &monitor : model->monitors)
-          row.displacements.push_back(monitor.displacement(x, a));
-      }
-    row.resultants.resize(variant.joints.size());
-    row.displacements.resize(model->monitors.size());
-    row.drive  = driving->at(row.path.t, stage_of(row.path.t, model->stage_names.size()).first);
-    row.motion = model->motion(joint.elements, row.path);
-    row.first_opening = observer.first_opening;
-    row.first_slip    = observer.first_slip;
-    row.certificate   = observer.worst.worst();
-    for (const std::string &text : observer.tables.template warnings<dim>(
-           model->joint_names, parameters.output.units.stress()))
-      row.warnings.push_back(text);
-    count(row, *path);
+    if (phase)
+      take_end();
+    row.resultants.resize(parameters.joints.size());
+    row.displacements.resize(parameters.model.monitors.size());
+    row.drive =
+      sweep.driving->at(row.path.t, stage_of(row.path.t, parameters.model.stages.size()).first);
+    row.first_opening    = observer.first_opening;
+    row.first_slip       = observer.first_slip;
+    row.largest_openings = observer.openings;
+    row.motion_energies  = observer.energies_of_motion;
+    row.certificate      = observer.worst.worst();
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return row;
+  }
+
+  template <int dim>
+  SweepRow
+  Sweep<dim>::run_variant(const Variant &variant)
+  {
+    const SweepRow row = VariantRun(*this, variant).result();
+    count(row);
     return row;
   }
 

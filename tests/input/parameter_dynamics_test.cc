@@ -128,6 +128,30 @@ namespace fuga
         EXPECT_NEAR(a, 0., 1e-9);
     }
 
+    // The motion of the ground decides nothing that is condensed, but for the time step if that is
+    // the step of a record.
+    TEST(ParameterDynamics, RecordsShareACondensation)
+    {
+      write_file("coarse.txt", "0 1\n0.01 2\n0.02 -1\n");
+      write_file("fine.txt", "0 1\n0.005 -3\n");
+      const std::vector<std::string> sweep = {"Sweep/Earthquake/Record x=coarse.txt, fine.txt",
+                                              "Sweep/Earthquake/Scale=0.1, 0.2",
+                                              "Earthquake/Scale=1",
+                                              "Earthquake/Record x=coarse.txt"};
+      const auto with                      = [&sweep](const std::string &more) {
+        std::vector<std::string> all = sweep;
+        all.push_back(more);
+        return read("sweep_of_records.prm", all);
+      };
+      EXPECT_EQ(read("sweep_of_records.prm", sweep).condensations.size(), 2u);
+      EXPECT_EQ(with("Sweep/Dynamics/Time step=0.01, 0.02").condensations.size(), 2u);
+      const Parameters shared = with("Dynamics/Time step=0.01");
+      EXPECT_EQ(shared.condensations.size(), 1u);
+      ASSERT_EQ(shared.variants.size(), 4u);
+      EXPECT_NEAR(shared.variants[1].ground[0].accelerations[1], 0.2 * 2. * 9.81, 1e-14);
+      EXPECT_NEAR(shared.variants[2].ground[0].accelerations[1], 0.1 * -3. * 9.81, 1e-14);
+    }
+
     TEST(ParameterDynamics, AddedMassIsRead)
     {
       write_file("b.txt", "0 1\n0.005 2\n");
@@ -231,10 +255,6 @@ namespace fuga
        unchanged,
        {step, "Solver/Bodies=iterative matrix-free"},
        {"Duration = '2'", "'Solver/Bodies = iterative matrix-free'"}},
-      {"Sweep",
-       unchanged,
-       {step, "Sweep/Joints/base/Friction coefficient=0.2, 0.3"},
-       {"Duration = '2'", "Sweep"}},
       {"TargetAccuracy",
        unchanged,
        {step, "Target accuracy/Quantity=resultant"},

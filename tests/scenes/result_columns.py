@@ -18,7 +18,8 @@ FUGA = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MONITOR = "\nsubsection Monitors\n  subsection crest\n    set Point = {}\n    set Stress = true\n  end\nend\n"
 # Parameter file, point of the monitor, further settings.
-RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()), ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7",)),
+RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()),
+        ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7", "Stages/reservoir/Duration=0.2", "Dynamics/Time step=0.05")),
         ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
         ("dam", "1, 10", ("Sweep/Joints/base/Cohesion=0, 10", "Safety/Strength reduction=yes", "Safety/Load factor=water")),
         ("dam_earthquake", "1, 10", ("Stages/earthquake/Duration=0.1", f"Earthquake/Record x={ROOT}/parameters/records/noise.txt")),

@@ -231,6 +231,8 @@ namespace fuga
     std::vector<std::string> settings;
     /** All joints, as they are in this variant. */
     std::vector<JointParameters> joints;
+    /** DynamicsDefinition::ground. */
+    std::array<GroundMotion, 3> ground;
     /** Index into Parameters::condensations, for all else. */
     std::size_t condensation = 0;
   };
@@ -252,7 +254,7 @@ namespace fuga
     std::vector<SweptQuantity> swept;
     std::vector<Variant> variants;
     /** What variants share that have the same mesh, bodies, supports, loads and settings. Their
-     * joints are those of the first of them. */
+     * joints and the motion of the ground are those of the first of them. */
     std::vector<std::shared_ptr<const Parameters>> condensations;
     /** These are the parameters of variants. All else is then that of the first variant. */
     bool of_sweep = false;

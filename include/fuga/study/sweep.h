@@ -5,8 +5,7 @@
 #define fuga_study_sweep_h
 
 #include <fuga/output/tables/summary.h>
-#include <fuga/run/model/joint_model.h>
-#include <fuga/run/model/model.h>
+#include <fuga/run/model/phase_run.h>
 #include <fuga/run/simulation/simulation.h>
 #include <fuga/study/sweep_row.h>
 
@@ -17,8 +16,9 @@ namespace fuga
   /**
    * Runs all variants of section Sweep and writes one row each to sweep.csv, one line each to
    * log.txt: verdict and mechanism, first opening, first slip, resultants at the end, factors of
-   * safety, certificate. Variants that differ in their joints only share one condensation of the
-   * bodies, and those that differ in strength only the layered system as well.
+   * safety, certificate. Variants that differ in their joints and the motion of the ground only
+   * share one condensation of the bodies, and those that do not differ in the layers of joints
+   * the layered system as well.
    */
   template <int dim>
   class Sweep
@@ -36,19 +36,24 @@ namespace fuga
     run();
 
   private:
+    class VariantRun;
+
     /** Makes the model of the variants with this condensation. */
     void
     condense(const std::size_t number);
-    /** Adds what was done with the model to the summary. */
+    /** Adds what was done with the model, and with steps of time, to the summary. */
     void
     count_model();
+    void
+    count_steps();
     SweepRow
     run_variant(const Variant &variant);
-    const LayeredSystem &
-    layered_system_of(const JointModel &joint);
-    /** Adds a variant to the summary. */
+    /** Adds a phase of a variant to the summary, at its end. */
     void
-    count(const SweepRow &row, const ContactPath &path);
+    count(const PhaseRun<dim> &phase);
+    /** Adds a variant to it. */
+    void
+    count(const SweepRow &row);
     void
     write_summary(const std::string &verdict, const ExitCode code);
 
@@ -72,9 +77,18 @@ namespace fuga
     std::unique_ptr<const Model<dim>> model;
     std::unique_ptr<const DrivingQuantities> driving;
     std::size_t condensation = 0;
-    std::unique_ptr<LayeredSystem> layered;
+    /** Of the first phase of the variants before. */
+    std::shared_ptr<const LayeredSystem> layered;
+    /** Those of all later phases: their loads are others in every variant. */
+    std::shared_ptr<CondensedSystem<dim>> later_bodies;
+    /** Of the last motion. */
+    std::shared_ptr<StepSolvers> steps;
     SweepSummary summary;
   };
+
+  /** All of a variant on this condensation. */
+  Parameters
+  parameters_of(const Variant &variant, const Parameters &condensation);
 
   /** The model of a condensation, with the joints of all of its variants checked. @throws
    * InputError that names the variant. */

@@ -32,8 +32,13 @@ namespace fuga
     /** Load times; not a number if there was none. */
     double first_opening = std::numeric_limits<double>::quiet_NaN();
     double first_slip    = std::numeric_limits<double>::quiet_NaN();
-    double certificate   = 0.;
-    double seconds       = 0.;
+    /** Largest gap of any element in a dynamic stage, by joint [length]. */
+    std::vector<double> largest_openings;
+    /** Of the last dynamic stage, at its end. */
+    MotionLedger motion_energies;
+    std::size_t n_iterations = 0;
+    double certificate       = 0.;
+    double seconds           = 0.;
     /** That of a run of the variant alone. */
     ExitCode exit_code = ExitCode::done;
     /** Reason of a numerical failure. */

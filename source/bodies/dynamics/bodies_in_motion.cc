@@ -36,19 +36,36 @@ namespace fuga
   } // namespace
 
 
+  BodiesWork
+  StepSolvers::work() const
+  {
+    BodiesWork sum;
+    for (const std::unique_ptr<SchurSolver> &solver : solvers)
+      if (solver)
+        {
+          sum.n_factorisations += solver->work().n_factorisations;
+          sum.n_condensed_loads += solver->work().n_condensed_loads;
+          sum.n_solutions += solver->work().n_solutions;
+        }
+    return sum;
+  }
+
+
   template <int dim>
   BodiesInMotion<dim>::BodiesInMotion(const CondensedSystem<dim> &bodies,
+                                      const DynamicsDefinition &definition,
                                       const LoadHistory &load_history,
                                       const unsigned int number_of_stage,
-                                      const std::vector<bool> &massless_joints)
+                                      const std::vector<bool> &massless_joints,
+                                      std::shared_ptr<StepSolvers> same_steps)
     : model(bodies)
+    , dynamics(definition)
     , history(load_history)
     , stage(number_of_stage)
     , duration(model.definition().stages[stage].duration)
     , grid(grid_of(model.definition(), stage))
-    , solvers(grid.halvings + 1)
+    , steps(std::move(same_steps))
   {
-    const DynamicsDefinition &dynamics = model.definition().dynamics;
     // The ratio ζ = α/2ω + βω/2 at both frequencies.
     if (const auto &f = dynamics.damping_frequencies; dynamics.damping_ratio > 0.)
       {
@@ -61,6 +78,14 @@ namespace fuga
       lumped_mass(model, massless_joints),
       [this](const Vector &v) { return damping_times(v); },
       dynamics.spectral_radius);
+    if (!steps || steps->step != grid.step || steps->mass != integration->mass())
+      {
+        steps       = std::make_shared<StepSolvers>();
+        steps->mass = integration->mass();
+        steps->step = grid.step;
+        steps->solvers.resize(grid.halvings + 1);
+        steps->stiffness.resize(grid.halvings + 1);
+      }
   }
 
 
@@ -107,6 +132,8 @@ namespace fuga
   DenseMatrix
   BodiesInMotion<dim>::condensed_stiffness(const unsigned int rung)
   {
+    if (steps->solvers[rung])
+      return steps->stiffness[rung];
     const auto &coordinates  = model.interface_coordinates();
     const double h           = grid.length_of(rung);
     SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
@@ -115,10 +142,11 @@ namespace fuga
       value *= damped;
     add_inertia(integration->mass_factor(h) + integration->damping_factor(h) * mass_damping,
                 matrix);
-    if (order.empty() && processes::is_first())
-      order = elimination_order(model.discretization(), coordinates);
-    solvers[rung] = std::make_unique<SchurSolver>(order);
-    return solvers[rung]->eliminate(matrix, coordinates.n_interface());
+    if (steps->order.empty() && processes::is_first())
+      steps->order = elimination_order(model.discretization(), coordinates);
+    steps->solvers[rung]   = std::make_unique<SchurSolver>(steps->order);
+    steps->stiffness[rung] = steps->solvers[rung]->eliminate(matrix, coordinates.n_interface());
+    return steps->stiffness[rung];
   }
 
 
@@ -161,7 +189,7 @@ namespace fuga
     const Vector push = model.interface_coordinates().gather(integration->push(h, growth));
     DenseMatrix loads(push.size(), 1);
     std::copy(push.begin(), push.end(), loads.data());
-    const DenseMatrix condensed = solvers[rung]->condense(loads);
+    const DenseMatrix condensed = steps->solvers[rung]->condense(loads);
     return {condensed.data(), condensed.data() + condensed.n_rows()};
   }
 
@@ -171,7 +199,7 @@ namespace fuga
   BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger)
   {
     const double h  = grid.length_of(rung_of_step);
-    const Vector y  = solvers[rung_of_step]->expand(x);
+    const Vector y  = steps->solvers[rung_of_step]->expand(x);
     const Vector du = model.interface_coordinates().distribute(y.data(), {});
     Vector mean     = first_forces_at_nodes;
     add_multiple(0.5, forces, mean);
@@ -252,8 +280,7 @@ namespace fuga
   std::array<double, 3>
   BodiesInMotion<dim>::ground_acceleration_at(const double time) const
   {
-    const DynamicsDefinition &dynamics = model.definition().dynamics;
-    std::array<double, 3> result       = {{0., 0., 0.}};
+    std::array<double, 3> result = {{0., 0., 0.}};
     for (unsigned int c = 0; c < dim && dynamics.earthquake_stage == stage; ++c)
       result[c] = acceleration_at(dynamics.ground[c], time);
     return result;
@@ -271,22 +298,6 @@ namespace fuga
     add_multiple(-1., first_forces, changes);
     return model.equilibrium_error_under(
       loads, model.by_degrees_of_freedom(integration->displacement()), changes, {});
-  }
-
-
-  template <int dim>
-  BodiesWork
-  BodiesInMotion<dim>::work() const
-  {
-    BodiesWork sum = model.work();
-    for (const std::unique_ptr<SchurSolver> &solver : solvers)
-      if (solver)
-        {
-          sum.n_factorisations += solver->work().n_factorisations;
-          sum.n_condensed_loads += solver->work().n_condensed_loads;
-          sum.n_solutions += solver->work().n_solutions;
-        }
-    return sum;
   }
 
 

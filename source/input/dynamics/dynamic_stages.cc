@@ -98,11 +98,6 @@ namespace fuga
       refuse(!parameters.solver.follow_events, solver.follow);
       refuse(parameters.solver.beyond_limit, solver.beyond_limit);
       refuse(parameters.model.body_solver == BodySolver::matrix_free, solver.bodies);
-      if (parameters.of_sweep)
-        section.fail(
-          e.duration,
-          "the variants of a sweep are for slow loads only. Take the section Sweep out and run "
-          "the variants one by one (--set).");
     }
 
 

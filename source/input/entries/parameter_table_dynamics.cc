@@ -67,6 +67,7 @@ namespace fuga
   {
     stage =
       optional("Stage", text(), "Name of the stage; without it the only one with a Duration.");
+    decided = Decides::path;
     for (const char axis : {'x', 'y', 'z'})
       records[static_cast<std::size_t>(axis - 'x')] = optional(
         fmt::format("Record {}", axis),
@@ -101,6 +102,7 @@ namespace fuga
       "What to do about a record that ends with a velocity or far from where it began: a warning; "
       "nothing; or a parabola in time is taken off the acceleration, so that the integral of the "
       "square of the velocity is smallest.");
+    decided    = Decides::condensation;
     added_mass = optional("Added mass boundaries",
                           text(),
                           "List of boundaries with which water moves: 7/8 (Added mass unit "

@@ -23,7 +23,7 @@ namespace fuga
                "Thickness/compliance with it.",
                {"0.002"});
     declare_shear_growth();
-    decided = Decides::strength;
+    decided = Decides::path;
     declare_strength();
   }
 

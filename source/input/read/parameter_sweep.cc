@@ -27,8 +27,9 @@ namespace fuga
     }
 
     /**
-     * What decides about the condensation: all but laws and strength of the joints. A joint without
-     * shear strength has no tangential bars.
+     * What decides about the condensation: all but laws and strength of the joints and the motion
+     * of the ground. A joint without shear strength has no tangential bars; the time step may be
+     * that of a record.
      */
     std::string
     condensation_key(const Parameters &parameters)
@@ -37,6 +38,7 @@ namespace fuga
       for (const auto &[name, value] : parameters.echo)
         if (decided_by(name) <= Decides::condensation)
           key += name + "=" + value + "\n";
+      key += fmt::format("{}\n", parameters.model.dynamics.time_step);
       for (const JointParameters &joint : parameters.joints)
         key += joint.friction.is_frictionless() ? '0' : '1';
       return key;
@@ -188,6 +190,7 @@ namespace fuga
             ReadVariant read;
             read.variant.settings     = settings_of(plan, i, one);
             read.variant.joints       = one.joints;
+            read.variant.ground       = one.model.dynamics.ground;
             read.variant.condensation = number_of(condensation_key(one), condensations);
             read.layers               = number_of(layer_key(one), layers);
             variants.push_back(std::move(read));

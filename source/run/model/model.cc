@@ -178,16 +178,6 @@ namespace fuga
   }
 
   template <int dim>
-  std::vector<bool>
-  Model<dim>::massless_joints() const
-  {
-    std::vector<bool> result;
-    for (const JointParameters &joint : parameters.joints)
-      result.push_back(joint.normal_law == LayerLaw::rigid || joint.shear_law == LayerLaw::rigid);
-    return result;
-  }
-
-  template <int dim>
   std::vector<std::string>
   Model<dim>::find_joint_names() const
   {

@@ -29,19 +29,31 @@ namespace fuga
                 same(element.tangential_bar, *element.shear_law, element));
       });
     }
+
+    /** Joints whose lips have no mass, because a layer of theirs is rigid: see lumped_mass(). */
+    std::vector<bool>
+    massless_joints(const std::vector<JointParameters> &joints)
+    {
+      std::vector<bool> result;
+      for (const JointParameters &joint : joints)
+        result.push_back(joint.normal_law == LayerLaw::rigid || joint.shear_law == LayerLaw::rigid);
+      return result;
+    }
   } // namespace
 
   template <int dim>
   PhaseRun<dim>::PhaseRun(const Model<dim> &of_phase,
-                          const std::vector<JointParameters> &joints,
-                          const std::shared_ptr<const LayeredSystem> &similar)
+                          const Parameters &of_run,
+                          const std::shared_ptr<const LayeredSystem> &similar,
+                          const std::shared_ptr<StepSolvers> &steps)
     : model(of_phase)
-    , joint(make_joint_model<dim>(model.bodies, joints, model.parameters.model.constants))
+    , parameters(of_run)
+    , joint(make_joint_model<dim>(model.bodies, parameters.joints, parameters.model.constants))
     , shared_layered(make_layered(similar))
     , layered(*shared_layered)
-    , safety_search(model, joints, joint, layered)
+    , safety_search(model, parameters.joints, joint, layered)
     , loading(model.loads.history.until(model.loads.end_of_loading))
-    , motion(make_motion())
+    , motion(make_motion(steps))
     , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
   {
@@ -61,12 +73,16 @@ namespace fuga
 
   template <int dim>
   std::unique_ptr<BodiesInMotion<dim>>
-  PhaseRun<dim>::make_motion() const
+  PhaseRun<dim>::make_motion(const std::shared_ptr<StepSolvers> &steps) const
   {
     if (!model.is_dynamic())
       return nullptr;
-    return std::make_unique<BodiesInMotion<dim>>(
-      model.bodies, loading, model.construction.stage, model.massless_joints());
+    return std::make_unique<BodiesInMotion<dim>>(model.bodies,
+                                                 parameters.model.dynamics,
+                                                 loading,
+                                                 model.construction.stage,
+                                                 massless_joints(parameters.joints),
+                                                 steps);
   }
 
   template <int dim>

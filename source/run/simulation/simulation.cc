@@ -22,7 +22,7 @@ namespace fuga
     : model(shared_model)
     , parameters(model.parameters)
     , accuracy(std::move(of_mesh))
-    , phase(model, parameters.joints)
+    , phase(model, parameters)
     , joint(phase.joint)
     , layered(phase.layered)
     , safety_search(phase.safety_search)

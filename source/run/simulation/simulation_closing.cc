@@ -242,11 +242,13 @@ namespace fuga
            element.number,
            {element.position.begin(), element.position.begin() + dim}});
       }
-    summary.safety            = outcome.safety;
-    summary.accuracy          = accuracy;
-    summary.load_factors      = model.loads.factors_by_name(parameters.model, summary.t);
-    summary.sizes             = model.sizes();
-    summary.work              = {motion ? motion->work() : model.bodies.work(), 1, path->work()};
+    summary.safety       = outcome.safety;
+    summary.accuracy     = accuracy;
+    summary.load_factors = model.loads.factors_by_name(parameters.model, summary.t);
+    summary.sizes        = model.sizes();
+    summary.work         = {model.bodies.work(), 1, path->work()};
+    if (motion)
+      summary.work.bodies.add(motion->step_solvers()->work());
     summary.motion_energies   = motion_energies;
     summary.motion_steps      = motion_steps;
     summary.events_by_kind    = events_by_kind;

@@ -7,7 +7,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <fuga/bodies/condensed/condensed_system.h>
-#include <fuga/bodies/solvers/schur_solver.h>
+#include <fuga/bodies/dynamics/step_solvers.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/load_history.h>
 
@@ -26,14 +26,17 @@ namespace fuga
   {
   public:
     /**
-     * @p bodies: the model at rest, with its load patterns, and the @p history of their factors;
-     * both must live as long as this object. @p stage: a dynamic one. @p massless_joints: see
-     * lumped_mass().
+     * @p bodies: the model at rest, with its load patterns; @p dynamics: its own, but for the motion
+     * of the ground; @p history: factors of the patterns. All must live as long as this object. @p
+     * stage: a dynamic one. @p massless_joints: see lumped_mass(). @p steps: of another motion of
+     * these bodies, used if they fit.
      */
     BodiesInMotion(const CondensedSystem<dim> &bodies,
+                   const DynamicsDefinition &dynamics,
                    const LoadHistory &history,
                    const unsigned int stage,
-                   const std::vector<bool> &massless_joints);
+                   const std::vector<bool> &massless_joints,
+                   std::shared_ptr<StepSolvers> steps = nullptr);
 
     ~BodiesInMotion() override;
 
@@ -86,9 +89,11 @@ namespace fuga
     EquilibriumError
     equilibrium_error(const Vector &p) const;
 
-    /** Factorisations and solutions of all lengths of steps. */
-    BodiesWork
-    work() const;
+    const std::shared_ptr<StepSolvers> &
+    step_solvers() const
+    {
+      return steps;
+    }
 
   private:
     Vector
@@ -116,6 +121,7 @@ namespace fuga
     add_inertia(const double factor, SymmetricTriplets &matrix) const;
 
     const CondensedSystem<dim> &model;
+    const DynamicsDefinition &dynamics;
     const LoadHistory &history;
     const unsigned int stage;
     const double duration;
@@ -126,9 +132,7 @@ namespace fuga
     /** By nodes, of the own cells. */
     dealii::SparseMatrix<double> stiffness;
     std::unique_ptr<TimeIntegration> integration;
-    std::vector<std::unique_ptr<SchurSolver>> solvers; // by rung
-    /** See elimination_order(); the same for all of them. */
-    std::vector<int> order;
+    std::shared_ptr<StepSolvers> steps;
     /** Bar forces at the beginning, and what they are at the nodes. */
     Vector first_forces, first_forces_at_nodes;
     /** Forces now and at the end of the step. */

@@ -25,6 +25,17 @@ namespace fuga
     BodySolver solver        = BodySolver::direct;
     /** If the program had to choose. */
     std::optional<SolverEstimate> estimate = {};
+
+    /** Adds the counts of other work. */
+    void
+    add(const BodiesWork &other)
+    {
+      n_factorisations += other.n_factorisations;
+      n_condensed_loads += other.n_condensed_loads;
+      n_solutions += other.n_solutions;
+      n_recovered_fields += other.n_recovered_fields;
+      n_iterations += other.n_iterations;
+    }
   };
 } // namespace fuga
 

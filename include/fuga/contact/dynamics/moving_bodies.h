@@ -99,7 +99,7 @@ namespace fuga
     virtual void
     begin(const Vector &forces, MotionLedger &ledger) = 0;
 
-    /** Ŝ of a rung; computed at every call. */
+    /** Ŝ of a rung. */
     virtual DenseMatrix
     condensed_stiffness(const unsigned int rung) = 0;
 

@@ -34,8 +34,8 @@ namespace fuga
     condensation,
     /** The layers of the joints. */
     layers,
-    /** The path only, with the strength of the joints. */
-    strength
+    /** The path only: strength of the joints, motion of the ground. */
+    path
   };
 
   /** What is known of one entry before any file is read. */

@@ -98,10 +98,6 @@ namespace fuga
       return parameters.model.stages[construction.stage].is_dynamic();
     }
 
-    /** Joints whose lips have no mass, because a layer of theirs is rigid: see lumped_mass(). */
-    std::vector<bool>
-    massless_joints() const;
-
     bool
     is_last_phase() const
     {

@@ -25,17 +25,20 @@ namespace fuga
   {
   public:
     /**
-     * @p joints: with their laws and strength. @p similar: a layered system of other joints of the
-     * same model, which is used if theirs have the same compliances. Model and joints must outlive
+     * @p parameters: those of the model, but for laws and strength of the joints and the motion of
+     * the ground. @p similar: a layered system of other joints of the same model, and @p steps: of
+     * another motion of its bodies; they are used if they fit. Model and parameters must outlive
      * this object.
      */
     PhaseRun(const Model<dim> &model,
-             const std::vector<JointParameters> &joints,
-             const std::shared_ptr<const LayeredSystem> &similar = nullptr);
+             const Parameters &parameters,
+             const std::shared_ptr<const LayeredSystem> &similar = nullptr,
+             const std::shared_ptr<StepSolvers> &steps           = nullptr);
 
     ~PhaseRun();
 
     const Model<dim> &model;
+    const Parameters &parameters;
     const JointModel joint;
     const std::shared_ptr<const LayeredSystem> shared_layered;
     const LayeredSystem &layered;
@@ -85,7 +88,7 @@ namespace fuga
     std::shared_ptr<const LayeredSystem>
     make_layered(const std::shared_ptr<const LayeredSystem> &similar) const;
     std::unique_ptr<BodiesInMotion<dim>>
-    make_motion() const;
+    make_motion(const std::shared_ptr<StepSolvers> &steps) const;
     std::unique_ptr<ContactPath>
     make_path() const;
 
