@@ -10,6 +10,8 @@
   F = f N / T, by statics. Tolerance 1e-9: rounding.
 * Variants that differ in their joints only share one condensation; with dynamic stages there is one for each length of step and one
   more for the stages that follow the first.
+* The fit of tools/fragility_page.py: where two levels have shares p and q the curve of the largest likelihood goes through both,
+  so that theta and beta follow from quantiles of the normal distribution; counts that decide nothing give none.
 * A wrong value is told before anything is computed, in the words of the parameter file with the line of the sweep.
 
 usage: sweep.py FUGA
@@ -18,6 +20,7 @@ import csv
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -190,6 +193,19 @@ def earthquakes(folder):
             fixed, factorisations=8)
 
 
+def fragility(_):
+    sys.path.insert(0, str(ROOT / "tools"))
+    from fragility_page import fit
+    normal = statistics.NormalDist()
+    p, q = normal.inv_cdf(0.2), normal.inv_cdf(0.9)
+    beta = math.log(0.5 / 0.2) / (q - p)
+    expected = (0.2 * math.exp(-beta * p), beta)
+    for found, known in zip(fit((0.2, 0.5), (2, 9), 10) or (math.nan, math.nan), expected):
+        check(abs(found - known) <= ROUNDING * known, f"fit of two levels: {found} instead of {known}")
+    for counts in ((0, 0, 0), (0, 10, 10), (0, 5, 10), (5, 5, 5)):
+        check(fit((0.2, 0.3, 0.5), counts, 10) is None, f"a fit of the counts {counts}")
+
+
 def inclined_block(folder):
     """The weight inclined by alpha instead of the plane; the resultant stays in the base, so that the block slides."""
     prm = write(folder, "scene_g_f06", None, [("scene_g_33", "scene_g_9")])
@@ -234,7 +250,7 @@ def wrong_input(folder):
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for part in (dams, other_models, earthquakes, inclined_block, wrong_input):
+        for part in (dams, other_models, earthquakes, fragility, inclined_block, wrong_input):
             directory = folder / part.__name__
             directory.mkdir()
             part(directory)
