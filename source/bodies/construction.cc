@@ -29,6 +29,22 @@ namespace fuga
 
 
   bool
+  releases_supports(const ModelDefinition &model, const unsigned int stage)
+  {
+    return !model.dynamics.absorbing.names.empty() && stage < model.stages.size() &&
+           model.stages[stage].is_dynamic();
+  }
+
+
+  bool
+  keeps_structure(const ModelDefinition &model, const unsigned int stage)
+  {
+    return !changes_construction(model, stage) &&
+           releases_supports(model, stage - 1) == releases_supports(model, stage);
+  }
+
+
+  bool
   changes_construction(const ModelDefinition &model, const unsigned int stage)
   {
     return !model.stages[stage].grouted_joints.empty() ||

@@ -201,6 +201,30 @@ namespace fuga
               "xyz"[c]));
     }
 
+    /** Boundaries that only dynamic stages know. */
+    void
+    check_boundaries(const JointedMesh &mesh, const NamedBoundaries &boundaries)
+    {
+      for (const std::string &boundary : boundaries.names)
+        {
+          const unsigned int label = index_of(mesh.label_names, boundary);
+          if (label == mesh.label_names.size())
+            throw InputError(with_hint(fmt::format("{}there is no boundary '{}'. Boundaries: {}.",
+                                                   where(boundaries.origin),
+                                                   boundary,
+                                                   listed(mesh.label_names)),
+                                       boundary,
+                                       mesh.label_names));
+          for (const auto &joint : mesh.joints)
+            if (joint.plus_label == label || joint.minus_label == label)
+              throw InputError(
+                fmt::format("{}boundary '{}' is a lip of joint '{}'. Name outer boundaries only.",
+                            where(boundaries.origin),
+                            boundary,
+                            joint.name));
+        }
+    }
+
     void
     check_every_label_is_used(const JointedMesh &mesh,
                               const ModelDefinition &model,
@@ -223,7 +247,9 @@ namespace fuga
               "take the joint away.",
               where(condition->origin),
               name));
-          used[label] = used[label] || condition;
+          used[label] =
+            used[label] || condition ||
+            index_of(model.dynamics.absorbing.names, name) < model.dynamics.absorbing.names.size();
           for (const auto &load : model.loads)
             if (load.kind == LoadKind::pressure || load.kind == LoadKind::depth_pressure ||
                 load.kind == LoadKind::traction)
@@ -256,6 +282,19 @@ namespace fuga
   }
 
 
+  Vector
+  mass_densities(const JointedMesh &mesh, const ModelDefinition &model)
+  {
+    const DynamicsDefinition &dynamics = model.dynamics;
+    Vector density(mesh.body_names.size(), 0.);
+    for (const Material &material : model.materials)
+      if (!dynamics.is_massless(material.body))
+        density[index_of(mesh.body_names, material.body)] =
+          material.weight_density / dynamics.gravity;
+    return density;
+  }
+
+
   std::vector<unsigned int>
   vertices_of_point(const JointedMesh &mesh, const std::string &name)
   {
@@ -277,6 +316,12 @@ namespace fuga
     for (const auto &load : model.loads)
       for (const auto &target : load.targets)
         errors.attempt([&]() { check_load_target(mesh, model, load, target); });
+    const DynamicsDefinition &dynamics = model.dynamics;
+    for (const AddedMass &water : dynamics.added_masses)
+      errors.attempt([&]() { check_boundaries(mesh, {water.boundaries, water.origin}); });
+    for (const NamedBoundaries *boundaries :
+         {&dynamics.compliant_base, &dynamics.free_field, &dynamics.absorbing})
+      errors.attempt([&]() { check_boundaries(mesh, *boundaries); });
     // A boundary may seem unused because its name is misspelt.
     if (!errors.any())
       check_every_label_is_used(mesh, model, errors);

@@ -64,6 +64,38 @@ namespace fuga
       EXPECT_EQ(first_stages_of_phases(model), (std::vector<unsigned int>{0, 1}));
     }
 
+    // All boundaries through which waves pass absorb. Half of the motion of an outcrop is the wave.
+    TEST(ParameterDynamics, GroundThatGoesOn)
+    {
+      const std::string record    = write_file("wave.txt", "0 0\n0.01 0.1\n0.02 0\n");
+      const ModelDefinition model = read("ground.prm",
+                                         {"Dynamics/Time step=0.01",
+                                          "Dynamics/Absorbing boundaries=right",
+                                          "Earthquake/Record x=wave.txt",
+                                          "Earthquake/Compliant base=bottom",
+                                          "Earthquake/Record motion=outcrop",
+                                          "Earthquake/Free field=right, left"})
+                                      .model;
+      EXPECT_EQ(model.dynamics.absorbing.names,
+                (std::vector<std::string>{"right", "bottom", "left"}));
+      EXPECT_EQ(model.dynamics.compliant_base.names, std::vector<std::string>{"bottom"});
+      EXPECT_EQ(model.dynamics.free_field.names, (std::vector<std::string>{"right", "left"}));
+      EXPECT_EQ(model.dynamics.upward_share, 0.5);
+      EXPECT_FALSE(releases_supports(model, 0));
+      EXPECT_TRUE(releases_supports(model, 1));
+      EXPECT_FALSE(keeps_structure(model, 1));
+      const auto message = [](const std::vector<std::string> &overrides) {
+        std::vector<std::string> all = {"Dynamics/Time step=0.01", "Earthquake/Record x=wave.txt"};
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        return message_of(write_file("ground_errors.prm", replaced(example_prm(), dynamic)), all);
+      };
+      EXPECT_NE(message({"Earthquake/Compliant base=bottom"}).find("'Record motion' is missing"),
+                std::string::npos);
+      EXPECT_NE(message({"Earthquake/Record motion=outcrop"})
+                  .find("the record is the motion of the ground itself"),
+                std::string::npos);
+    }
+
     // The stage behind a dynamic one begins a phase too.
     TEST(ParameterDynamics, DynamicStagesArePhases)
     {

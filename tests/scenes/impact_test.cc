@@ -83,4 +83,55 @@ namespace fuga::tests
     const double energy = 0.5 * 1. * 10. * 0.1 * 10. * 10.; // m v0²/2
     EXPECT_NEAR(lost(2), lost(1), 1e-12 * energy);
   }
+
+  // A bar hits an equal one, whose other end is held (Code_Aster, test SDNL111: impact de deux
+  // poutres): the waves of contact come back from both ends at 2 L/c, and at 4 L/c the bar leaves
+  // with the velocity with which it came. Fronts are as wide as some cells.
+  TEST(Impact, TwoBars)
+  {
+    constexpr double length = 1., side = 0.02, modulus = 2e11, density = 7800., duration = 1e-3,
+                     gap = 3e-7;
+    const double c       = std::sqrt(modulus / density);
+    nlohmann::ordered_json scene;
+    for (const char *body : {"lower", "upper"})
+      scene["Bodies"][body] = {
+        {"Young modulus", modulus}, {"Poisson ratio", 0.}, {"Weight density", 10. * density}};
+    scene["Bodies"]["upper"]["Initial velocity"] = "0; -1";
+    scene["Joints"]["contact"]                   = {{"Line", "joint"},
+                                                    {"Plus body", "upper"},
+                                                    {"Minus body", "lower"},
+                                                    {"Normal law", "rigid"},
+                                                    {"Initial gap", gap}};
+    scene["Boundaries"]["left"]["Fixed"] = scene["Boundaries"]["right"]["Fixed"] = "x";
+    scene["Boundaries"]["bottom"]["Fixed"]                                       = "all";
+    scene["Boundaries"]["top"]["Fixed"]                                          = "free";
+    scene["Mesh"]["Thickness"]                                                   = side;
+    scene["Loads"]["none"]    = {{"Type", "weight"}};
+    scene["Stages"]["impact"] = {{"Loads", "none: 0"}, {"Duration", duration}, {"Levels", 10}};
+    scene["Dynamics"]         = {{"Time step", 1e-6}, {"Gravity", 10.}, {"Event tolerance", 1e-5}};
+    scene["Monitors"]["end"]  = {{"Point", "0, 0"}, {"Body", "upper"}};
+    const SceneRun run        = run_scene(
+      write_scene(two_blocks_mesh(uniform(0., side, 1), uniform(0., length, 200)), scene));
+    ASSERT_EQ(run.exit_code, 0) << run.summary.at("certificate").dump(1);
+    EXPECT_LE(run.certificate(), 1e-9);
+    const double way = length / c; // of the end, at half of the velocity, in 2 L/c
+    for (std::size_t row = 0; row < run.monitors.rows.size(); ++row)
+      {
+        if (run.monitors.text(row, "occasion") != "level")
+          continue;
+        const double t = run.monitors.number(row, "t") * duration - gap; // since contact
+        const double u = -gap + (t < 2. * way   ? -0.5 * t
+                                 : t < 4. * way ? -way + 0.5 * (t - 2. * way)
+                                                : t - 4. * way);
+        expect_answer({"D10 two bars",
+                       fmt::format("displacement of the end {:.3g} ms after contact [m]", 1e3 * t),
+                       u,
+                       "closed form (Code_Aster SDNL111)"},
+                      run.monitors.number(row, "uy"),
+                      0.02 * way);
+      }
+    const auto &motion = run.summary.at("motion");
+    EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()),
+              1e-5 * motion.at("largest_energy").get<double>());
+  }
 } // namespace fuga::tests

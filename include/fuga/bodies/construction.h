@@ -20,6 +20,14 @@ namespace fuga
                   const ModelDefinition &model,
                   const unsigned int stage);
 
+  /** Whether the supports of absorbing boundaries are released in a stage: inertia acts. */
+  bool
+  releases_supports(const ModelDefinition &model, const unsigned int stage);
+
+  /** Whether a stage has the bodies, joints and supports of the one before. */
+  bool
+  keeps_structure(const ModelDefinition &model, const unsigned int stage);
+
   /** Whether bodies are built or removed, or joints grouted, at the beginning of a stage. */
   bool
   changes_construction(const ModelDefinition &model, const unsigned int stage);

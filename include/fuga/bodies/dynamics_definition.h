@@ -39,6 +39,13 @@ namespace fuga
     std::string origin;
   };
 
+  struct NamedBoundaries
+  {
+    std::vector<std::string> names;
+    /** file:line of the entry, for messages. */
+    std::string origin;
+  };
+
   /** What is done about a record that does not end at rest. */
   enum class Baseline
   {
@@ -74,6 +81,16 @@ namespace fuga
     unsigned int earthquake_stage = 0;
     Baseline baseline             = Baseline::warn;
     std::vector<AddedMass> added_masses;
+    /** Behind them the bodies go on: dashpots take the waves that leave there. Supports on them
+     * hold in slow stages only; what they carry when a dynamic stage begins acts on. */
+    NamedBoundaries absorbing;
+    /** Those of them through which the motion of the ground comes up as a wave. Where there are
+     * none, the ground moves as a whole, and displacements are relative to it. */
+    NamedBoundaries compliant_base;
+    /** What of the motion of the ground the wave that comes up is. */
+    double upward_share = 1.;
+    /** Those of them beside which the bodies move as they would without all that is between. */
+    NamedBoundaries free_field;
 
     /** Whether massless_bodies name the body. */
     bool

@@ -26,6 +26,10 @@ namespace fuga
   std::vector<bool>
   selection(const std::vector<std::string> &names, const std::vector<std::string> &targets);
 
+  /** Mass per volume of the bodies of the mesh [MN s²/m⁴]. */
+  Vector
+  mass_densities(const JointedMesh &mesh, const ModelDefinition &model);
+
   /** Vertices of the points that are called @p name. */
   std::vector<unsigned int>
   vertices_of_point(const JointedMesh &mesh, const std::string &name);

@@ -23,11 +23,13 @@ namespace fuga
                             const ModelDefinition &model_definition,
                             const std::vector<bool> &frictionless,
                             const unsigned int stage)
-    : mesh(jointed), model(model_definition)
+    : mesh(jointed), model(model_definition), floats(releases_supports(model, stage))
   {
     check_names(mesh, model);
     space = std::make_unique<Discretization<dim>>(mesh, model, stage);
     check_outer_faces(*space);
+    if (floats)
+      check_absorbing_faces(*space, mesh, model);
     timer.finish("mesh and degrees of freedom");
     find_coordinates(frictionless);
     timer.finish("joints and supports");
@@ -43,7 +45,8 @@ namespace fuga
   void
   BodyModel<dim>::find_coordinates(const std::vector<bool> &frictionless)
   {
-    fixed    = find_fixed_dofs(*space, mesh, model);
+    fixed = find_fixed_dofs(
+      *space, mesh, model, floats ? model.dynamics.absorbing.names : std::vector<std::string>());
     pieces   = std::make_unique<RigidPieces<dim>>(*space, mesh, fixed);
     geometry = std::make_unique<JointGeometry<dim>>(*space, mesh);
     bars     = std::make_unique<ContactBars<dim>>(*geometry, mesh, fixed, frictionless);
@@ -55,7 +58,8 @@ namespace fuga
         bars = std::make_unique<ContactBars<dim>>(
           *geometry, mesh, fixed, std::vector<bool>(mesh.joints.size(), false));
       }
-    pieces->require_held_by(*bars);
+    if (!floats)
+      pieces->require_held_by(*bars);
     if (space->is_axisymmetric())
       lines.push_back("axisymmetric: areas and forces of the full circle; the axis is held in x");
     for (const auto &more : {corner_report(geometry->pairs(), mesh), bars->report()})

@@ -47,7 +47,7 @@ namespace fuga
                                         const unsigned int stage)
     : BodyModel<dim>(jointed, model_definition, frictionless, stage), condensed(*this)
   {
-    if (condensation == Condensation::at_once)
+    if (condensation == Condensation::at_once && !this->is_released())
       condensed.factorise();
   }
 
@@ -84,9 +84,8 @@ namespace fuga
   void
   CondensedSystem<dim>::set_load_patterns(std::vector<LoadPattern> new_patterns)
   {
-    this->check_load_patterns(new_patterns);
     this->phases().restart();
-    if (!condensed.is_factorised())
+    if (!condensed.is_factorised() && !this->is_released())
       condensed.factorise();
     patterns = std::move(new_patterns);
     for (LoadPattern &pattern : patterns)
@@ -99,7 +98,8 @@ namespace fuga
         for (std::size_t j = 0; j < patterns.size(); ++j)
           motion_loads(k, j) = dot(motion, patterns[j].forces);
       }
-    F               = condensed.condense(patterns, motion_loads);
+    F               = this->is_released() ? DenseMatrix(n_coordinates(), patterns.size())
+                                          : condensed.condense(patterns, motion_loads);
     water_of_closed = columns_of(patterns, &LoadPattern::closed_water);
     water.reset();
     if (JointWaterModel<dim>::is_needed(patterns))

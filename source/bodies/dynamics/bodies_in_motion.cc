@@ -5,7 +5,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <fuga/bodies/dynamics/bodies_in_motion.h>
-#include <fuga/bodies/dynamics/ground_motion.h>
 #include <fuga/bodies/dynamics/lumped_mass.h>
 #include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
@@ -32,6 +31,24 @@ namespace fuga
               definition.duration / n_steps,
               dynamics.halvings,
               dynamics.event_tolerance};
+    }
+
+    /** One triangle of the products of the terms of two degrees of freedom. */
+    template <typename Terms>
+    void
+    add_products(const Terms &rows,
+                 const Terms &columns,
+                 const double value,
+                 SymmetricTriplets &matrix)
+    {
+      for (const auto &row : rows)
+        for (const auto &column : columns)
+          if (row.coordinate >= column.coordinate)
+            {
+              matrix.rows.push_back(static_cast<int>(row.coordinate) + 1);
+              matrix.columns.push_back(static_cast<int>(column.coordinate) + 1);
+              matrix.values.push_back(value * row.factor * column.factor);
+            }
     }
   } // namespace
 
@@ -60,10 +77,9 @@ namespace fuga
                                       std::shared_ptr<StepSolvers> same_steps)
     : model(bodies)
     , dynamics(definition)
-    , history(load_history)
     , stage(number_of_stage)
-    , duration(model.definition().stages[stage].duration)
     , grid(grid_of(model.definition(), stage))
+    , dashpots(make_dashpots(model, definition.absorbing.names))
     , steps(std::move(same_steps))
   {
     // The ratio ζ = α/2ω + βω/2 at both frequencies.
@@ -86,6 +102,9 @@ namespace fuga
         steps->solvers.resize(grid.halvings + 1);
         steps->stiffness.resize(grid.halvings + 1);
       }
+    driving.emplace(model, dynamics, load_history, stage, integration->mass());
+    if (!dynamics.free_field.names.empty())
+      free_field.emplace(model, *driving, FreeColumn::Damping{mass_damping, stiffness_damping});
   }
 
 
@@ -100,7 +119,9 @@ namespace fuga
     first_forces          = bar_forces;
     first_forces_at_nodes = model.bar_forces(bar_forces);
     present_time          = 0.;
-    forces                = forces_at(0.);
+    forces                = driving->at(0.);
+    if (free_field)
+      free_field->begin();
     integration->begin(initial_velocity(), net_forces(bar_forces, {}));
     ledger.kinetic = ledger.work = integration->kinetic_energy();
   }
@@ -142,6 +163,7 @@ namespace fuga
       value *= damped;
     add_inertia(integration->mass_factor(h) + integration->damping_factor(h) * mass_damping,
                 matrix);
+    add_dashpots(integration->damping_factor(h), matrix);
     if (steps->order.empty() && processes::is_first())
       steps->order = elimination_order(model.discretization(), coordinates);
     steps->solvers[rung]   = std::make_unique<SchurSolver>(steps->order);
@@ -165,14 +187,26 @@ namespace fuga
         if (mass[dof] == 0.)
           continue;
         model.interface_coordinates().terms_of(dof, terms);
-        for (const Term &row : terms)
-          for (const Term &column : terms)
-            if (row.coordinate >= column.coordinate)
-              {
-                matrix.rows.push_back(static_cast<int>(row.coordinate) + 1);
-                matrix.columns.push_back(static_cast<int>(column.coordinate) + 1);
-                matrix.values.push_back(factor * mass[dof] * row.factor * column.factor);
-              }
+        add_products(terms, terms, factor * mass[dof], matrix);
+      }
+  }
+
+
+  template <int dim>
+  void
+  BodiesInMotion<dim>::add_dashpots(const double factor, SymmetricTriplets &matrix) const
+  {
+    if (!processes::is_first())
+      return;
+    const auto &coordinates = model.interface_coordinates();
+    std::array<std::vector<typename InterfaceCoordinates<dim>::Term>, dim> terms;
+    for (const auto &[node, dashpot] : dashpots)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          coordinates.terms_of(node * dim + c, terms[c]);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            add_products(terms[c], terms[d], factor * dashpot[c][d], matrix);
       }
   }
 
@@ -183,8 +217,10 @@ namespace fuga
   {
     rung_of_step   = rung;
     const double h = grid.length_of(rung);
-    forces_at_end  = forces_at(present_time + h);
-    Vector growth  = forces_at_end;
+    forces_at_end  = driving->at(present_time + h);
+    if (free_field)
+      free_field->try_step(rung, h, present_time + h, forces_at_end);
+    Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
     const Vector push = model.interface_coordinates().gather(integration->push(h, growth));
     DenseMatrix loads(push.size(), 1);
@@ -209,6 +245,8 @@ namespace fuga
     const Vector elastic = stiffness_times(u);
     ledger.bodies        = 0.5 * dot(u, elastic);
     forces               = forces_at_end;
+    if (free_field)
+      free_field->finish_step();
     present_time += h;
     integration->correct(net_forces(bar_forces, elastic));
   }
@@ -245,44 +283,13 @@ namespace fuga
   Vector
   BodiesInMotion<dim>::damping_times(const Vector &v) const
   {
-    if (mass_damping == 0. && stiffness_damping == 0.)
+    if (mass_damping == 0. && stiffness_damping == 0. && dashpots.empty())
       return {};
-    Vector result = stiffness_times(v);
+    Vector result = stiffness_damping > 0. ? stiffness_times(v) : Vector(v.size(), 0.);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
+    add_dashpot_forces(1., dashpots, v, result);
     model.discretization().hanging_nodes().move_to_masters(result);
-    return result;
-  }
-
-
-  template <int dim>
-  Vector
-  BodiesInMotion<dim>::forces_at(const double time) const
-  {
-    Vector factors = history.factors(stage + std::min(time / duration, 1.));
-    if (stage > 0)
-      {
-        add_multiple(-1., history.factors(stage), factors);
-        // What is out of balance when the phase begins (CarriedLoads::released) moves at once.
-        factors.back() = -1.;
-      }
-    Vector result = model.applied_forces(factors);
-    result.resize(model.discretization().n_dofs(), 0.);
-    const std::array<double, 3> acceleration = ground_acceleration_at(time);
-    const Vector &mass                       = integration->mass();
-    for (std::size_t dof = 0; dof < result.size(); ++dof)
-      result[dof] -= mass[dof] * acceleration[dof % dim];
-    return result;
-  }
-
-
-  template <int dim>
-  std::array<double, 3>
-  BodiesInMotion<dim>::ground_acceleration_at(const double time) const
-  {
-    std::array<double, 3> result = {{0., 0., 0.}};
-    for (unsigned int c = 0; c < dim && dynamics.earthquake_stage == stage; ++c)
-      result[c] = acceleration_at(dynamics.ground[c], time);
     return result;
   }
 

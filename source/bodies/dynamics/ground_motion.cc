@@ -16,21 +16,17 @@ namespace fuga
     product_of_velocities(const GroundMotion &v_motion, const GroundMotion &w_motion)
     {
       const Vector v = integrated(v_motion).velocities, w = integrated(w_motion).velocities;
-      const double h = v_motion.step;
-      const auto at  = [h](const Vector &velocities,
-                          const Vector &accelerations,
-                          const std::size_t i,
-                          const double s) {
-        return velocities[i] +
-               h * s * (accelerations[i] + s / 2. * (accelerations[i + 1] - accelerations[i]));
-      };
+      const double h                                  = v_motion.step;
       const double outer                              = std::sqrt(3. / 5.) / 2.;
       const std::array<std::array<double, 2>, 3> rule = {
         {{{0.5 - outer, 5. / 18.}}, {{0.5, 8. / 18.}}, {{0.5 + outer, 5. / 18.}}}};
       double sum = 0.;
       for (std::size_t i = 0; i + 1 < v.size(); ++i)
         for (const auto &[s, weight] : rule)
-          sum += weight * at(v, v_motion.accelerations, i, s) * at(w, w_motion.accelerations, i, s);
+          {
+            const double t = h * (static_cast<double>(i) + s);
+            sum += weight * velocity_at(v_motion, v, t) * velocity_at(w_motion, w, t);
+          }
       return sum * h;
     }
   } // namespace
@@ -75,6 +71,21 @@ namespace fuga
         result.displacements.push_back(u);
       }
     return result;
+  }
+
+
+  double
+  velocity_at(const GroundMotion &motion, const Vector &velocities, const double t)
+  {
+    if (velocities.empty() || t <= 0.)
+      return 0.;
+    const double place = t / motion.step;
+    if (place >= static_cast<double>(velocities.size() - 1))
+      return velocities.back();
+    const auto i    = static_cast<std::size_t>(place);
+    const double s  = place - static_cast<double>(i);
+    const Vector &a = motion.accelerations;
+    return velocities[i] + motion.step * s * (a[i] + s / 2. * (a[i + 1] - a[i]));
   }
 
 

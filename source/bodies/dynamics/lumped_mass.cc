@@ -15,18 +15,6 @@ namespace fuga
 {
   namespace
   {
-    Vector
-    body_densities(const JointedMesh &mesh, const ModelDefinition &model)
-    {
-      const DynamicsDefinition &dynamics = model.dynamics;
-      Vector density(mesh.body_names.size(), 0.);
-      for (const Material &material : model.materials)
-        if (!dynamics.is_massless(material.body))
-          density[index_of(mesh.body_names, material.body)] =
-            material.weight_density / dynamics.gravity;
-      return density;
-    }
-
     template <int dim>
     std::vector<bool>
     nodes_without_mass(const BodyModel<dim> &model, const std::vector<bool> &massless_joints)
@@ -97,7 +85,7 @@ namespace fuga
   lumped_mass(const BodyModel<dim> &model, const std::vector<bool> &massless_joints)
   {
     const Discretization<dim> &space = model.discretization();
-    const Vector density             = body_densities(model.jointed_mesh(), model.definition());
+    const Vector density             = mass_densities(model.jointed_mesh(), model.definition());
     const std::vector<bool> massless = nodes_without_mass(model, massless_joints);
     Vector mass(space.n_dofs(), 0.), shares(space.reference_element().n_nodes());
     CellValues<dim> values(space);

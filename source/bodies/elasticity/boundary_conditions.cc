@@ -5,9 +5,10 @@
 #include <fuga/base/input_errors.h>
 #include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/point_text.h>
-#include <fuga/bodies/space/discretization.h>
+#include <fuga/bodies/space/face_map.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fuga
 {
@@ -28,6 +29,52 @@ namespace fuga
         count,
         text_of(first),
         dim == 2 ? "line" : "surface"));
+  }
+
+
+  template <int dim>
+  void
+  check_absorbing_faces(const Discretization<dim> &discretization,
+                        const JointedMesh &mesh,
+                        const ModelDefinition &model)
+  {
+    const DynamicsDefinition &dynamics = model.dynamics;
+    const std::vector<bool> absorbs    = selection(mesh.label_names, dynamics.absorbing.names);
+    const std::vector<bool> is_base    = selection(mesh.label_names, dynamics.compliant_base.names);
+    const std::vector<bool> is_side    = selection(mesh.label_names, dynamics.free_field.names);
+    const Vector density               = mass_densities(mesh, model);
+    for (const auto &face : discretization.boundary_faces())
+      {
+        if (face.label == JointedMesh::no_label || !absorbs[face.label])
+          continue;
+        const unsigned int body = discretization.cell_body(face.cell);
+        if (density[body] == 0.)
+          throw InputError(fmt::format(
+            "{}: body '{}', which ends at the absorbing boundary '{}', has no mass, so that no "
+            "waves arrive there. Give it its weight density, take it out of Dynamics/Massless "
+            "bodies, or hold the boundary instead.",
+            dynamics.absorbing.origin,
+            mesh.body_names[body],
+            mesh.label_names[face.label]));
+        constexpr double straight = 1e-6;
+        const FaceMap<dim> map(discretization, face);
+        const auto &points = discretization.reference_element().face(face.number).points;
+        const double slope = map.normal(points.front())[dim - 1];
+        if (is_base[face.label] && !(std::abs(slope) > 1. - straight))
+          throw InputError(fmt::format(
+            "{}: waves come up vertically, through horizontal boundaries, but '{}' is inclined at "
+            "{}. Let the model end at a horizontal base.",
+            dynamics.compliant_base.origin,
+            mesh.label_names[face.label],
+            text_of(discretization.face_center(face))));
+        if (is_side[face.label] && !(std::abs(slope) < straight))
+          throw InputError(fmt::format(
+            "{}: the free field is a column beside the model, whose side is vertical, but '{}' is "
+            "inclined at {}. Let the model end at vertical sides.",
+            dynamics.free_field.origin,
+            mesh.label_names[face.label],
+            text_of(discretization.face_center(face))));
+      }
   }
 
 
@@ -59,11 +106,12 @@ namespace fuga
   std::vector<bool>
   find_fixed_dofs(const Discretization<dim> &discretization,
                   const JointedMesh &mesh,
-                  const ModelDefinition &model)
+                  const ModelDefinition &model,
+                  const std::vector<std::string> &released)
   {
     std::vector<bool> fixed(discretization.n_dofs(), false);
     for (const auto &condition : model.boundary_conditions)
-      if (!condition.named_free)
+      if (!condition.named_free && index_of(released, condition.boundary) == released.size())
         for (const unsigned int node : nodes_of_target(discretization, mesh, condition.boundary))
           for (unsigned int c = 0; c < dim; ++c)
             if (condition.fixed[c])
@@ -79,12 +127,22 @@ namespace fuga
   check_outer_faces(const Discretization<2> &);
   template void
   check_outer_faces(const Discretization<3> &);
+  template void
+  check_absorbing_faces(const Discretization<2> &, const JointedMesh &, const ModelDefinition &);
+  template void
+  check_absorbing_faces(const Discretization<3> &, const JointedMesh &, const ModelDefinition &);
   template std::vector<unsigned int>
   nodes_of_target(const Discretization<2> &, const JointedMesh &, const std::string &);
   template std::vector<unsigned int>
   nodes_of_target(const Discretization<3> &, const JointedMesh &, const std::string &);
   template std::vector<bool>
-  find_fixed_dofs(const Discretization<2> &, const JointedMesh &, const ModelDefinition &);
+  find_fixed_dofs(const Discretization<2> &,
+                  const JointedMesh &,
+                  const ModelDefinition &,
+                  const std::vector<std::string> &);
   template std::vector<bool>
-  find_fixed_dofs(const Discretization<3> &, const JointedMesh &, const ModelDefinition &);
+  find_fixed_dofs(const Discretization<3> &,
+                  const JointedMesh &,
+                  const ModelDefinition &,
+                  const std::vector<std::string> &);
 } // namespace fuga

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/bodies/elasticity/boundary_conditions.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/program/carried_loads.h>
 #include <fuga/bodies/space/discretization.h>
@@ -72,7 +73,9 @@ namespace fuga
     const Discretization<dim> &space = system.discretization();
     const JointedMesh &mesh          = system.jointed_mesh();
     const ElasticBodies<dim> bodies(space, mesh, model);
-    const Vector u = space.by_nodes(state.displacement);
+    // Supports that a dynamic stage releases go on to carry what they have carried.
+    const std::vector<bool> supported = find_fixed_dofs(space, mesh, model);
+    const Vector u                    = space.by_nodes(state.displacement);
 
     CarriedLoads result;
     result.carried.forces.assign(space.n_dofs(), 0.);
@@ -100,7 +103,7 @@ namespace fuga
       for (const double value : *part)
         largest = std::max(largest, std::abs(value));
     for (std::size_t dof = 0; dof < released.size(); ++dof)
-      if (system.fixed_dofs()[dof] || std::abs(released[dof]) <= rounding * largest)
+      if (supported[dof] || std::abs(released[dof]) <= rounding * largest)
         released[dof] = 0.;
     return result;
   }

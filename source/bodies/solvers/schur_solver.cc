@@ -229,6 +229,8 @@ namespace fuga
     const std::size_t n_columns = loads.n_columns();
     if (nothing_to_eliminate)
       return loads;
+    if (n_kept == 0)
+      of_all = loads;
     if (n_kept == 0 || n_columns == 0)
       return {};
     DenseMatrix reduced(n_kept, n_columns);
@@ -249,12 +251,20 @@ namespace fuga
       return kept;
     const work::Scope phase(work::Phase::loads);
     DenseMatrix solution(static_cast<std::size_t>(mumps->data.n), 1);
-    Vector reduced      = kept;
-    mumps->data.lredrhs = static_cast<int>(n_kept);
-    mumps->data.redrhs  = reduced.data();
-    run_solution(2, solution, "expansion of the solution");
-    processes::broadcast(solution.data(), solution.n_rows());
-    ++its_work.n_solutions;
+    if (n_kept == 0)
+      {
+        solution = of_all;
+        solve(solution);
+      }
+    else
+      {
+        Vector reduced      = kept;
+        mumps->data.lredrhs = static_cast<int>(n_kept);
+        mumps->data.redrhs  = reduced.data();
+        run_solution(2, solution, "expansion of the solution");
+        processes::broadcast(solution.data(), solution.n_rows());
+        ++its_work.n_solutions;
+      }
     return {solution.data(), solution.data() + solution.n_rows()};
   }
 

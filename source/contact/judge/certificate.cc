@@ -116,8 +116,6 @@ namespace fuga
         largest_load_of_history = std::max(largest_load_of_history, max_abs(loads(t)));
       }
     take_stiffness();
-    if (const DenseMatrix &B = system->jump_operator(); !B.empty())
-      inverse_jump_operator = weighted_inverse(B, jump_weights(elements, system->stiffness()));
   }
 
   Judge::Judge(const ContactSystem &contact_system,
@@ -134,6 +132,10 @@ namespace fuga
     stiffness_row_norms.assign(system->load_patterns().n_rows(), 0.);
     for (std::size_t j = 0; j < S.n_columns(); ++j)
       stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
+    // Once, for the weights need no precision.
+    if (const DenseMatrix &B = system->jump_operator();
+        !B.empty() && !S.empty() && inverse_jump_operator.empty())
+      inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
   }
 
   double

@@ -150,6 +150,8 @@ namespace fuga
     ledger.external_work -= ledger.layer;
     for (std::size_t k = 0; k < elements.size(); ++k)
       ledger.external_work += stored_energy(k, state);
+    if (!system->has_stiffness())
+      return; // begin_step() will do the rest
     const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
     energy_of_bodies_before = 0.;
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));

@@ -116,6 +116,15 @@ namespace fuga
 
 
     void
+    read_absorbing(const ParameterSection &section, NamedBoundaries &absorbing)
+    {
+      const DynamicsEntries &e = entries_of<DynamicsEntries>();
+      if (section.given(e.absorbing))
+        absorbing = {section.list(e.absorbing), section.origin(e.absorbing)};
+    }
+
+
+    void
     read_damping(const ParameterSection &section, DynamicsDefinition &dynamics)
     {
       const DynamicsEntries &e = entries_of<DynamicsEntries>();
@@ -199,6 +208,7 @@ namespace fuga
         return;
       read_gravity(section, parameters.output.units, model.dynamics.gravity);
       read_massless_bodies(section, model.materials, model.dynamics);
+      read_absorbing(section, model.dynamics.absorbing);
       read_damping(section, model.dynamics);
     });
     if (values.is_broken<DynamicsEntries>())

@@ -161,6 +161,60 @@ namespace fuga
     }
 
 
+    /** Boundaries through which waves leave as well, whether or not they are named among those. */
+    NamedBoundaries
+    read_also_absorbing(const ParameterSection &section,
+                        const Text &entry,
+                        NamedBoundaries &absorbing)
+    {
+      if (!section.given(entry))
+        return {};
+      const NamedBoundaries result = {section.list(entry), section.origin(entry)};
+      for (const std::string &name : result.names)
+        if (std::find(absorbing.names.begin(), absorbing.names.end(), name) ==
+            absorbing.names.end())
+          absorbing.names.push_back(name);
+      if (absorbing.origin.empty())
+        absorbing.origin = result.origin;
+      return result;
+    }
+
+
+    void
+    read_base(const ParameterSection &section, DynamicsDefinition &dynamics)
+    {
+      const EarthquakeEntries &e = entries_of<EarthquakeEntries>();
+      dynamics.compliant_base = read_also_absorbing(section, e.compliant_base, dynamics.absorbing);
+      if (section.given(e.compliant_base) != section.given(e.motion))
+        section.fail(section.given(e.motion) ? AnyEntry(e.motion) : AnyEntry(e.compliant_base),
+                     section.given(e.motion)
+                       ? fmt::format("without '{}' the record is the motion of the ground itself. "
+                                     "Remove this entry, or add that one.",
+                                     e.compliant_base.name())
+                       : fmt::format("'{}' is missing. {}",
+                                     e.motion.name(),
+                                     e.motion.declaration->documentation));
+      if (section.given(e.motion) && section.value(e.motion) == RecordMotion::outcrop)
+        dynamics.upward_share = 0.5;
+    }
+
+
+    void
+    read_free_field(const ParameterSection &section,
+                    const ModelDefinition &model,
+                    DynamicsDefinition &dynamics)
+    {
+      const EarthquakeEntries &e = entries_of<EarthquakeEntries>();
+      if (!section.given(e.free_field))
+        return;
+      if (model.dimension == 3 || model.assumption == PlaneAssumption::axisymmetric)
+        section.fail(e.free_field,
+                     "the ground beside a model is computed for plane problems only. Move the "
+                     "sides away and name them in 'Dynamics/Absorbing boundaries'.");
+      dynamics.free_field = read_also_absorbing(section, e.free_field, dynamics.absorbing);
+    }
+
+
     void
     read_added_mass(const ParameterSection &section, DynamicsDefinition &dynamics)
     {
@@ -206,6 +260,8 @@ namespace fuga
     section.read(dynamics);
     dynamics.earthquake_stage = read_stage(section, parameters.model.stages);
     read_ground(section, parameters, dynamics);
+    read_base(section, dynamics);
+    read_free_field(section, parameters.model, dynamics);
     read_added_mass(section, dynamics);
   }
 } // namespace fuga

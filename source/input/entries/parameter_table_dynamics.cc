@@ -46,6 +46,13 @@ namespace fuga
       text(),
       "List of bodies without inertia: a foundation through which the motion of the ground "
       "arrives at once.");
+    absorbing = optional(
+      "Absorbing boundaries",
+      text(),
+      "List of boundaries behind which the bodies go on: dashpots take the waves that leave there, "
+      "rho c_p and rho c_s per area and velocity (Lysmer and Kuhlemeyer 1969). Their supports are "
+      "released in stages with a Duration, and what these carry then acts on; behind such a stage "
+      "they hold where they are by then.");
     damping_ratio =
       defaulted("Damping ratio",
                 &DynamicsDefinition::damping_ratio,
@@ -102,7 +109,25 @@ namespace fuga
       "What to do about a record that ends with a velocity or far from where it began: a warning; "
       "nothing; or a parabola in time is taken off the acceleration, so that the integral of the "
       "square of the velocity is smallest.");
-    decided    = Decides::condensation;
+    decided        = Decides::condensation;
+    compliant_base = optional(
+      "Compliant base",
+      text(),
+      "List of horizontal boundaries through which the record comes up as a wave, "
+      "while waves from above leave there: they are absorbing. Displacements are absolute then. "
+      "Without this entry the base is rigid: supports move with the ground, and displacements are "
+      "relative to it.");
+    motion =
+      optional("Record motion",
+               choice<RecordMotion>(
+                 {{"outcrop", RecordMotion::outcrop}, {"upward wave", RecordMotion::upward_wave}}),
+               "Needed for a Compliant base: whether the record is the motion of a free surface of "
+               "the rock that begins there, which is twice the wave that comes up, or that wave.");
+    free_field = optional("Free field",
+                          text(),
+                          "List of vertical boundaries, the sides of a plane model, beside which "
+                          "the ground moves as a column without the structure: they are absorbing "
+                          "for what differs from that.");
     added_mass = optional("Added mass boundaries",
                           text(),
                           "List of boundaries with which water moves: 7/8 (Added mass unit "

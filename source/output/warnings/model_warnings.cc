@@ -2,12 +2,20 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/condensed/model_sizes.h>
+#include <fuga/bodies/dynamics/ground_motion.h>
+#include <fuga/bodies/elasticity/lame_constants.h>
+#include <fuga/bodies/model_names.h>
 #include <fuga/output/warnings/dynamic_data.h>
 #include <fuga/output/warnings/implausible_data.h>
 #include <fuga/output/warnings/implausible_loads.h>
 #include <fuga/output/warnings/model_warnings.h>
 
+#include <deal.II/fe/fe.h>
+
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -49,6 +57,72 @@ namespace fuga
                       tables / 1e9,
                       fields / 1e9));
     }
+
+    /** By body the largest distance of nodes that a wave from below passes one after the other. */
+    template <int dim>
+    Vector
+    steps_upwards(const Discretization<dim> &space, const std::size_t n_bodies)
+    {
+      const ReferenceElement<dim> &element = space.reference_element();
+      Vector result(n_bodies, 0.);
+      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+        {
+          const unsigned int *nodes = space.cell_nodes(cell);
+          double low = space.position(nodes[0])[dim - 1], high = low;
+          for (std::size_t i = 1; i < element.n_corners(); ++i)
+            {
+              low  = std::min(low, space.position(nodes[i])[dim - 1]);
+              high = std::max(high, space.position(nodes[i])[dim - 1]);
+            }
+          double &largest = result[space.cell_body(cell)];
+          largest         = std::max(largest, (high - low) / element.scalar_element().degree);
+        }
+      return result;
+    }
+
+    /** Cells that are high for the waves of a record (R. L. Kuhlemeyer, J. Lysmer, Finite element
+     * method accuracy for wave propagation problems, J. Soil Mech. Found. Div. ASCE 99, 1973). */
+    template <int dim>
+    void
+    warn_of_waves(const Parameters &parameters,
+                  const CondensedSystem<dim> &system,
+                  std::vector<std::string> &warnings)
+    {
+      const DynamicsDefinition &dynamics = parameters.model.dynamics;
+      double period                      = std::numeric_limits<double>::infinity();
+      for (const GroundMotion &motion : dynamics.ground)
+        if (!motion.accelerations.empty())
+          period = std::min(period, mean_period(motion));
+      if (dynamics.absorbing.names.empty() || !std::isfinite(period))
+        return;
+      const JointedMesh &mesh = system.jointed_mesh();
+      const Vector density    = mass_densities(mesh, parameters.model);
+      const Vector steps      = steps_upwards(system.discretization(), density.size());
+      constexpr double part   = 0.1;
+      for (const Material &material : parameters.model.materials)
+        {
+          const unsigned int body = index_of(mesh.body_names, material.body);
+          if (density[body] == 0.)
+            continue;
+          const double speed =
+            std::sqrt(lame_constants(material, parameters.model.assumption).mu / density[body]);
+          const std::string &unit = parameters.output.units.length;
+          if (steps[body] > part * speed * period)
+            warnings.push_back(fmt::format(
+              "Bodies/{}: nodes are up to {:.3g} {} apart in height, which is unusual for waves of "
+              "the mean period of the record, {:.3g} s, at {:.4g} {}/s; usual is at most {:g} of "
+              "their length, {:.3g} {}. Refine the mesh, or raise the polynomial degree.",
+              material.body,
+              steps[body],
+              unit,
+              period,
+              speed,
+              unit,
+              part,
+              part * speed * period,
+              unit));
+        }
+    }
   } // namespace
 
 
@@ -70,6 +144,7 @@ namespace fuga
         warnings = implausible_data(parameters, extent);
         for (const std::string &text : implausible_dynamics(parameters))
           warnings.push_back(text);
+        warn_of_waves(parameters, system, warnings);
         warn_of_size(parameters, system, warnings);
       }
     ImplausibleLoads<dim> loads(parameters, system, load_factors);

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/disjoint_sets.h>
+#include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/point_text.h>
 #include <fuga/input/layer_law.h>
@@ -146,11 +147,13 @@ namespace fuga
 
     template <int dim>
     void
-    separate_repeated_bars(const ContactSystem &system, JointModel &model)
+    separate_repeated_bars(const CondensedSystem<dim> &system, JointModel &model)
     {
       if (system.jump_operator().empty())
         return;
-      const double stiffness = largest_diagonal(system.stiffness());
+      const double stiffness = system.has_stiffness()
+                                 ? largest_diagonal(system.stiffness())
+                                 : max_abs(system.elastic_bodies().node_moduli());
       const std::vector<bool> repeated =
         find_repeated(system.jump_operator(), model.elements, stiffness);
       std::vector<dealii::Point<dim>> places;

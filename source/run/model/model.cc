@@ -140,11 +140,10 @@ namespace fuga
         program.history        = program.history.until(next_stage());
         program.end_of_loading = program.history.end();
       }
+    bodies.check_load_patterns(program.patterns);
     if (construction.stage > 0)
       begin_phase(program, before);
-    if (condensation == Condensation::never)
-      bodies.check_load_patterns(program.patterns);
-    else
+    if (condensation != Condensation::never)
       shared_bodies->set_load_patterns(std::move(program.patterns));
     return program;
   }

@@ -163,6 +163,13 @@ namespace fuga
       return model;
     }
 
+    /** Whether supports are released: inertia acts, and nothing has to hold the bodies. */
+    bool
+    is_released() const
+    {
+      return floats;
+    }
+
     const ContactBars<dim> &
     contact_bars() const
     {
@@ -230,6 +237,7 @@ namespace fuga
 
     const JointedMesh &mesh;
     const ModelDefinition &model;
+    const bool floats;
     std::unique_ptr<Discretization<dim>> space;
     std::vector<bool> fixed;
     std::unique_ptr<RigidPieces<dim>> pieces;

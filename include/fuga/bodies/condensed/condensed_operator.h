@@ -46,7 +46,7 @@ namespace fuga
     bool
     has_stiffness() const
     {
-      return used_solver != BodySolver::matrix_free;
+      return is_factorised() && used_solver != BodySolver::matrix_free;
     }
 
     const DenseMatrix &

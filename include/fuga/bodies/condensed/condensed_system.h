@@ -27,7 +27,9 @@ namespace fuga
 
   /**
    * The finite element model as the contact layer sees it: the condensed operator with the loads
-   * that are set, and the fields that go with its states.
+   * that are set, and the fields that go with its states. Where supports are released it is
+   * not condensed, for what holds then is the operator of the steps (BodiesInMotion), and the
+   * bodies need no supports.
    */
   template <int dim>
   class CondensedSystem : public BodyModel<dim>, public ContactSystem, public TangentSolver

@@ -7,11 +7,13 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/dynamics/free_field.h>
 #include <fuga/bodies/dynamics/step_solvers.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/load_history.h>
 
 #include <memory>
+#include <optional>
 
 namespace fuga
 {
@@ -75,7 +77,7 @@ namespace fuga
     std::array<double, 3>
     ground_acceleration() const
     {
-      return ground_acceleration_at(present_time);
+      return driving->ground_acceleration(present_time);
     }
 
     /** Displacement since the stage began; entry node * dim + component. */
@@ -110,29 +112,27 @@ namespace fuga
     Vector
     net_forces(const Vector &bar_forces, const Vector &elastic) const;
 
-    /** What loads and ground do beyond what they did at the beginning [MN]. */
-    Vector
-    forces_at(const double time) const;
-
-    std::array<double, 3>
-    ground_acceleration_at(const double time) const;
-
     void
     add_inertia(const double factor, SymmetricTriplets &matrix) const;
 
+    void
+    add_dashpots(const double factor, SymmetricTriplets &matrix) const;
+
     const CondensedSystem<dim> &model;
     const DynamicsDefinition &dynamics;
-    const LoadHistory &history;
     const unsigned int stage;
-    const double duration;
     const TimeGrid grid;
     /** α and β of Rayleigh's damping αM + βK [1/s, s]. */
     double mass_damping = 0., stiffness_damping = 0.;
+    /** Of the absorbing boundaries. */
+    const Dashpots<dim> dashpots;
     dealii::SparsityPattern pattern;
     /** By nodes, of the own cells. */
     dealii::SparseMatrix<double> stiffness;
     std::unique_ptr<TimeIntegration> integration;
     std::shared_ptr<StepSolvers> steps;
+    std::optional<DrivingForces<dim>> driving;
+    std::optional<FreeField<dim>> free_field;
     /** Bar forces at the beginning, and what they are at the nodes. */
     Vector first_forces, first_forces_at_nodes;
     /** Forces now and at the end of the step. */

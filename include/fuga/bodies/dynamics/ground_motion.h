@@ -26,6 +26,11 @@ namespace fuga
   IntegratedMotion
   integrated(const GroundMotion &motion);
 
+  /** The velocity @p t seconds after the beginning [m/s], with the velocities of integrated():
+   * behind the end it remains what it is there. */
+  double
+  velocity_at(const GroundMotion &motion, const Vector &velocities, const double t);
+
   /**
    * 2π √(∫a² dt / ∫ȧ² dt) [s]: the mean period of the crossings of zero of a stationary random
    * motion (S. O. Rice, Mathematical analysis of random noise, Bell System Tech. J. 24, 1945, eq.

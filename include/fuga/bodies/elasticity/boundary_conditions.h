@@ -16,13 +16,22 @@ namespace fuga
   void
   check_outer_faces(const Discretization<dim> &discretization);
 
-  /** Which degrees of freedom the supports, and the axis of revolution, hold: entry node * dim +
-   *  direction. */
+  /** @throws InputError if bodies without mass end at the absorbing boundaries, the compliant base
+   *  is not horizontal, or the sides of a free field are not vertical. */
+  template <int dim>
+  void
+  check_absorbing_faces(const Discretization<dim> &discretization,
+                        const JointedMesh &mesh,
+                        const ModelDefinition &model);
+
+  /** Which degrees of freedom the supports but those of the boundaries @p released, and the axis of
+   *  revolution, hold: entry node * dim + direction. */
   template <int dim>
   std::vector<bool>
   find_fixed_dofs(const Discretization<dim> &discretization,
                   const JointedMesh &mesh,
-                  const ModelDefinition &model);
+                  const ModelDefinition &model,
+                  const std::vector<std::string> &released = {});
 
   /** All nodes of the boundary or of the points that are called @p name, in increasing order. */
   template <int dim>

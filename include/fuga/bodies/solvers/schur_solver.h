@@ -77,7 +77,9 @@ namespace fuga
     unsigned int n_kept = 0;
     /** All unknowns are kept: small bodies whose every node is in a joint. */
     bool nothing_to_eliminate = false;
-    bool is_analysed          = false;
+    /** The load that condense() had last, where nothing is kept. */
+    DenseMatrix of_all;
+    bool is_analysed = false;
     SolverWork its_work;
   };
 } // namespace fuga

@@ -154,7 +154,7 @@ namespace fuga
   {
     DynamicsEntries();
     Number time_step, gravity, damping_ratio;
-    Text massless_bodies, damping_frequencies;
+    Text massless_bodies, absorbing, damping_frequencies;
   };
 
   /** How a file says what the acceleration is. */
@@ -172,6 +172,15 @@ namespace fuga
     length
   };
 
+  /** Where the motion of a record was, or is to be. */
+  enum class RecordMotion
+  {
+    /** At the free surface of the rock of the base, where waves are thrown back: twice the wave. */
+    outcrop,
+    /** In the wave that comes up. */
+    upward_wave
+  };
+
   struct EarthquakeEntries : SectionDeclaration
   {
     EarthquakeEntries();
@@ -183,6 +192,9 @@ namespace fuga
     Number record_step, scale;
     Entry<RecordUnit> unit;
     Entry<Baseline> baseline;
+    Text compliant_base, free_field;
+    /** Share of the record that comes up. */
+    Entry<RecordMotion> motion;
     Text added_mass;
     Number level, bottom, unit_weight;
   };

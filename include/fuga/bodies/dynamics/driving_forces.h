@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_bodies_dynamics_driving_forces_h
+#define fuga_bodies_dynamics_driving_forces_h
+
+#include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/dynamics/dashpots.h>
+#include <fuga/contact/load_history.h>
+
+namespace fuga
+{
+  /**
+   * What drives the bodies in a dynamic stage, beyond what acted on them before: loads that change,
+   * and the ground. With a rigid base it is the inertia of the moving ground, with a compliant one
+   * the force 2 C_b v of a wave with the velocity v that comes up through dashpots C_b: half of it
+   * moves the ground behind them (W. B. Joyner, A. T. F. Chen, Calculation of nonlinear ground
+   * response in earthquakes, Bull. Seism. Soc. Am. 65, 1975).
+   */
+  template <int dim>
+  class DrivingForces
+  {
+  public:
+    /** @p mass of the degrees of freedom, as in lumped_mass(). Model, definition and history must
+     * live as long as this object. */
+    DrivingForces(const CondensedSystem<dim> &model,
+                  const DynamicsDefinition &dynamics,
+                  const LoadHistory &history,
+                  const unsigned int stage,
+                  const Vector &mass);
+
+    /** @p time since the beginning of the stage [s]; forces by nodes [MN]. */
+    Vector
+    at(const double time) const;
+
+    /** By axes [m/s²]: what the record says. */
+    std::array<double, 3>
+    ground_acceleration(const double time) const;
+
+    /** The wave that comes up through a compliant base, by axes [m/s]. */
+    std::array<double, dim>
+    upward_wave(const double time) const;
+
+    /** The dashpots of the compliant base. */
+    const Dashpots<dim> &
+    base() const
+    {
+      return base_dashpots;
+    }
+
+  private:
+    const CondensedSystem<dim> &model;
+    const DynamicsDefinition &dynamics;
+    const LoadHistory &history;
+    const unsigned int stage;
+    const double duration;
+    /** The ground moves in this stage. */
+    const bool shakes;
+    const Vector mass;
+    const Dashpots<dim> base_dashpots;
+    std::array<Vector, dim> ground_velocities;
+  };
+} // namespace fuga
+
+#endif
