@@ -79,6 +79,13 @@ namespace fuga
       return 0.;
     }
 
+    /** The same of energies [MNm]. */
+    virtual double
+    energy_scale() const
+    {
+      return 0.;
+    }
+
     /**
      * Rigid motions of the bodies that no support holds: n_bars x n_motions, the jump that a unit
      * motion causes in every bar. Used by the certificate for the equilibrium of each body.

@@ -70,6 +70,7 @@ namespace fuga
     slip_rates.assign(elements.size(), TangentVector{});
     length_before = largest_rate = 0.;
     bodies.begin(state.forces, ledger);
+    ledger.note_largest();
     make_cut(state, result, observer);
     for (unsigned int step = 0; step < grid.n_steps; ++step)
       advance(0, levels, state, result, observer);
@@ -115,7 +116,7 @@ namespace fuga
   {
     Rung &step                = rung(number);
     const std::size_t n_ticks = std::size_t(1) << (grid.halvings - number);
-    step.system.begin(state, bodies.begin_step(number));
+    step.system.begin(state, bodies.begin_step(number), ledger.largest);
     const double end = time_at(tick + n_ticks);
     history_of_step  = StepSystem::history(state.t, end);
     JointState start = state;

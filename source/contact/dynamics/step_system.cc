@@ -59,8 +59,9 @@ namespace fuga
   }
 
   void
-  StepSystem::begin(const JointState &state, const Vector &push)
+  StepSystem::begin(const JointState &state, const Vector &push, const double largest_energy)
   {
+    energy              = largest_energy;
     pushed              = std::ldexp(max_abs(push), static_cast<int>(rung));
     const Vector before = on_coordinates(state.forces);
     const Vector jumps  = layered_system->jumps(state.dislocations, state.forces);

@@ -115,8 +115,9 @@ namespace fuga
   void
   Judge::begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step)
   {
-    history       = &history_of_step;
-    largest_force = std::max(largest_force, of_step.force_scale());
+    history        = &history_of_step;
+    largest_force  = std::max(largest_force, of_step.force_scale());
+    largest_energy = std::max(largest_energy, of_step.energy_scale());
     if (system == &of_step)
       return;
     if (!in_motion)

@@ -30,9 +30,9 @@ namespace fuga
                const DenseMatrix &jump_operator,
                const std::vector<ContactElement> &elements);
 
-    /** A step from @p state under the push g. */
+    /** A step from @p state under the push g. @p energy: the largest of the motion so far [MNm]. */
     void
-    begin(const JointState &state, const Vector &push);
+    begin(const JointState &state, const Vector &push, const double energy);
 
     /** Factors of the patterns between the load times @p begin and @p end of the step. */
     static LoadHistory
@@ -74,6 +74,13 @@ namespace fuga
       return pushed;
     }
 
+    /** Joints that stay closed take and store nothing of what moves. */
+    double
+    energy_scale() const override
+    {
+      return energy;
+    }
+
     const DenseMatrix &
     imposed_jumps() const override
     {
@@ -106,7 +113,7 @@ namespace fuga
     DenseMatrix reactions_to_units;
     /** Of S, if there are more bars than coordinates. */
     std::optional<LuFactors> factors;
-    double pushed = 0.;
+    double pushed = 0., energy = 0.;
   };
 } // namespace fuga
 
