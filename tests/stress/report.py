@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(TOP / "source" / "python"))
+sys.path.insert(0, str(TOP / "tools"))
 from remarks import by_hand  # noqa: E402
 
 BOUND = 1e-9
