@@ -108,6 +108,28 @@ TEST(RateProblem, DependentEquationsAreSingularHoweverTheyCame)
     }
 }
 
+// Two faces without friction: T1 + T2 is what the load pushes with, and no slip makes it vanish.
+// The normal forces, given by statics alone, have no stiffness to be measured by; beside the
+// rounding they are then measured by, the motion 8e14 times what drives it would look like one of a
+// soft scheme.
+TEST(RateProblem, ForcesWithoutStiffnessAllowNoMechanism)
+{
+  const ToyJoint joint(2, 1., make_rigid_law(), make_rigid_law(), {0., 0.});
+  ToySystem system;
+  system.S       = DenseMatrix(4, 4);
+  system.S(1, 1) = system.S(3, 3) = 1.79391791048567706;
+  system.S(1, 3) = system.S(3, 1) = -1.79391791048567528;
+  system.F                        = DenseMatrix(4, 1);
+  system.F(0, 0) = system.F(2, 0) = -6.4e-5;
+  system.F(1, 0)                  = 2.1e-6;
+  system.F(3, 0)                  = 1.1e-6;
+  const LayeredSystem layered(system, joint.elements);
+  WorkingScheme scheme(joint.elements, layered);
+  scheme.set_state(0, ContactState::slip_forward);
+  scheme.set_state(1, ContactState::slip_forward);
+  EXPECT_FALSE(scheme.rates({multiply(layered.reactions(), Vector{1.}), {}, {}}));
+}
+
 // What is left of a stiffness when all that resists has been released is rounding, 1e-17 of what it
 // was. Brought to the size of the others it would look like one.
 TEST(RateProblem, RoundingIsNoStiffness)

@@ -25,6 +25,10 @@ namespace fuga
      * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
      * scheme. */
     constexpr double largest_motion = 1e8;
+    /** The same in units of the force that drives its own rows, or of what rounding may leave
+     * there: a larger answer is that of a matrix made of rounding. Forces of other bars, where the
+     * structure is statically determinate, have no stiffness to be measured by. */
+    constexpr double largest_answer = 1e13, rounding_of_drive = 1e-14;
     /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
      * as long as each divides the defect by two. */
     constexpr int max_sweeps       = 3;
@@ -195,11 +199,19 @@ namespace fuga
     if (!bring_up_to_date())
       return {};
 
-    double driving_force = 0.;
+    double driving_force = 0., driving_rows = 0.;
     for (std::size_t i = 0; i < force_offset.size(); ++i)
       driving_force = std::max(driving_force, std::abs(force_offset[i]) / system.scale(i));
     for (std::size_t i = 0; i < rows.size(); ++i)
-      driving_force = std::max(driving_force, std::abs(rhs[i]) / system.scale(rows[i].bar));
+      {
+        const double scale = system.scale(rows[i].bar);
+        driving_force      = std::max(driving_force, std::abs(rhs[i]) / scale);
+        driving_rows =
+          std::max(driving_rows, std::abs(forces_in(rows[i], force_offset) - rhs[i]) / scale);
+      }
+    const double largest =
+      std::min(largest_motion * driving_force,
+               largest_answer * std::max(driving_rows, rounding_of_drive * driving_force));
 
     JointRates result;
     const auto refined_solution = [&]() {
@@ -208,7 +220,7 @@ namespace fuga
           (stale || refine<long double>(rhs, force_offset, driving_force, result) >
                       accepted_defect * driving_force))
         return false;
-      return system.scaled_size(result.dislocations) <= largest_motion * driving_force;
+      return system.scaled_size(result.dislocations) <= largest;
     };
     if (refined_solution())
       return result;
