@@ -84,11 +84,13 @@ namespace fuga
     const Vector D_b = entries(compliances, basis), D_e = entries(compliances, extra);
 
     DenseMatrix W_0 = system.stiffness(), R_0 = system.load_patterns();
-    insert_bars(W_0,
-                R_0,
-                D_b,
-                {submatrix(system.rigid_motions(), basis, all_columns(system.rigid_motions())),
-                 system.rigid_motion_loads()});
+    if (has_soft_joint(insert_bars(
+          W_0,
+          R_0,
+          D_b,
+          {submatrix(system.rigid_motions(), basis, all_columns(system.rigid_motions())),
+           system.rigid_motion_loads()})))
+      return false;
 
     DenseMatrix V  = transposed(submatrix(B, extra, all_columns(B)));
     DenseMatrix DB = V;

@@ -11,13 +11,13 @@ namespace fuga
     constexpr int n_sweeps = 2;
   } // namespace
 
-  // A unit error of a force in a bar of compliance D moves the lips by D, which the bodies, of the
-  // stiffness S, answer with S D.
+  // A unit force in a bar of compliance D moves the lips by D; to a share of this the bodies, of
+  // the stiffness S, answer with that share of S D.
   bool
-  LayeredSystem::has_soft_joint() const
+  LayeredSystem::has_soft_joint(const double rounding) const
   {
-    constexpr double soft = 1e4;
-    return largest_diagonal(bodies.stiffness()) * max_abs(compliances) > soft;
+    constexpr double lost = 1e4 * std::numeric_limits<double>::epsilon();
+    return rounding * largest_diagonal(bodies.stiffness()) * max_abs(compliances) > lost;
   }
 
   // F a; on rigid motions the resultants of the loads, free of the rounding of the condensation.

@@ -115,10 +115,11 @@ namespace fuga
   void
   LayeredSystem::eliminate_in_jumps(const ContactSystem &system)
   {
-    W        = system.stiffness();
-    R        = system.load_patterns();
-    delicate = has_soft_joint();
-    insert_bars(W, R, compliances, {system.rigid_motions(), system.rigid_motion_loads()});
+    W = system.stiffness();
+    R = system.load_patterns();
+    const double jump_of_others =
+      insert_bars(W, R, compliances, {system.rigid_motions(), system.rigid_motion_loads()});
+    delicate = has_soft_joint() || has_soft_joint(jump_of_others);
   }
 
   // With more bars than coordinates (crossing joints, corners, a rigid body on many bars) the

@@ -45,9 +45,16 @@ namespace fuga
       return N;
     }
 
+    struct SoftMotions
+    {
+      RigidMotions motions;
+      /** Largest jump of another bar in one of them. */
+      double jump_of_others = 0.;
+    };
+
     /** The motions that only soft bars resist: orthonormal jumps of the soft bars, and load work.
      */
-    RigidMotions
+    SoftMotions
     motions_of_soft_bars(const RigidMotions &motions, const Indices &soft, const Indices &others)
     {
       const std::size_t k = motions.jumps.n_columns();
@@ -62,10 +69,14 @@ namespace fuga
           for (std::size_t i = 0; i < scaled.load_work.n_columns() && size > 0.; ++i)
             scaled.load_work(j, i) /= size;
         }
-      const Indices columns = all_columns(scaled.jumps);
-      const DenseMatrix N   = null_combinations(submatrix(scaled.jumps, others, columns), k);
+      const Indices columns       = all_columns(scaled.jumps);
+      const DenseMatrix of_others = submatrix(scaled.jumps, others, columns);
+      const DenseMatrix N         = null_combinations(of_others, k);
       RigidMotions result{multiply(submatrix(scaled.jumps, soft, columns), N),
                           multiply_transposed(N, scaled.load_work)};
+      const DenseMatrix left = multiply(of_others, N);
+      const double jump_of_others =
+        max_abs(Vector(left.data(), left.data() + left.n_rows() * left.n_columns()));
 
       // Gram and Schmidt, twice; the work follows the motions.
       for (int sweep = 0; sweep < 2; ++sweep)
@@ -88,7 +99,7 @@ namespace fuga
             for (std::size_t l = 0; l < result.load_work.n_columns(); ++l)
               result.load_work(j, l) /= length;
           }
-      return result;
+      return {result, jump_of_others};
     }
 
     /** A ← (I - G Gᵀ) A for orthonormal G. */
@@ -200,7 +211,7 @@ namespace fuga
   // With Z = P H⁻¹ P, W0 = C - C Z C, V = C Z S_cr, U = C Z F_c and T = W0 G, A = Gᵀ T:
   //   W_cc = W0 - T A⁻¹ Tᵀ              W_cr = V - T A⁻¹ Gᵀ V      R_c = U + T A⁻¹ (L - Gᵀ U)
   //   W_rr = S_rr - S_rc Z S_cr - Vᵀ G A⁻¹ Gᵀ V,    R_r = F_r - S_rc Z F_c + Vᵀ G A⁻¹ (L - Gᵀ U).
-  void
+  double
   insert_soft_bars(DenseMatrix &W,
                    DenseMatrix &R,
                    const Indices &soft,
@@ -209,11 +220,12 @@ namespace fuga
                    const RigidMotions &motions)
   {
     const std::size_t n_c = soft.size(), n_r = others.size(), n_p = R.n_columns();
-    const RigidMotions free = motions_of_soft_bars(motions, soft, others);
-    const DenseMatrix &G    = free.jumps;
-    const std::size_t k     = G.n_columns();
-    DenseMatrix H           = deformation_stiffness(submatrix(W, soft, soft), C, G);
-    const DenseMatrix S_rc  = submatrix(W, others, soft);
+    const SoftMotions of_soft = motions_of_soft_bars(motions, soft, others);
+    const RigidMotions &free  = of_soft.motions;
+    const DenseMatrix &G      = free.jumps;
+    const std::size_t k       = G.n_columns();
+    DenseMatrix H             = deformation_stiffness(submatrix(W, soft, soft), C, G);
+    const DenseMatrix S_rc    = submatrix(W, others, soft);
 
     // All right-hand sides at once: Y = Z [C, S_cr, F_c].
     DenseMatrix Y(n_c, n_c + n_r + n_p);
@@ -278,9 +290,10 @@ namespace fuga
         for (std::size_t j = 0; j < n_p; ++j)
           R(soft[i], j) = Y(i, n_c + n_r + j);
       }
+    return of_soft.jump_of_others;
   }
 
-  void
+  double
   insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions)
   {
     Indices soft, stiff_or_rigid, stiff;
@@ -300,9 +313,10 @@ namespace fuga
               stiff_compliance.push_back(D[i]);
             }
         }
-    if (!soft.empty())
-      insert_soft_bars(W, R, soft, stiff_or_rigid, soft_stiffness, motions);
+    const double jump_of_others =
+      soft.empty() ? 0. : insert_soft_bars(W, R, soft, stiff_or_rigid, soft_stiffness, motions);
     if (!stiff.empty())
       insert_stiff_bars(W, R, stiff, stiff_compliance);
+    return jump_of_others;
   }
 } // namespace fuga

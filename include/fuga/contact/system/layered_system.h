@@ -8,6 +8,7 @@
 #include <fuga/contact/contact_system.h>
 #include <fuga/contact/system/rigid_basis.h>
 
+#include <limits>
 #include <optional>
 
 namespace fuga
@@ -151,8 +152,9 @@ namespace fuga
                               const Vector &dislocations,
                               const Vector &water,
                               Vector &forces) const;
+    /** Whether a share @p rounding of the jumps costs the forces digits. */
     bool
-    has_soft_joint() const;
+    has_soft_joint(const double rounding = std::numeric_limits<double>::epsilon()) const;
 
     Accurate
     loads_on_bodies(const Accurate &factors) const;

@@ -26,9 +26,12 @@ namespace fuga
    * to C; equilibrium of the floating bodies holds to rounding. Derivation: doc/theory.md,
    * section 3.
    *
+   * Returns the largest jump of another bar in a motion of size one that only soft bars are said to
+   * resist: zero but for the rounding of the geometry, and W is wrong by as much of these motions.
+   *
    * @throws NumericalFailure if the bodies are not held even with all bars closed and sticking.
    */
-  void
+  double
   insert_soft_bars(DenseMatrix &W,
                    DenseMatrix &R,
                    const std::vector<std::size_t> &soft,
@@ -40,9 +43,9 @@ namespace fuga
    * Inserts a bar of the compliance D between the bodies along every coordinate. The bars are split
    * at the bodies' own stiffness: each half uses the formula that does not cancel. W and R (on
    * entry S and F of the bodies) are overwritten.
-   * @throws NumericalFailure, see insert_soft_bars().
+   * Returns and throws what insert_soft_bars() does.
    */
-  void
+  double
   insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions);
 
   /** Rows @p rows and columns @p columns of A. */
