@@ -22,13 +22,27 @@ namespace fuga
   }
 
   LoadHistory
-  LoadHistory::with_carried_loads(const double begin) const
+  LoadHistory::with_corner(const double t) const
+  {
+    LoadHistory result = *this;
+    const auto place   = std::lower_bound(corners.begin(), corners.end(), t) - corners.begin();
+    if (corners[static_cast<std::size_t>(place)] == t)
+      return result;
+    result.corners.insert(result.corners.begin() + place, t);
+    result.values.insert(result.values.begin() + place, factors(t));
+    if (!shares.empty())
+      result.shares.insert(result.shares.begin() + place, strength_share(t));
+    return result;
+  }
+
+  LoadHistory
+  LoadHistory::with_carried_loads(const double begin, const double end) const
   {
     LoadHistory result = *this;
     for (std::size_t i = 0; i < corners.size(); ++i)
       {
         result.values[i].push_back(1.);
-        result.values[i].push_back(std::clamp(begin + 1. - corners[i], 0., 1.));
+        result.values[i].push_back(std::clamp((end - corners[i]) / (end - begin), 0., 1.));
       }
     return result;
   }

@@ -86,12 +86,12 @@ namespace fuga::tests
            const double event_tolerance)
       : bodies(springs)
       , at_rest(bodies.condensed_stiffness(0), 0, springs.jumps, elements)
-      , history(StepSystem::history(0., 1.))
+      , history(StepSystem::history())
       , path(elements,
              at_rest.layered(),
              history,
              bodies,
-             {0., n_steps, springs.step, halvings, event_tolerance},
+             {0., 1., n_steps, springs.step, halvings, event_tolerance},
              PathOptions())
       , judge(at_rest, elements, history, 0.)
     {

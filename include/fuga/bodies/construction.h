@@ -80,8 +80,12 @@ namespace fuga
   /** What a phase of construction takes over from the one before; empty for the first phase. */
   struct ConstructionState
   {
-    /** The first stage of the phase. */
+    /** The stage in which the phase begins, and the load time: the number of the stage, or a later
+     * time where equilibrium was lost, or found again. */
     unsigned int stage = 0;
+    double begin       = 0.;
+    /** Equilibrium was lost; the phase is the motion that follows. */
+    bool follows_loss = false;
     /** At its beginning, of all degrees of freedom (Discretization::dof()) [m]. */
     Vector displacement;
     /** Bar forces then, less those of water in open elements [MN]. */
@@ -89,14 +93,30 @@ namespace fuga
     /** What the bars feel besides the jump of the bodies and the imposed gaps [m]. */
     Vector jump_offsets;
     std::vector<StressFreeShape> shapes;
+
+    /** Nothing was before. */
+    bool
+    is_first() const
+    {
+      return begin == 0. && !follows_loss;
+    }
+
+    /** The phase begins with its stage, with all that is built, removed and grouted then. */
+    bool
+    begins_stage() const
+    {
+      return begin == stage && !follows_loss;
+    }
   };
 
   template <typename State, typename Visitor, only_for<State, ConstructionState> = 0>
   void
   for_each_field(State &state, Visitor &&visit)
   {
-    auto &[stage, displacement, forces, jump_offsets, shapes] = state;
+    auto &[stage, begin, follows_loss, displacement, forces, jump_offsets, shapes] = state;
     visit("stage", stage);
+    visit("begin", begin);
+    visit("follows_loss", follows_loss);
     visit("displacement", displacement);
     visit("forces", forces);
     visit("jump_offsets", jump_offsets);

@@ -18,6 +18,8 @@ namespace fuga
   {
     /** Load time. */
     double t = 0.;
+    /** While bodies move: what of their present step of time is done, from 0 to 1. */
+    double part_of_step = 0.;
     /** The working scheme, per element. */
     std::vector<ContactState> states;
     /** Bar forces p [MN], tension positive. */
@@ -60,6 +62,7 @@ namespace fuga
   for_each_field(State &state, Visitor &&visit)
   {
     auto &[t,
+           part_of_step,
            states,
            forces,
            dislocations,
@@ -72,6 +75,7 @@ namespace fuga
            missing_water,
            kept_water] = state;
     visit("t", t);
+    visit("part_of_step", part_of_step);
     visit("states", states);
     visit("forces", forces);
     visit("dislocations", dislocations);

@@ -46,10 +46,14 @@ namespace fuga
     double
     last_corner(const double t) const;
 
-    /** This history with two patterns more: one that is constant, and one that falls from 1 at load
-     *  time @p begin, a corner, to 0 at begin + 1. */
+    /** The same history with a corner at @p t, between 0 and its end. */
     LoadHistory
-    with_carried_loads(const double begin) const;
+    with_corner(const double t) const;
+
+    /** This history with two patterns more: one that is constant, and one that falls from 1 at load
+     *  time @p begin, a corner, to 0 at @p end, another one. */
+    LoadHistory
+    with_carried_loads(const double begin, const double end) const;
 
     /** a(t). */
     Vector

@@ -27,6 +27,7 @@ namespace fuga
       const StageDefinition &definition  = model.stages[stage];
       const auto n_steps = static_cast<unsigned int>(number_of_time_steps(dynamics, definition));
       return {static_cast<double>(stage),
+              stage + 1.,
               n_steps,
               definition.duration / n_steps,
               dynamics.halvings,

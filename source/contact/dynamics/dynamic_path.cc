@@ -18,7 +18,7 @@ namespace fuga
     Rung(const unsigned int number, DynamicPath &of)
       : system(
           of.bodies.condensed_stiffness(number), number, of.bodies.jump_operator(), of.elements)
-      , path(of.elements, system.layered(), of.history_of_path, of.options)
+      , path(of.elements, system.layered(), of.history_of_step, of.options)
     {
     }
 
@@ -38,8 +38,7 @@ namespace fuga
     , options(path_options)
     , rungs(grid.halvings + 1)
     , steps_of_rung(grid.halvings + 1, 0)
-    , history_of_path(StepSystem::history(0., 1.))
-    , history_of_step(history_of_path)
+    , history_of_step(StepSystem::history())
   {
   }
 
@@ -118,7 +117,6 @@ namespace fuga
     const std::size_t n_ticks = std::size_t(1) << (grid.halvings - number);
     step.system.begin(state, bodies.begin_step(number), ledger.largest);
     const double end = time_at(tick + n_ticks);
-    history_of_step  = StepSystem::history(state.t, end);
     JointState start = state;
     start.t          = 0.;
     take_water(JointState(), start);
@@ -214,6 +212,7 @@ namespace fuga
   DynamicPath::time_at(const std::size_t of_tick) const
   {
     const std::size_t per_step = std::size_t(1) << grid.halvings;
-    return grid.begin + static_cast<double>(of_tick) / static_cast<double>(per_step * grid.n_steps);
+    const double part = static_cast<double>(of_tick) / static_cast<double>(per_step * grid.n_steps);
+    return part < 1. ? grid.begin + part * (grid.end - grid.begin) : grid.end;
   }
 } // namespace fuga

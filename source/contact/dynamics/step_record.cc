@@ -129,16 +129,14 @@ namespace fuga
   StepRecord::in_motion(JointState state) const
   {
     take_water(first, state);
-    state.t = load_time(state.t);
+    state.part_of_step = state.t;
+    state.t            = load_time(state.t);
     return state;
   }
 
   PathPoint
   StepRecord::in_motion(const PathPoint &of_path) const
   {
-    PathPoint result{in_motion(of_path.state), of_path.rates, of_path.load_rate};
-    if (result.load_rate)
-      *result.load_rate *= end_time - first.t;
-    return result;
+    return {in_motion(of_path.state), of_path.rates, of_path.load_rate};
   }
 } // namespace fuga

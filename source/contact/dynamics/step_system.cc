@@ -83,12 +83,9 @@ namespace fuga
   }
 
   LoadHistory
-  StepSystem::history(const double begin, const double end)
+  StepSystem::history()
   {
-    const Vector first = {1., 0., 1.}, last = {0., 1., 1.};
-    if (begin == 0.)
-      return LoadHistory({begin, end}, {first, last});
-    return LoadHistory({0., begin, end}, {first, first, last});
+    return LoadHistory({0., 1.}, {{1., 0., 1.}, {0., 1., 1.}});
   }
 
   Vector

@@ -219,7 +219,7 @@ namespace fuga
     const WaterInJoints *joints = system->water_in_joints();
     if (joints == nullptr)
       return {};
-    Vector result = joints->forces(state.access, history->factors(state.t));
+    Vector result = joints->forces(state.access, history->factors(time(state)));
     for (std::size_t bar = 0; bar < result.size(); ++bar)
       result[bar] += state.kept_water[bar] - state.missing_water[bar];
     return result;
@@ -273,7 +273,7 @@ namespace fuga
         for (std::size_t i = 0; i < carried.size(); ++i)
           carried[i] -= pressed[i];
       }
-    const Vector applied = multiply(system->rigid_motion_loads(), history->factors(state.t));
+    const Vector applied = multiply(system->rigid_motion_loads(), history->factors(time(state)));
     double worst         = 0.;
     for (std::size_t i = 0; i < applied.size(); ++i)
       {
@@ -288,8 +288,8 @@ namespace fuga
   {
     const work::Scope phase(work::Phase::judge);
     const Vector delta = jumps(state.dislocations, state.forces);
-    const Vector x     = coordinates(delta, state.t);
-    Vector f           = loads(state.t);
+    const Vector x     = coordinates(delta, time(state));
+    Vector f           = loads(time(state));
     add_water(state, f);
     const Vector Sx = resistance(x);
     largest_force =

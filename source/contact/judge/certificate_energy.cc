@@ -14,18 +14,19 @@ namespace fuga
   namespace
   {
     /**
-     * ∫b ẋ over a piece: what loads of which a unit of the load time adds @p load do beyond those
-     * that grow in proportion, b the cubic between them and the curve of the load time.
+     * ∫b ẋ over a piece, in which the load time has grown by @p growth: what loads of which a unit
+     * of the load time adds @p load do beyond those that grow in proportion, b the cubic between
+     * them and the curve of the load time.
      */
     double
     work_of_bend(const PathPoint &from,
                  const PathPoint &to,
                  const double length,
+                 const double growth,
                  const Vector &load,
                  const std::array<Vector, 2> &x,
                  const std::array<Vector, 2> &rates)
     {
-      const double growth = to.state.t - from.state.t;
       const CubicOnUnitInterval bend(
         0., length * *from.load_rate - growth, 0., length * *to.load_rate - growth);
       const double r           = std::sqrt(0.15);
@@ -49,13 +50,14 @@ namespace fuga
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
     const work::Scope phase(work::Phase::judge);
-    const Vector x0 = coordinates(jumps(from.state.dislocations, from.state.forces), from.state.t);
-    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), to.state.t);
+    const Vector x0 =
+      coordinates(jumps(from.state.dislocations, from.state.forces), time(from.state));
+    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), time(to.state));
     // Imposed jumps have one rate along the piece, which the difference of both rates does not
     // know.
     const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
     const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
-    Vector f0 = loads(from.state.t), f1 = loads(to.state.t);
+    Vector f0 = loads(time(from.state)), f1 = loads(time(to.state));
     add_water(from.state, f0);
     add_water(to.state, f1);
     for (std::size_t i = 0; i < system->carried_load().size(); ++i)
@@ -73,7 +75,8 @@ namespace fuga
         work_of_bend(from,
                      to,
                      length,
-                     multiply(system->load_patterns(), history->rates(from.state.t)),
+                     time(to.state) - time(from.state),
+                     multiply(system->load_patterns(), history->rates(time(from.state))),
                      {{x0, x1}},
                      {{v0, v1}});
     add_work_of_imposed_jumps(from, to, length);
@@ -87,8 +90,8 @@ namespace fuga
     const DenseMatrix &E = system->imposed_jumps();
     if (E.empty())
       return;
-    const Vector e0 = multiply(E, history->factors(from.state.t)),
-                 e1 = multiply(E, history->factors(to.state.t));
+    const Vector e0 = multiply(E, history->factors(time(from.state))),
+                 e1 = multiply(E, history->factors(time(to.state)));
     for (std::size_t i = 0; i < e0.size(); ++i)
       ledger.external_work +=
         (e1[i] - e0[i]) * (0.5 * (from.state.forces[i] + to.state.forces[i]) +
@@ -132,7 +135,7 @@ namespace fuga
   void
   Judge::end_step(const JointState &state)
   {
-    const Vector x = coordinates(jumps(state.dislocations, state.forces), state.t);
+    const Vector x = coordinates(jumps(state.dislocations, state.forces), time(state));
     energy_of_bodies_before += 0.5 * dot(x, resistance(x));
   }
 
@@ -153,7 +156,7 @@ namespace fuga
       ledger.external_work += stored_energy(k, state);
     if (!system->has_stiffness())
       return; // begin_step() will do the rest
-    const Vector x          = coordinates(jumps(state.dislocations, state.forces), state.t);
+    const Vector x          = coordinates(jumps(state.dislocations, state.forces), time(state));
     energy_of_bodies_before = 0.;
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));
   }

@@ -27,7 +27,7 @@ namespace fuga
                     const PhaseEnd &before,
                     std::shared_ptr<CondensedSystem<dim>> same_bodies)
     : Model(run_parameters,
-            {before.stage, {}, {}, {}, {}},
+            {before.stage, before.begin, before.follows_loss, {}, {}, {}, {}},
             &before,
             Condensation::with_loads,
             std::move(same_bodies))
@@ -58,7 +58,7 @@ namespace fuga
   {
     if (before)
       take_over_joints(*before);
-    if (construction.stage > 0)
+    if (!construction.is_first())
       shared_bodies->set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
     timer.set_apart(bodies.phases());
     timer.finish("elements and loads");
@@ -133,7 +133,7 @@ namespace fuga
     check_joints(parameters.joints);
     check_body_solver();
     LoadProgram program = make_load_program(parameters.model, bodies, construction.stage);
-    if (construction.stage == 0)
+    if (construction.is_first())
       check_later_phases();
     if (!is_last_phase())
       {
@@ -141,7 +141,7 @@ namespace fuga
         program.end_of_loading = program.history.end();
       }
     bodies.check_load_patterns(program.patterns);
-    if (construction.stage > 0)
+    if (!construction.is_first())
       begin_phase(program, before);
     if (condensation != Condensation::never)
       shared_bodies->set_load_patterns(std::move(program.patterns));

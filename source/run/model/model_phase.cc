@@ -55,7 +55,8 @@ namespace fuga
   void
   Model<dim>::begin_phase(LoadProgram &program, const PhaseEnd *before)
   {
-    const Vector factors = program.history.factors(construction.stage);
+    program.history      = program.history.with_corner(construction.begin);
+    const Vector factors = program.history.factors(construction.begin);
     if (before)
       {
         const PhaseTransfer transfer(*before, bodies.elements(), bodies.identities());
@@ -71,16 +72,18 @@ namespace fuga
         construction.shapes       = before->shapes;
         put_new_nodes_on_supports(
           bodies, before->was_there, program.patterns, factors, construction.displacement);
-        StressFreeShape shape = shape_of_new_bodies(bodies, parameters.model, construction);
-        if (!shape.dofs.empty())
-          construction.shapes.push_back(std::move(shape));
+        if (construction.begins_stage())
+          if (StressFreeShape shape = shape_of_new_bodies(bodies, parameters.model, construction);
+              !shape.dofs.empty())
+            construction.shapes.push_back(std::move(shape));
       }
     shared_bodies->set_stress_free_shapes(construction.shapes);
     CarriedLoads carried =
       carried_loads(bodies, parameters.model, construction, program.patterns, factors);
     program.patterns.push_back(std::move(carried.carried));
     program.patterns.push_back(std::move(carried.released));
-    program.history = program.history.with_carried_loads(construction.stage);
+    program.history =
+      program.history.with_carried_loads(construction.begin, construction.stage + 1.);
   }
 
   // The bars go on feeling what they felt, and new ones begin with nothing, wherever the bodies
@@ -95,7 +98,8 @@ namespace fuga
       parameters.model.stages[construction.stage].grouted_joints;
     std::vector<bool> grouted;
     for (const std::string &name : joint_names)
-      grouted.push_back(std::find(filled.begin(), filled.end(), name) != filled.end());
+      grouted.push_back(construction.begins_stage() &&
+                        std::find(filled.begin(), filled.end(), name) != filled.end());
     const PhaseTransfer transfer(before, bodies.elements(), bodies.identities());
     first_state = transfer.state(joint.elements, grouted);
 
@@ -116,7 +120,7 @@ namespace fuga
     const Vector of_bodies = bodies.jumps(u);
     Vector imposed(offsets.size(), 0.);
     if (!bodies.imposed_jumps().empty())
-      imposed = multiply(bodies.imposed_jumps(), loads.history.factors(construction.stage));
+      imposed = multiply(bodies.imposed_jumps(), loads.history.factors(construction.begin));
     for (std::size_t bar = 0; bar < offsets.size(); ++bar)
       offsets[bar] -= of_bodies[bar] + imposed[bar];
   }

@@ -79,10 +79,12 @@ namespace fuga
     state.t               = old.t;
     state.forces          = of_bars(old.forces);
     state.dislocations    = of_bars(old.dislocations);
+    state.unreleased      = of_bars(old.unreleased);
     if (!old.water.empty())
       {
-        state.water      = of_bars(old.water);
-        state.kept_water = of_bars(old.kept_water);
+        state.water         = of_bars(old.water);
+        state.missing_water = of_bars(old.missing_water);
+        state.kept_water    = of_bars(old.kept_water);
       }
     state.slips     = of_elements(old.slips);
     state.dilations = of_elements(old.dilations);

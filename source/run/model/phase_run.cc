@@ -179,6 +179,7 @@ namespace fuga
   {
     PhaseEnd end;
     end.stage      = model.next_stage();
+    end.begin      = end.stage;
     end.mesh       = model.shared_mesh;
     end.elements   = joint.elements;
     end.identities = model.bodies.identities();

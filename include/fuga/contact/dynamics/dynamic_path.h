@@ -103,9 +103,8 @@ namespace fuga
     const PathOptions options;
     std::vector<std::unique_ptr<Rung>> rungs;
     std::vector<std::size_t> steps_of_rung;
-    /** Of the present step: in the time of its path, and in that of the loads. */
-    const LoadHistory history_of_path;
-    LoadHistory history_of_step;
+    /** In the time of a step. */
+    const LoadHistory history_of_step;
     MotionLedger ledger;
     /** Shortest steps so far. */
     std::size_t tick = 0;

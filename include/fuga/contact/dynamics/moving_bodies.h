@@ -15,8 +15,8 @@ namespace fuga
   /** How a stage is cut into steps of time. */
   struct TimeGrid
   {
-    /** Load time at which the stage begins; it ends at begin + 1. */
-    double begin         = 0.;
+    /** Load times at which the motion begins and ends. */
+    double begin = 0., end = 1.;
     unsigned int n_steps = 1;
     /** Length of a step [s]. */
     double step = 0.;

@@ -21,7 +21,7 @@ namespace fuga
     /** The step begins in @p start and ends at the load time @p end. Its path has a time of its own,
      * from 0 to 1, lest the shortest steps of long stages have few digits, and does not know the
      * water in joints, which stands still during a motion: all states that are handed on get the
-     * load time, and the water of @p start. */
+     * load time, the part of the step that is done, and the water of @p start. */
     StepRecord(const JointState &start,
                const double end,
                const std::vector<ContactElement> &elements,

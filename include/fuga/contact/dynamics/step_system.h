@@ -34,9 +34,9 @@ namespace fuga
     void
     begin(const JointState &state, const Vector &push, const double energy);
 
-    /** Factors of the patterns between the load times @p begin and @p end of the step. */
+    /** Factors of the patterns; the time is the part of the step that is done. */
     static LoadHistory
-    history(const double begin, const double end);
+    history();
 
     const LayeredSystem &
     layered() const

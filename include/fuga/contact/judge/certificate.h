@@ -175,8 +175,9 @@ namespace fuga
     void
     begin_phase(const JudgeMemory &memory, const JointState &state);
 
-    /** Goes on judging a step of time, whose system and loads these are; both live until the next
-     * call. What counts as energy of the bodies is then the work on Ŝ, inertia included. */
+    /** Goes on judging a step of time, whose system and loads these are, in the time of
+     * JointState::part_of_step; both live until the next call. What counts as energy of the bodies
+     * is then the work on Ŝ, inertia included. */
     void
     begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step);
 
@@ -198,6 +199,13 @@ namespace fuga
     coordinates(const Vector &jumps) const;
 
   private:
+    /** In the time of the history: that of the loads, or of the present step. */
+    double
+    time(const JointState &state) const
+    {
+      return in_motion ? state.part_of_step : state.t;
+    }
+
     Vector
     jumps(const Vector &dislocations, const Vector &forces) const;
     /** Loads on the interface coordinates without those of water that came in. */

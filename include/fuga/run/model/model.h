@@ -91,17 +91,17 @@ namespace fuga
       return end_of_phase(parameters.model, construction.stage);
     }
 
-    /** Whether inertia acts; the phase has one stage then. */
+    /** Whether inertia acts; the phase has one stage, or a part of one, then. */
     bool
     is_dynamic() const
     {
-      return parameters.model.stages[construction.stage].is_dynamic();
+      return construction.follows_loss || parameters.model.stages[construction.stage].is_dynamic();
     }
 
     bool
     is_last_phase() const
     {
-      return next_stage() == parameters.model.stages.size();
+      return !construction.follows_loss && next_stage() == parameters.model.stages.size();
     }
 
     /** What is built, removed and grouted when this phase begins. */

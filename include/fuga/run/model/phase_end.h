@@ -16,8 +16,10 @@ namespace fuga
   /** How a phase of construction ended: all that the next one needs to know of it. */
   struct PhaseEnd
   {
-    /** The first stage of the next phase. */
+    /** How the next phase begins: see ConstructionState. */
     unsigned int stage = 0;
+    double begin       = 0.;
+    bool follows_loss  = false;
     std::shared_ptr<const JointedMesh> mesh;
     PhaseTimer timer;
 
