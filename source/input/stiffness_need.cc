@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/bodies/construction.h>
-#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/stiffness_need.h>
 
 #include <algorithm>
@@ -46,8 +45,8 @@ namespace fuga
       return "a sweep is";
     if (parameters.accuracy.quantity != AccuracyTarget::Quantity::none)
       return "a target accuracy is";
-    if (first_dynamic_stage(model) < model.stages.size())
-      return "a stage in which inertia acts is";
+    if (may_move(parameters))
+      return "inertia is";
     if (std::any_of(model.stages.begin(), model.stages.end(), is_search))
       return "a search for a factor of safety is";
     if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))

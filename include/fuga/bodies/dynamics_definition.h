@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,20 @@ namespace fuga
     double upward_share = 1.;
     /** Those of them beside which the bodies move as they would without all that is between. */
     NamedBoundaries free_field;
+    /** Where equilibrium was lost the bodies move for so long at most [s], under the loads that act
+     * this part of a stage later. */
+    double longest_continuation = 10.;
+    double excess               = 0.01;
+
+    /** Load time of the loads under which bodies move that have lost their equilibrium at @p t, and
+     * at which the slow path goes on behind; half of what is left of the stage at least is for
+     * that.
+     */
+    double
+    end_of_continuation(const double t) const
+    {
+      return t + std::min(excess, 0.5 * (std::floor(t) + 1. - t));
+    }
 
     /** Whether massless_bodies name the body. */
     bool

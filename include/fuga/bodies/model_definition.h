@@ -188,6 +188,14 @@ namespace fuga
     {
       return kind == LoadKind::depth_pressure || kind == LoadKind::uplift;
     }
+
+    /** It prescribes deformations; no mass would answer to their change. */
+    bool
+    is_without_inertia() const
+    {
+      return kind == LoadKind::displacement || kind == LoadKind::imposed_gap ||
+             kind == LoadKind::temperature;
+    }
   };
 
   /** A point whose displacement is written. */

@@ -4,6 +4,7 @@
 #ifndef fuga_input_parameters_h
 #define fuga_input_parameters_h
 
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/model_definition.h>
 #include <fuga/input/units.h>
 #include <fuga/laws/friction_law.h>
@@ -122,15 +123,24 @@ namespace fuga
     largest_dissipation
   };
 
+  /** What happens where the load cannot grow. */
+  enum class LimitLoadChoice
+  {
+    stop,
+    /** The load follows the motion of the mechanism. */
+    arc_length,
+    /** The bodies move with their inertia until they rest. */
+    dynamic
+  };
+
   struct SolverSettings
   {
     /** False: stage ends by implicit steps where possible. */
-    bool follow_events         = true;
-    NonUniqueChoice non_unique = NonUniqueChoice::stop;
-    /** Beyond a limit load by arc length, until the largest jump has grown by this [m]; 0: by
-     * default. */
-    bool follow_jumps               = false;
-    bool beyond_limit               = false;
+    bool follow_events           = true;
+    NonUniqueChoice non_unique   = NonUniqueChoice::stop;
+    bool follow_jumps            = false;
+    LimitLoadChoice beyond_limit = LimitLoadChoice::stop;
+    /** By arc length until the largest jump has grown by this [m]; 0: by default. */
     double beyond_jump              = 0.;
     IterationKind iteration         = IterationKind::newton;
     double iteration_tolerance      = 1e-12;
@@ -266,6 +276,14 @@ namespace fuga
      *  default_parameter_text(); e.g. ("Bodies/dam/Young modulus", "3060"). */
     std::vector<std::pair<std::string, std::string>> echo;
   };
+
+  /** Whether inertia acts in a stage, or may act beyond a limit load. */
+  inline bool
+  may_move(const Parameters &parameters)
+  {
+    return has_dynamic_stage(parameters.model) ||
+           parameters.solver.beyond_limit == LimitLoadChoice::dynamic;
+  }
 } // namespace fuga
 
 #endif

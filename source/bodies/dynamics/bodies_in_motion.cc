@@ -21,17 +21,37 @@ namespace fuga
   namespace
   {
     TimeGrid
-    grid_of(const ModelDefinition &model, const unsigned int stage)
+    grid_of(const ModelDefinition &model, const ConstructionState &begin, const double end)
     {
       const DynamicsDefinition &dynamics = model.dynamics;
-      const StageDefinition &definition  = model.stages[stage];
-      const auto n_steps = static_cast<unsigned int>(number_of_time_steps(dynamics, definition));
-      return {static_cast<double>(stage),
-              stage + 1.,
+      StageDefinition span               = model.stages[begin.stage];
+      if (begin.follows_loss)
+        {
+          span.duration = dynamics.longest_continuation;
+          span.levels   = 1;
+        }
+      const auto n_steps = static_cast<unsigned int>(number_of_time_steps(dynamics, span));
+      return {begin.begin,
+              end,
               n_steps,
-              definition.duration / n_steps,
+              span.duration / n_steps,
               dynamics.halvings,
-              dynamics.event_tolerance};
+              dynamics.event_tolerance,
+              begin.follows_loss};
+    }
+
+    /** Where an equilibrium was lost the ground stands still, and supports hold. */
+    DynamicsDefinition
+    acting_in(DynamicsDefinition dynamics, const ConstructionState &begin)
+    {
+      if (begin.follows_loss)
+        {
+          dynamics.ground         = {};
+          dynamics.absorbing      = {};
+          dynamics.compliant_base = {};
+          dynamics.free_field     = {};
+        }
+      return dynamics;
     }
 
     /** One triangle of the products of the terms of two degrees of freedom. */
@@ -73,14 +93,14 @@ namespace fuga
   BodiesInMotion<dim>::BodiesInMotion(const CondensedSystem<dim> &bodies,
                                       const DynamicsDefinition &definition,
                                       const LoadHistory &load_history,
-                                      const unsigned int number_of_stage,
+                                      const ConstructionState &begin,
                                       const std::vector<bool> &massless_joints,
                                       std::shared_ptr<StepSolvers> same_steps)
     : model(bodies)
-    , dynamics(definition)
-    , stage(number_of_stage)
-    , grid(grid_of(model.definition(), stage))
-    , dashpots(make_dashpots(model, definition.absorbing.names))
+    , dynamics(acting_in(definition, begin))
+    , stage(begin.stage)
+    , grid(grid_of(model.definition(), begin, load_history.end()))
+    , dashpots(make_dashpots(model, dynamics.absorbing.names))
     , steps(std::move(same_steps))
   {
     // The ratio ζ = α/2ω + βω/2 at both frequencies.
@@ -103,7 +123,7 @@ namespace fuga
         steps->solvers.resize(grid.halvings + 1);
         steps->stiffness.resize(grid.halvings + 1);
       }
-    driving.emplace(model, dynamics, load_history, stage, integration->mass());
+    driving.emplace(model, dynamics, load_history, begin, integration->mass());
     if (!dynamics.free_field.names.empty())
       free_field.emplace(model, *driving, FreeColumn::Damping{mass_damping, stiffness_damping});
   }
@@ -147,6 +167,23 @@ namespace fuga
           if (const std::size_t dof = space.cell_nodes(cell)[i] * dim + c; !model.fixed_dofs()[dof])
             result[dof] = velocities[space.cell_body(cell)][c];
     return result;
+  }
+
+
+  template <int dim>
+  double
+  BodiesInMotion<dim>::largest_velocity() const
+  {
+    const Vector &v = integration->velocity();
+    double largest  = 0.;
+    for (std::size_t node = 0; node < v.size() / dim; ++node)
+      {
+        double square = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          square += v[node * dim + c] * v[node * dim + c];
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
   }
 
 

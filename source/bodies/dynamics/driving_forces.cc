@@ -12,14 +12,15 @@ namespace fuga
   DrivingForces<dim>::DrivingForces(const CondensedSystem<dim> &bodies,
                                     const DynamicsDefinition &definition,
                                     const LoadHistory &load_history,
-                                    const unsigned int number_of_stage,
+                                    const ConstructionState &construction,
                                     const Vector &mass_of_dofs)
     : model(bodies)
     , dynamics(definition)
     , history(load_history)
-    , stage(number_of_stage)
-    , duration(bodies.definition().stages[stage].duration)
-    , shakes(dynamics.earthquake_stage == stage)
+    , begin(construction.begin)
+    , is_first(construction.is_first())
+    , duration(bodies.definition().stages[construction.stage].duration)
+    , shakes(dynamics.earthquake_stage == construction.stage)
     , mass(mass_of_dofs)
     , base_dashpots(make_dashpots(model, dynamics.compliant_base.names))
   {
@@ -32,10 +33,11 @@ namespace fuga
   Vector
   DrivingForces<dim>::at(const double time) const
   {
-    Vector factors = history.factors(stage + std::min(time / duration, 1.));
-    if (stage > 0)
+    const double part = duration > 0. ? std::min(time / duration, 1.) : 1.;
+    Vector factors    = history.factors(begin + part * (history.end() - begin));
+    if (!is_first)
       {
-        add_multiple(-1., history.factors(stage), factors);
+        add_multiple(-1., history.factors(begin), factors);
         // What is out of balance when the phase begins (CarriedLoads::released) moves at once.
         factors.back() = -1.;
       }

@@ -14,8 +14,10 @@ namespace fuga
 {
   namespace
   {
-    /** Below this share of their terms, forces and displacements are rounding errors. */
-    constexpr double rounding = 1e-12;
+    /** Below this share of the largest, forces and displacements are rounding errors; and forces
+     * below the other one of the products that they are sums of, which are large where bodies have
+     * moved far. */
+    constexpr double rounding = 1e-12, rounding_of_terms = 4e-15;
 
     std::vector<bool>
     bodies_built_in(const std::vector<std::string> &body_names,
@@ -91,19 +93,18 @@ namespace fuga
       further_displacements(u, prescribed(patterns, factors, space.n_dofs()), system.fixed_dofs());
 
     Vector terms;
-    Vector &released = result.released.forces = bodies.forces(u, terms);
-    const Vector contact                      = system.bar_forces(state.forces);
+    const Vector elastic = bodies.forces(u, terms);
+    const Vector contact = system.bar_forces(state.forces);
+    Vector &released = result.released.forces = elastic;
     add_multiple(-1., result.carried.forces, released);
     add_multiple(1., contact, released);
     for (std::size_t j = 0; j < patterns.size(); ++j)
       add_multiple(-factors[j], patterns[j].forces, released);
-    double largest = 0.;
-    for (const Vector *part :
-         std::initializer_list<const Vector *>{&terms, &contact, &result.carried.forces})
-      for (const double value : *part)
-        largest = std::max(largest, std::abs(value));
+    const double noise = std::max(
+      rounding * std::max({max_abs(elastic), max_abs(contact), max_abs(result.carried.forces)}),
+      rounding_of_terms * max_abs(terms));
     for (std::size_t dof = 0; dof < released.size(); ++dof)
-      if (supported[dof] || std::abs(released[dof]) <= rounding * largest)
+      if (supported[dof] || std::abs(released[dof]) <= noise)
         released[dof] = 0.;
     return result;
   }

@@ -11,6 +11,41 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** Tells when bodies that were let go have come to rest: their kinetic energy stays below a
+     * small share of the largest it had for as long as it took to become that large, which is more
+     * than the time between two maxima of a vibration about the new equilibrium. */
+    class RestWatch
+    {
+    public:
+      /** Behind a step, all of which are equally long. */
+      void
+      note(const double kinetic_energy)
+      {
+        constexpr double small = 1e-6;
+        ++n_steps;
+        if (kinetic_energy > largest)
+          {
+            largest    = kinetic_energy;
+            to_largest = n_steps;
+          }
+        if (kinetic_energy > small * largest)
+          last_motion = n_steps;
+      }
+
+      bool
+      has_come_to_rest() const
+      {
+        return n_steps > 0 && n_steps - last_motion >= to_largest;
+      }
+
+    private:
+      double largest      = 0.;
+      std::size_t n_steps = 0, to_largest = 0, last_motion = 0;
+    };
+  } // namespace
+
   /** The bodies in steps of one length, and the path through them, whose schemes live on from step
    * to step. */
   struct DynamicPath::Rung
@@ -71,8 +106,15 @@ namespace fuga
     bodies.begin(state.forces, ledger);
     ledger.note_largest();
     make_cut(state, result, observer);
-    for (unsigned int step = 0; step < grid.n_steps; ++step)
-      advance(0, levels, state, result, observer);
+    RestWatch watch;
+    for (unsigned int step = 0; step < grid.n_steps && !watch.has_come_to_rest(); ++step)
+      {
+        advance(0, grid.until_rest ? std::vector<double>() : levels, state, result, observer);
+        if (grid.until_rest)
+          watch.note(ledger.kinetic);
+      }
+    if (grid.until_rest && !watch.has_come_to_rest())
+      result.verdict = Verdict::limit_load;
     make_cut(state, result, observer);
     return result;
   }

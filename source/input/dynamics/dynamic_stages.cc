@@ -16,15 +16,6 @@ namespace fuga
 {
   namespace
   {
-    /** Loads of this kind have no mass that would answer to their change. */
-    bool
-    must_stand_still(const LoadDefinition &load)
-    {
-      return load.kind == LoadKind::displacement || load.kind == LoadKind::imposed_gap ||
-             load.kind == LoadKind::temperature;
-    }
-
-
     bool
     changes(const StageDefinition::History &history,
             const ModelDefinition &model,
@@ -59,7 +50,7 @@ namespace fuga
       const StageEntries &e = entries_of<StageEntries>();
       for (const StageDefinition::History &history : model.stages[stage].histories)
         if (const LoadDefinition &load = model.loads[history.load];
-            must_stand_still(load) && changes(history, model, section.origin(e.loads)))
+            load.is_without_inertia() && changes(history, model, section.origin(e.loads)))
           section.fail(e.loads,
                        fmt::format("the load '{}' must not change in a stage with a Duration: "
                                    "displacements, gaps and temperatures are prescribed without "
@@ -67,7 +58,7 @@ namespace fuga
                                    load.name));
       for (unsigned int i = 0; i < model.loads.size(); ++i)
         if (const LoadDefinition &load = model.loads[i];
-            must_stand_still(load) && depends_on_time(load) && acts(i, stage, model))
+            load.is_without_inertia() && depends_on_time(load) && acts(i, stage, model))
           section.fail(e.duration,
                        fmt::format("the value of load '{}' ({}) depends on t, but displacements, "
                                    "gaps and temperatures must not change in a stage with a "
@@ -96,7 +87,7 @@ namespace fuga
                                    chosen.origin(entry)));
       };
       refuse(!parameters.solver.follow_events, solver.follow);
-      refuse(parameters.solver.beyond_limit, solver.beyond_limit);
+      refuse(parameters.solver.beyond_limit == LimitLoadChoice::arc_length, solver.beyond_limit);
       refuse(parameters.model.body_solver == BodySolver::matrix_free, solver.bodies);
     }
 

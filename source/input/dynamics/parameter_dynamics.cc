@@ -16,9 +16,6 @@ namespace fuga
 {
   namespace
   {
-    /** More steps than anybody waits for: a slip of units. */
-    constexpr double largest_number_of_steps = 1e6;
-
     /** The numbers of an entry between ';'. @p form: how they are written, for messages. */
     std::vector<double>
     read_numbers(const ParameterSection &section,
@@ -183,15 +180,14 @@ namespace fuga
 
 
   void
-  refuse_without_dynamic_stage(const ParameterSection &section, const ModelDefinition &model)
+  refuse_without_motion(const ParameterSection &section)
   {
-    if (!has_dynamic_stage(model))
-      section.for_given([&section](const AnyEntry &entry) {
-        if (entry.declaration->presence == Presence::optional)
-          section.fail(entry,
-                       "no stage has a Duration, so that loads are slow and this does nothing. Add "
-                       "the entry Duration to a stage, or remove this one.");
-      });
+    section.for_given([&section](const AnyEntry &entry) {
+      if (entry.declaration->presence == Presence::optional)
+        section.fail(entry,
+                     "no stage has a Duration, so that loads are slow and this does nothing. Add "
+                     "the entry Duration to a stage, or remove this one.");
+    });
   }
 
 
@@ -202,9 +198,10 @@ namespace fuga
     const ParameterSection section = values.section<DynamicsEntries>();
     read_initial_velocities(values, model);
     values.attempt(section, [&]() {
-      refuse_without_dynamic_stage(section, model);
+      if (!may_move(parameters))
+        refuse_without_motion(section);
       section.read(model.dynamics);
-      if (!has_dynamic_stage(model))
+      if (!may_move(parameters))
         return;
       read_gravity(section, parameters.output.units, model.dynamics.gravity);
       read_massless_bodies(section, model.materials, model.dynamics);
@@ -215,9 +212,11 @@ namespace fuga
       return;
     values.attempt(values.section<EarthquakeEntries>(),
                    [&]() { read_earthquake(values, parameters); });
-    if (values.is_broken<EarthquakeEntries>() || !has_dynamic_stage(model))
+    if (values.is_broken<EarthquakeEntries>())
       return;
     check_dynamic_stages(values, parameters);
     check_number_of_steps(values, model);
+    if (parameters.solver.beyond_limit == LimitLoadChoice::dynamic)
+      check_continuation(values, parameters);
   }
 } // namespace fuga

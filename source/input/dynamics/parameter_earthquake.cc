@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/dynamics/ground_motion.h>
+#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/dynamics/dynamics_readers.h>
 #include <fuga/input/dynamics/record_reader.h>
 #include <fuga/input/entries/parameter_entries.h>
@@ -249,7 +250,8 @@ namespace fuga
   read_earthquake(const ParameterValues &values, Parameters &parameters)
   {
     const ParameterSection section = values.section<EarthquakeEntries>();
-    refuse_without_dynamic_stage(section, parameters.model);
+    if (!has_dynamic_stage(parameters.model))
+      refuse_without_motion(section);
     bool is_wanted = false;
     section.for_given([&is_wanted](const AnyEntry &entry) {
       is_wanted = is_wanted || entry.declaration->presence == Presence::optional;

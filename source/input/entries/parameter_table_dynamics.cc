@@ -10,7 +10,8 @@ namespace fuga
   DynamicsEntries::DynamicsEntries()
     : SectionDeclaration(
         "Dynamics",
-        "How stages with a Duration go on in time: by steps of the generalised-alpha method, which "
+        "How stages with a Duration, and motions beyond a limit load, go on in time: by steps of "
+        "the generalised-alpha method, which "
         "are halved where joints change their state (doc/dynamics.md).")
   {
     time_step = optional(
@@ -59,10 +60,21 @@ namespace fuga
                 number_in(0, 1),
                 "Share of the critical damping that the bodies have at both Damping frequencies "
                 "(Rayleigh); joints dissipate by themselves.");
-    damping_frequencies = optional("Damping frequencies",
+    damping_frequencies  = optional("Damping frequencies",
                                    text(TextContent::numbers),
                                    "'f1; f2' [Hz]: between them the damping is less than the "
-                                   "Damping ratio, outside it is more.");
+                                    "Damping ratio, outside it is more.");
+    longest_continuation = defaulted(
+      "Longest continuation",
+      &DynamicsDefinition::longest_continuation,
+      number_above(0),
+      "For Solver/Beyond limit load = dynamic: bodies that move longer than this [s] have "
+      "no new equilibrium, and the run ends with the limit load.");
+    defaulted("Excess load",
+              &DynamicsDefinition::excess,
+              number_between(0, false, 1),
+              "For the same: the bodies move under the loads that act this part of a stage behind "
+              "the limit load, but before the middle between it and the end of its stage.");
   }
 
 

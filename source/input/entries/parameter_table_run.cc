@@ -63,12 +63,16 @@ namespace fuga
       "What to do where no continuous path goes on although there is an equilibrium near by: "
       "stop with a verdict that names it, or jump there and go on. Energies are not known "
       "behind a jump. A limit load, where no equilibrium is near, ends the run anyway.");
-    beyond_limit =
-      defaulted("Beyond limit load",
-                &SolverSettings::beyond_limit,
-                choice<bool>({{"stop", false}, {"arc length", true}}),
-                "Arc length: goes on beyond a limit load, where the load stays or falls while the "
-                "mechanism moves. For rigid and linear layers.");
+    beyond_limit = defaulted(
+      "Beyond limit load",
+      &SolverSettings::beyond_limit,
+      choice<LimitLoadChoice>({{"stop", LimitLoadChoice::stop},
+                               {"arc length", LimitLoadChoice::arc_length},
+                               {"dynamic", LimitLoadChoice::dynamic}}),
+      "Arc length: goes on beyond a limit load, where the load stays or falls while the "
+      "mechanism moves. For rigid and linear layers. Dynamic: beyond a limit load, and "
+      "where there is no continuation, the bodies move with their inertia under loads that "
+      "stand still; where they come to rest the loads go on (doc/dynamics.md).");
     defaulted("Largest jump beyond limit",
               &SolverSettings::beyond_jump,
               number_from(0),

@@ -94,6 +94,11 @@ namespace fuga
                         stage.name,
                         stage.origin));
         }
+      if (parameters.solver.beyond_limit == LimitLoadChoice::dynamic)
+        section.fail(
+          e.quantity,
+          "the estimate of the error is of slow loads, but beyond a limit load the bodies "
+          "are to move (Solver/Beyond limit load = dynamic). Remove one of the two.");
       if (changes_construction(parameters.model))
         section.fail(e.quantity,
                      "bodies are built or removed, or joints grouted, on the way: the mesh is not "

@@ -6,6 +6,7 @@
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/output/files/version.h>
 #include <fuga/output/tables/summary.h>
+#include <fuga/output/tables/summary_sections.h>
 
 #include <deal.II/base/config.h>
 
@@ -110,65 +111,6 @@ namespace fuga
               {"determinant_signs", critical.determinant_signs},
               {"decisions", summary.path.n_non_unique},
               {"elements", elements}};
-    }
-
-    /** By method; the factor is null where none was found. */
-    Json
-    safety_section(const std::vector<SafetyFactor> &factors)
-    {
-      Json json = Json::object();
-      for (const SafetyFactor &safety : factors)
-        {
-          std::string key = safety.method;
-          std::replace(key.begin(), key.end(), ' ', '_');
-          Json &entry = json[key];
-          entry       = {{"factor", safety.found() ? Json(safety.factor) : Json()},
-                         {"verdict", safety.verdict}};
-          if (safety.verdict == SafetyFactor::largest_factor_reached)
-            entry["factor_at_least"] = safety.factor;
-          if (safety.mechanism != MechanismKind::none)
-            {
-              entry["mechanism"]        = mechanism_name(safety.mechanism);
-              entry["mechanism_joints"] = safety.moving_joints;
-              entry["motion"]           = safety.motion;
-            }
-          entry[safety.method == "load factor" ? "loads" : "joints"] = safety.acts_on;
-          if (safety.verdict != SafetyFactor::not_computed)
-            entry["t"] = safety.t;
-        }
-      return json;
-    }
-
-    /** An estimate that is not known is null. */
-    Json
-    accuracy_section(const AccuracyReport &accuracy)
-    {
-      Json rounds = Json::array();
-      for (const AccuracyReport::Round &round : accuracy.rounds)
-        rounds.push_back({{"cells", round.cells},
-                          {"degrees_of_freedom", round.unknowns},
-                          {"contact_elements", round.contact_elements},
-                          {"estimated_error", round.estimate}});
-      return {{"quantity", accuracy.quantity},
-              {"target", accuracy.target},
-              {"estimated_error", accuracy.rounds.back().estimate},
-              {"reached", accuracy.reached},
-              {"end", accuracy.end},
-              {"rounds", rounds}};
-    }
-
-    Json
-    motion_section(const Summary &summary)
-    {
-      const MotionLedger &energies = summary.motion_energies;
-      return {{"steps_by_halvings", summary.motion_steps},
-              {"work", energies.work},
-              {"kinetic_energy", energies.kinetic},
-              {"energy_of_bodies", energies.bodies},
-              {"damping", energies.damping},
-              {"joint_work", energies.joints},
-              {"largest_energy", energies.largest},
-              {"not_accounted_for", energies.defect()}};
     }
 
     Json
@@ -309,7 +251,9 @@ namespace fuga
                               {"t", beyond.t},
                               {"steps", beyond.n_steps}};
     if (!summary.motion_steps.empty())
-      json["motion"] = motion_section(summary);
+      json["motion"] = motion_section(summary.motion_energies, summary.motion_steps);
+    if (!summary.continuations.empty())
+      json["continuations"] = continuations_section(summary.continuations);
     if (!summary.safety.empty())
       json["safety"] = safety_section(summary.safety);
     if (!summary.accuracy.rounds.empty())

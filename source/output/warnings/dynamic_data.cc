@@ -4,7 +4,6 @@
 #include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/bodies/construction.h>
 #include <fuga/bodies/dynamics/ground_motion.h>
-#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/input/entries/parameter_entries.h>
 #include <fuga/input/values/parameter_scanner.h>
 #include <fuga/output/files/text_table.h>
@@ -49,7 +48,7 @@ namespace fuga
           if (material.weight_density == 0. && moves(material) &&
               !dynamics.is_massless(material.body))
             warnings.push_back(
-              fmt::format("{} = 0: the body has no inertia in stages with a Duration. If that is "
+              fmt::format("{} = 0: the body has no inertia where bodies move. If that is "
                           "meant, name it in {}.",
                           path_name({e.name, material.body, e.weight_density.name()}),
                           path_name({of.name, of.massless_bodies.name()})));
@@ -85,12 +84,15 @@ namespace fuga
         return path_name({e.name, e.records[axis].name()});
       }
 
-      /** Is there in a dynamic stage. */
+      /** Is there in a stage in which it may move. */
       bool
       moves(const Material &material) const
       {
+        const bool may_lose_equilibrium =
+          parameters.solver.beyond_limit == LimitLoadChoice::dynamic;
         for (unsigned int stage = 0; stage < model.stages.size(); ++stage)
-          if (model.stages[stage].is_dynamic() && is_there(material, stage))
+          if ((may_lose_equilibrium || model.stages[stage].is_dynamic()) &&
+              is_there(material, stage))
             return true;
         return false;
       }
@@ -196,7 +198,7 @@ namespace fuga
   std::vector<std::string>
   implausible_dynamics(const Parameters &parameters)
   {
-    if (!has_dynamic_stage(parameters.model))
+    if (!may_move(parameters))
       return {};
     DynamicReview review(parameters);
     review.bodies();

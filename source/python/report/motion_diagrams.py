@@ -11,13 +11,13 @@ SHOWN_JOINTS = 4
 
 
 def histories(results):
-    """Ground, forces and motions of the joints and energies over time; None without a dynamic stage."""
-    if results.motion is None:
+    """Ground, forces and motions of the joints and energies over the time of the last motion; None without one."""
+    if results.motion is None or results.motion.frame.empty:
         return None
     table = results.motion
     frame, units = table.frame, table.units
-    stages = frame["t"].apply(lambda t: int(t) if t > int(t) else int(t) - 1)
-    frame = frame[stages == stages.iloc[-1]]
+    motions = (frame["time"].diff() < 0.0).cumsum()
+    frame = frame[motions == motions.iloc[-1]]
     joints = list(dict.fromkeys(frame["joint"]))[:SHOWN_JOINTS]
     one = frame[frame["joint"] == joints[0]]
     figure = new_figure(7.4)
@@ -48,5 +48,5 @@ def histories(results):
     last = {joint: frame[frame["joint"] == joint].iloc[-1] for joint in joints}
     remains = "; ".join(f"'{joint}' {rounded(row['mean_slip'], 4)} {units['mean_slip']} of slip in the mean, "
                         f"{rounded(row['largest_gap'], 3)} {units['largest_gap']} of largest gap" for joint, row in last.items())
-    return to_figure(figure, "Histories over the time since the stage began: acceleration of the ground, forces and motions of the "
-                             f"joints, energies since the beginning of the stage. At its end: {remains}.")
+    return to_figure(figure, "Histories over the time since the motion began: acceleration of the ground, forces and motions of the "
+                             f"joints, energies since then. At its end: {remains}.")

@@ -74,6 +74,9 @@ def _verdict_words(summary):
     if limit:
         factors = ", ".join(f"{name} {rounded(factor)}" for name, factor in limit["load_factors"].items())
         sentences.append(f"Load factors at the limit: {factors}.")
+        for motion in summary.get("continuations", [])[-1:]:
+            sentences.append(f"After {rounded(motion['seconds'], 3)} s the bodies still move, with "
+                             f"{rounded(motion['largest_velocity_at_end'], 3)} units of length per second.")
     else:
         sentences.append("Nothing moves freely there, yet no quasi-static continuation exists: friction is beyond its "
                          "critical value.")
@@ -234,6 +237,20 @@ def _flat(value, path=""):
 
 def _words(section, prefix=""):
     return [[prefix + path.replace("_", " "), value] for path, value in _flat(section)]
+
+
+def continuations(results):
+    """A row per motion behind the loss of an equilibrium."""
+    motions = results.summary.get("continuations", [])
+    if not motions:
+        return None
+    length, energy = results.resultants.units["largest_slip"], results.resultants.units["external_work"]
+    rows = [[motion["verdict"], motion["t"], motion["t_of_loads"], "rest" if motion["comes_to_rest"] else "still moving",
+             motion["seconds"], motion["largest_slip"], motion["largest_opening"], motion["work"], motion["friction_work"],
+             motion["damping"]] for motion in motions]
+    head = ["equilibrium lost by", "t", "t of the loads", "end", "seconds", f"largest slip [{length}]", f"opening [{length}]",
+            f"work of the loads [{energy}]", f"friction [{energy}]", f"damping [{energy}]"]
+    return Table(rows, head, "continuations-table")
 
 
 def sizes(summary):

@@ -26,11 +26,7 @@ namespace fuga
   Model<dim>::Model(const Parameters &run_parameters,
                     const PhaseEnd &before,
                     std::shared_ptr<CondensedSystem<dim>> same_bodies)
-    : Model(run_parameters,
-            {before.stage, before.begin, before.follows_loss, {}, {}, {}, {}},
-            &before,
-            Condensation::with_loads,
-            std::move(same_bodies))
+    : Model(run_parameters, before.next, &before, Condensation::with_loads, std::move(same_bodies))
   {
   }
 
@@ -137,8 +133,11 @@ namespace fuga
       check_later_phases();
     if (!is_last_phase())
       {
-        program.history        = program.history.until(next_stage());
-        program.end_of_loading = program.history.end();
+        const double end       = construction.follows_loss
+                                   ? parameters.model.dynamics.end_of_continuation(construction.begin)
+                                   : next_stage();
+        program.history        = program.history.with_corner(end).until(end);
+        program.end_of_loading = end;
       }
     bodies.check_load_patterns(program.patterns);
     if (!construction.is_first())
@@ -297,7 +296,7 @@ namespace fuga
           break;
       }
     options.follow_jumps   = parameters.solver.follow_jumps;
-    options.beyond_limit   = parameters.solver.beyond_limit;
+    options.beyond_limit   = parameters.solver.beyond_limit == LimitLoadChoice::arc_length;
     options.beyond_jump    = parameters.solver.beyond_jump;
     options.tolerance      = parameters.solver.iteration_tolerance;
     options.max_iterations = parameters.solver.maximum_iterations;

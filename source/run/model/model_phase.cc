@@ -68,8 +68,6 @@ namespace fuga
             for (std::size_t bar = 0; bar < water.size(); ++bar)
               construction.forces[bar] -= water[bar];
           }
-        construction.displacement = before->displacement;
-        construction.shapes       = before->shapes;
         put_new_nodes_on_supports(
           bodies, before->was_there, program.patterns, factors, construction.displacement);
         if (construction.begins_stage())
@@ -123,6 +121,25 @@ namespace fuga
       imposed = multiply(bodies.imposed_jumps(), loads.history.factors(construction.begin));
     for (std::size_t bar = 0; bar < offsets.size(); ++bar)
       offsets[bar] -= of_bodies[bar] + imposed[bar];
+  }
+
+  // What is prescribed without inertia must stand still where bodies move.
+  template <int dim>
+  bool
+  Model<dim>::goes_on_in_motion(const PathResult &result) const
+  {
+    if (parameters.solver.beyond_limit != LimitLoadChoice::dynamic || is_dynamic() ||
+        (result.verdict != Verdict::limit_load && result.verdict != Verdict::no_continuation) ||
+        !(result.t < parameters.model.dynamics.end_of_continuation(result.t)))
+      return false;
+    const Vector rates   = loads.load_factors.rates(result.t),
+                 factors = loads.load_factors.factors(result.t);
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      if (const LoadDefinition &load = parameters.model.loads[i];
+          load.is_without_inertia() &&
+          (rates[i] != 0. || (factors[i] != 0. && depends_on_time(load))))
+        return false;
+    return true;
   }
 
   template <int dim>

@@ -10,6 +10,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fuga
 {
@@ -37,6 +38,19 @@ namespace fuga
       std::vector<bool> result;
       for (const JointParameters &joint : joints)
         result.push_back(joint.normal_law == LayerLaw::rigid || joint.shear_law == LayerLaw::rigid);
+      return result;
+    }
+
+    /** A path that goes on. */
+    PathResult
+    without_loss(PathResult result)
+    {
+      result.verdict   = Verdict::done;
+      result.mechanism = MechanismKind::none;
+      result.mechanism_jumps.clear();
+      if (result.n_non_unique == 0)
+        result.critical = {};
+      result.tried.clear();
       return result;
     }
   } // namespace
@@ -80,7 +94,7 @@ namespace fuga
     return std::make_unique<BodiesInMotion<dim>>(model.bodies,
                                                  parameters.model.dynamics,
                                                  loading,
-                                                 model.construction.stage,
+                                                 model.construction,
                                                  massless_joints(parameters.joints),
                                                  steps);
   }
@@ -178,12 +192,18 @@ namespace fuga
                        const std::size_t next_level)
   {
     PhaseEnd end;
-    end.stage      = model.next_stage();
-    end.begin      = end.stage;
+    end.next.shapes       = model.construction.shapes;
+    end.next.follows_loss = result.verdict != Verdict::done;
+    if (end.next.follows_loss || model.construction.follows_loss)
+      {
+        end.next.stage = static_cast<unsigned int>(std::floor(last_state.t));
+        end.next.begin = last_state.t;
+      }
+    else
+      end.next.begin = end.next.stage = model.next_stage();
     end.mesh       = model.shared_mesh;
     end.elements   = joint.elements;
     end.identities = model.bodies.identities();
-    end.shapes     = model.construction.shapes;
 
     const dealii::Vector<double> u =
       motion
@@ -191,7 +211,7 @@ namespace fuga
         : model.bodies.recover(model.loads.history.factors(last_state.t), monitored(last_state));
     if (motion)
       judge.end_motion(energies().bodies);
-    end.displacement.assign(u.begin(), u.end());
+    end.next.displacement.assign(u.begin(), u.end());
     end.was_there.assign(u.size(), false);
     const Discretization<dim> &space = model.bodies.discretization();
     for (std::size_t node = 0; node < space.n_nodes(); ++node)
@@ -200,7 +220,7 @@ namespace fuga
 
     end.checkpoint.record.last_state = last_state;
     end.checkpoint.judge             = judge.memory();
-    end.checkpoint.cut.result        = result;
+    end.checkpoint.cut.result        = without_loss(result);
     end.checkpoint.cut.iterations    = path->iterations();
     end.checkpoint.cut.next_level    = next_level;
     return end;

@@ -20,7 +20,7 @@ namespace fuga
         simulation.reset();
         const std::shared_ptr<const Parameters> parameters = model->shared_parameters;
         std::shared_ptr<CondensedSystem<dim>> bodies;
-        if (keeps_structure(parameters->model, end.stage))
+        if (!end.next.begins_stage() || keeps_structure(parameters->model, end.next.stage))
           bodies = model->shared_bodies;
         model.reset(); // two factorisations at once would take twice the memory
         model      = std::make_unique<const Model<dim>>(*parameters, end, std::move(bodies));

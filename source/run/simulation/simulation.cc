@@ -4,7 +4,6 @@
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
 #include <fuga/base/work_counter.h>
-#include <fuga/bodies/dynamics/time_steps.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/output/tables/summary.h>
@@ -13,6 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace fuga
@@ -38,7 +38,7 @@ namespace fuga
               parameters.output.units,
               !model.bodies.closed_water().empty(),
               dim == 3,
-              has_dynamic_stage(parameters.model),
+              may_move(parameters),
               DrivingQuantities(parameters.model, model.loads.load_factors)}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
@@ -68,16 +68,22 @@ namespace fuga
     try
       {
         PathResult found = path_to_follow();
-        if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
+        if (model.construction.follows_loss)
+          outcome.mechanism = end_continuation(found);
+        else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
           write_last_state();
-        if (found.verdict == Verdict::done && !model.is_last_phase())
+        if (model.goes_on_in_motion(found) ||
+            (found.verdict == Verdict::done && !model.is_last_phase()))
           {
+            if (found.verdict != Verdict::done)
+              begin_continuation(found);
             end_of_phase = found;
             return ExitCode::done;
           }
-        outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
-        outcome.path      = found;
-        outcome.verdict   = verdict_name(found.verdict);
+        if (!model.construction.follows_loss)
+          outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
+        outcome.path    = found;
+        outcome.verdict = verdict_name(found.verdict);
         outcome.code =
           found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
         find_safety(outcome);
@@ -304,8 +310,10 @@ namespace fuga
   {
     if (last_state.states.empty())
       return;
+    constexpr double rounding = 1e-14;
     const bool is_level =
-      levels_written > 0 && model.loads.levels[levels_written - 1] == last_state.t;
+      levels_written > 0 && std::abs(model.loads.levels[levels_written - 1] - last_state.t) <=
+                              rounding * std::max(1., last_state.t);
     if (!is_level)
       write_state(last_state, parameters.output.fields != FieldOutput::never);
   }

@@ -34,11 +34,17 @@ namespace fuga
                     outcome.path.n_followed_jumps,
                     outcome.path.jump.t,
                     describe_jump(outcome.path.jump)));
-    if (parameters.solver.beyond_limit && outcome.path.beyond.end == BeyondLimit::End::none &&
+    if (parameters.solver.beyond_limit == LimitLoadChoice::arc_length &&
+        outcome.path.beyond.end == BeyondLimit::End::none &&
         (outcome.path.verdict == Verdict::limit_load ||
          outcome.path.verdict == Verdict::no_continuation))
       log.warning("The path was not followed beyond the limit load: that needs rigid or linear "
                   "layers.");
+    if (parameters.solver.beyond_limit == LimitLoadChoice::dynamic && !motion &&
+        (outcome.path.verdict == Verdict::limit_load ||
+         outcome.path.verdict == Verdict::no_continuation))
+      log.warning("The motion beyond the limit load was not followed: displacements, gaps or "
+                  "temperatures change there, which have no inertia.");
     for (const std::string &text :
          tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
       log.warning(text);
@@ -128,7 +134,7 @@ namespace fuga
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
           if (const std::string text = model.motion(joint.elements, outcome.path); !text.empty())
             log.line("            " + text);
-          if (outcome.path.verdict == Verdict::limit_load)
+          if (outcome.path.verdict == Verdict::limit_load && outcome.mechanism.proves())
             log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
                                  "part {:.1e}, balance of "
                                  "power {:.1e}; the load drives it with {:.3g} of its power",
@@ -155,6 +161,8 @@ namespace fuga
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
     log_motion();
+    for (const MotionBeyondLimit &motion : continuations)
+      log.line("Continued   " + describe(motion));
     log_resultants();
     if (!accuracy.rounds.empty())
       log.line("Accuracy    " + accuracy.conclusion());
@@ -251,6 +259,7 @@ namespace fuga
       summary.work.bodies.add(motion->step_solvers()->work());
     summary.motion_energies   = motion_energies;
     summary.motion_steps      = motion_steps;
+    summary.continuations     = continuations;
     summary.events_by_kind    = events_by_kind;
     summary.n_events          = n_events;
     summary.iterations        = path->iterations();

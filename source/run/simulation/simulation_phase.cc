@@ -26,10 +26,15 @@ namespace fuga
   {
     const Checkpoint checkpoint = phase.enter(before);
     continue_output(checkpoint);
-    log.line(model.change_of_construction());
-    for (const std::string &line : joint.report)
-      log.line(line);
-    log_model();
+    if (model.construction.begins_stage())
+      {
+        log.line(model.change_of_construction());
+        for (const std::string &line : joint.report)
+          log.line(line);
+        log_model();
+      }
+    else if (!motion)
+      write_state(last_state, parameters.output.fields != FieldOutput::never);
     return follow([&]() { return path->go_on(checkpoint.cut, model.loads.levels, *this); });
   }
 

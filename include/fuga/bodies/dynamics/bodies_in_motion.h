@@ -18,10 +18,11 @@
 namespace fuga
 {
   /**
-   * The finite element model in a stage with a duration: displacements from where the stage begins,
-   * relative to the ground, under what the loads change since then and the inertia of the moving
-   * ground. Each length of step has a factorisation of its own, made when first needed; a step is
-   * one solution with it. (doc/theory.md, section 19)
+   * The finite element model in a stage with a duration, or in the motion that follows the loss of
+   * an equilibrium: displacements from where the motion begins, relative to the ground, under what
+   * the loads change since then and the inertia of the moving ground. Each length of step has a
+   * factorisation of its own, made when first needed; a step is one solution with it.
+   * (doc/theory.md, section 19)
    */
   template <int dim>
   class BodiesInMotion : public MovingBodies
@@ -29,14 +30,14 @@ namespace fuga
   public:
     /**
      * @p bodies: the model at rest, with its load patterns; @p dynamics: its own, but for the motion
-     * of the ground; @p history: factors of the patterns. All must live as long as this object. @p
-     * stage: a dynamic one. @p massless_joints: see lumped_mass(). @p steps: of another motion of
+     * of the ground; @p history: factors of the patterns up to the end of the motion. All must live
+     * as long as this object. @p begin: of the phase. @p massless_joints: see lumped_mass(). @p steps: of another motion of
      * these bodies, used if they fit.
      */
     BodiesInMotion(const CondensedSystem<dim> &bodies,
                    const DynamicsDefinition &dynamics,
                    const LoadHistory &history,
-                   const unsigned int stage,
+                   const ConstructionState &begin,
                    const std::vector<bool> &massless_joints,
                    std::shared_ptr<StepSolvers> steps = nullptr);
 
@@ -66,7 +67,7 @@ namespace fuga
       return grid;
     }
 
-    /** Since the stage began [s]. */
+    /** Since the motion began [s]. */
     double
     time() const
     {
@@ -80,12 +81,16 @@ namespace fuga
       return driving->ground_acceleration(present_time);
     }
 
-    /** Displacement since the stage began; entry node * dim + component. */
+    /** Displacement since the motion began; entry node * dim + component. */
     const Vector &
     displacement() const
     {
       return integration->displacement();
     }
+
+    /** Of any node [m/s]. */
+    double
+    largest_velocity() const;
 
     /** Error of the equilibrium M ü + C u̇ + K u + Gᵀ(p - p_0) = f of all nodes for bar forces @p p. */
     EquilibriumError
@@ -119,7 +124,7 @@ namespace fuga
     add_dashpots(const double factor, SymmetricTriplets &matrix) const;
 
     const CondensedSystem<dim> &model;
-    const DynamicsDefinition &dynamics;
+    const DynamicsDefinition dynamics;
     const unsigned int stage;
     const TimeGrid grid;
     /** α and β of Rayleigh's damping αM + βK [1/s, s]. */

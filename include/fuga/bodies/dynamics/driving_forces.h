@@ -5,31 +5,34 @@
 #define fuga_bodies_dynamics_driving_forces_h
 
 #include <fuga/bodies/condensed/condensed_system.h>
+#include <fuga/bodies/construction.h>
 #include <fuga/bodies/dynamics/dashpots.h>
 #include <fuga/contact/load_history.h>
 
 namespace fuga
 {
   /**
-   * What drives the bodies in a dynamic stage, beyond what acted on them before: loads that change,
-   * and the ground. With a rigid base it is the inertia of the moving ground, with a compliant one
-   * the force 2 C_b v of a wave with the velocity v that comes up through dashpots C_b: half of it
-   * moves the ground behind them (W. B. Joyner, A. T. F. Chen, Calculation of nonlinear ground
-   * response in earthquakes, Bull. Seism. Soc. Am. 65, 1975).
+   * What drives the bodies in motion, beyond what acted on them before: loads that change, at once
+   * to what they are at the end where the stage has no duration, and the ground. With a rigid base
+   * it is the inertia of the moving ground, with a compliant one the force 2 C_b v of a wave with
+   * the velocity v that comes up through dashpots C_b: half of it moves the ground behind them (W.
+   * B. Joyner, A. T. F. Chen, Calculation of nonlinear ground response in earthquakes, Bull. Seism.
+   * Soc. Am. 65, 1975).
    */
   template <int dim>
   class DrivingForces
   {
   public:
-    /** @p mass of the degrees of freedom, as in lumped_mass(). Model, definition and history must
-     * live as long as this object. */
+    /** @p history: up to the end of the motion; @p begin: of its phase; @p mass of the degrees of
+     * freedom, as in lumped_mass(). Model, definition and history must live as long as this object.
+     */
     DrivingForces(const CondensedSystem<dim> &model,
                   const DynamicsDefinition &dynamics,
                   const LoadHistory &history,
-                  const unsigned int stage,
+                  const ConstructionState &begin,
                   const Vector &mass);
 
-    /** @p time since the beginning of the stage [s]; forces by nodes [MN]. */
+    /** @p time since the beginning of the motion [s]; forces by nodes [MN]. */
     Vector
     at(const double time) const;
 
@@ -52,7 +55,10 @@ namespace fuga
     const CondensedSystem<dim> &model;
     const DynamicsDefinition &dynamics;
     const LoadHistory &history;
-    const unsigned int stage;
+    /** Load time. */
+    const double begin;
+    const bool is_first;
+    /** Of the stage [s]. */
     const double duration;
     /** The ground moves in this stage. */
     const bool shakes;

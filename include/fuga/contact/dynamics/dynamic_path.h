@@ -18,6 +18,9 @@ namespace fuga
    * cost energy, because the time integration knows nothing of them, or an element slips beyond the
    * time at which it comes to rest, the step is halved; each length has its own stiffness,
    * condensed when first needed. (doc/theory.md, section 19)
+   *
+   * A motion until rest (TimeGrid) reports no levels, and ends with the verdict that the load is
+   * beyond its limit if the bodies still move behind the last step.
    */
   class DynamicPath : public ContactPath
   {

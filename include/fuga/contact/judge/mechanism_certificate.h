@@ -4,6 +4,7 @@
 #ifndef fuga_contact_judge_mechanism_certificate_h
 #define fuga_contact_judge_mechanism_certificate_h
 
+#include <fuga/base/fields.h>
 #include <fuga/contact/tangent_vector.h>
 
 namespace fuga
@@ -39,6 +40,17 @@ namespace fuga
     bool
     proves() const;
   };
+
+  template <typename Proof, typename Visitor, only_for<Proof, MechanismCertificate> = 0>
+  void
+  for_each_field(Proof &proof, Visitor &&visit)
+  {
+    auto &[resistance, inadmissible, balance, drive] = proof;
+    visit("resistance", resistance);
+    visit("inadmissible", inadmissible);
+    visit("balance", balance);
+    visit("drive", drive);
+  }
 
   /** How the contact condition of an element lets it move while no force changes. */
   struct Freedom

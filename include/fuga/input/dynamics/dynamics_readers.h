@@ -9,6 +9,9 @@
 
 namespace fuga
 {
+  /** More steps of a motion than anybody waits for: a slip of units. */
+  constexpr double largest_number_of_steps = 1e6;
+
   /**
    * Sections Dynamics and Earthquake, the velocities with which bodies begin, and what stages with
    * a duration ask of everything else, which must have been read. @throws InputError
@@ -24,9 +27,14 @@ namespace fuga
   void
   check_dynamic_stages(const ParameterValues &values, const Parameters &parameters);
 
-  /** Fails at an entry that has no default if no stage has a duration. */
+  /** What Solver/Beyond limit load = dynamic needs, and what cannot be done together with it.
+   * @throws InputError */
   void
-  refuse_without_dynamic_stage(const ParameterSection &section, const ModelDefinition &model);
+  check_continuation(const ParameterValues &values, const Parameters &parameters);
+
+  /** Fails at an entry that has no default. */
+  void
+  refuse_without_motion(const ParameterSection &section);
 } // namespace fuga
 
 #endif

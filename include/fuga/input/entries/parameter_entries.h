@@ -153,7 +153,7 @@ namespace fuga
   struct DynamicsEntries : SectionDeclaration
   {
     DynamicsEntries();
-    Number time_step, gravity, damping_ratio;
+    Number time_step, gravity, damping_ratio, longest_continuation;
     Text massless_bodies, absorbing, damping_frequencies;
   };
 
@@ -207,7 +207,8 @@ namespace fuga
   struct SolverEntries : SectionDeclaration
   {
     SolverEntries();
-    Entry<bool> follow, beyond_limit;
+    Entry<bool> follow;
+    Entry<LimitLoadChoice> beyond_limit;
     Entry<BodySolver> bodies;
   };
 

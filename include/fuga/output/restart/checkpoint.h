@@ -9,6 +9,7 @@
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/parameters.h>
 #include <fuga/output/fields/field_writer.h>
+#include <fuga/output/results/motion_beyond_limit.h>
 #include <fuga/output/tables/history_writer.h>
 #include <fuga/output/tables/run_log.h>
 
@@ -27,6 +28,8 @@ namespace fuga
     /** Of the last dynamic stage: energies at its end, and numbers of steps by halvings. */
     MotionLedger motion_energies;
     std::vector<std::size_t> motion_steps;
+    /** Motions behind the loss of an equilibrium; the last one may be under way. */
+    std::vector<MotionBeyondLimit> continuations;
   };
 
   template <typename Record, typename Visitor, only_for<Record, RunRecord> = 0>
@@ -39,7 +42,8 @@ namespace fuga
            events_by_kind,
            n_events,
            motion_energies,
-           motion_steps] = record;
+           motion_steps,
+           continuations] = record;
     visit("last_state", last_state);
     visit("levels_written", levels_written);
     visit("worst", worst);
@@ -47,6 +51,7 @@ namespace fuga
     visit("n_events", n_events);
     visit("motion_energies", motion_energies);
     visit("motion_steps", motion_steps);
+    visit("continuations", continuations);
   }
 
   /**

@@ -10,6 +10,7 @@
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/parameters.h>
+#include <fuga/output/results/motion_beyond_limit.h>
 #include <fuga/output/tables/accuracy_report.h>
 
 #include <map>
@@ -113,9 +114,10 @@ namespace fuga
     AccuracyReport accuracy;
     IterationCount iterations;
     Certificate certificate;
-    /** RunRecord::motion_energies and motion_steps. */
+    /** RunRecord::motion_energies, motion_steps and continuations. */
     MotionLedger motion_energies;
     std::vector<std::size_t> motion_steps;
+    std::vector<MotionBeyondLimit> continuations;
   };
 
   /** What it says of a sweep. */

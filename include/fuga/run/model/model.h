@@ -98,6 +98,10 @@ namespace fuga
       return construction.follows_loss || parameters.model.stages[construction.stage].is_dynamic();
     }
 
+    /** Whether a path that ended so goes on as a motion. */
+    bool
+    goes_on_in_motion(const PathResult &result) const;
+
     bool
     is_last_phase() const
     {

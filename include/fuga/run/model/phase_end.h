@@ -16,17 +16,13 @@ namespace fuga
   /** How a phase of construction ended: all that the next one needs to know of it. */
   struct PhaseEnd
   {
-    /** How the next phase begins: see ConstructionState. */
-    unsigned int stage = 0;
-    double begin       = 0.;
-    bool follows_loss  = false;
+    /** What the next one begins with, but for the forces of its bars and what follows from them. */
+    ConstructionState next;
     std::shared_ptr<const JointedMesh> mesh;
     PhaseTimer timer;
 
-    /** Of all degrees of freedom, [m], see Discretization::dof(); and which of them were there. */
-    Vector displacement;
+    /** Which degrees of freedom were there, see Discretization::dof(). */
     std::vector<bool> was_there;
-    std::vector<StressFreeShape> shapes;
 
     /** Only geometry and bars are used; the laws do not live any more. */
     std::vector<ContactElement> elements;

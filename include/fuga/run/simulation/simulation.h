@@ -105,6 +105,15 @@ namespace fuga
 
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
+    /** The slow path has lost its equilibrium, @p loss, and goes on as a motion. */
+    void
+    begin_continuation(PathResult &loss);
+    /** The motion has ended: either at rest, or @p result becomes the verdict of the slow path that
+     * it followed, whose proof is returned. */
+    MechanismCertificate
+    end_continuation(PathResult &result);
+    std::string
+    describe(const MotionBeyondLimit &motion) const;
     /** What shows that the data are too ill-conditioned for the bound of the certificate; empty if
      * nothing does, or if it was not asked. */
     std::string
