@@ -4,17 +4,10 @@
 // Paths through phases of construction: levels, restarts, mistakes in the input.
 
 #include "scenes/blocks_mesh.h"
+#include "scenes/phase_restarts.h"
 #include "scenes/scene_run.h"
 
-#include <fuga/input/read/read_parameters.h>
-#include <fuga/output/files/output_files.h>
-#include <fuga/run/simulation/phases.h>
-
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <sstream>
 
 using namespace fuga;
 using namespace fuga::tests;
@@ -22,8 +15,6 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-  namespace fs = std::filesystem;
-
   constexpr double E = 1000., weight = 2., rho = 1e-3;
 
   Json
@@ -116,77 +107,10 @@ TEST(Construction, LevelsDoNotMatter)
       }
 }
 
-namespace
-{
-  class Stop
-  {
-  };
-
-  /** Files of a run by name, without what may differ: times, memory, and that it was restarted. */
-  std::map<std::string, std::string>
-  results(const std::string &directory)
-  {
-    std::map<std::string, std::string> files;
-    for (const auto &entry : fs::directory_iterator(directory))
-      {
-        const std::string name = entry.path().filename();
-        std::string text       = file_text(entry.path());
-        if (name == checkpoint_file_name)
-          continue;
-        if (name == "summary.json")
-          {
-            Json summary = Json::parse(text);
-            for (const char *key : {"seconds", "memory_MB", "work"})
-              summary.erase(key);
-            text = summary.dump(1);
-          }
-        if (name == "log.txt")
-          {
-            std::istringstream lines(text);
-            text.clear();
-            for (std::string line; std::getline(lines, line);)
-              if (line.rfind("Time ", 0) != 0 && line.rfind("Restarted ", 0) != 0)
-                text += line + "\n";
-          }
-        files[name] = text;
-      }
-    return files;
-  }
-} // namespace
-
 // A restart from checkpoints in all phases ends in the files of the unbroken run, byte for byte.
 TEST(Construction, Restart)
 {
-  Parameters parameters =
-    read_parameters(wall(2), {"Output/Checkpoint=every event", "Output/Fields=levels"});
-  const std::string directory = parameters.output.directory = temporary_directory();
-  std::size_t n_checkpoints                                 = 0;
-  EXPECT_EQ(run_all_phases<2>(
-              std::make_unique<const Model<2>>(parameters), nullptr, [&]() { ++n_checkpoints; }),
-            ExitCode::done);
-  const auto expected = results(directory);
-  EXPECT_GT(n_checkpoints, 14u);
-  for (std::size_t last = 1; last < n_checkpoints; last += 3)
-    {
-      std::size_t count = 0;
-      EXPECT_THROW(run_all_phases<2>(std::make_unique<const Model<2>>(parameters),
-                                     nullptr,
-                                     [&]() {
-                                       if (++count == last)
-                                         throw Stop();
-                                     }),
-                   Stop);
-      const Checkpoint checkpoint = read_checkpoint(directory);
-      EXPECT_EQ(
-        run_all_phases<2>(std::make_unique<const Model<2>>(parameters, checkpoint.construction),
-                          &checkpoint),
-        ExitCode::done);
-      const auto found = results(directory);
-      for (const auto &[name, text] : expected)
-        EXPECT_TRUE(found.count(name) == 1 && found.at(name) == text)
-          << name << " behind checkpoint " << last;
-      EXPECT_EQ(found.size(), expected.size());
-    }
+  EXPECT_GT(restart_everywhere(wall(2), {"Output/Fields=levels"}, 3), 14u);
 }
 
 // Mistakes are named before anything is computed.

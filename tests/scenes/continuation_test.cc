@@ -7,6 +7,7 @@
 
 #include "known_answer.h"
 #include "scenes/grid_mesh.h"
+#include "scenes/phase_restarts.h"
 #include "scenes/scene_run.h"
 
 #include <fmt/format.h>
@@ -225,5 +226,35 @@ namespace fuga::tests
     // Equilibrium alone says this.
     EXPECT_NEAR(of_joint(run, "stop", "N", 2.), -1., 1e-9);
     EXPECT_NEAR(of_joint(run, "base", "T", 2.), 0., 1e-9);
+  }
+
+  // A push of 0.6 for 0.2 s leaves the block with a velocity, and on its way to the spring; the
+  // slow stage behind begins when it rests, with the same pull.
+  TEST(Continuation, MotionBehindADynamicStage)
+  {
+    Json scene = block_before_a_spring({{"Friction coefficient", 0.5}});
+    scene["Stages"].erase("pull");
+    scene["Stages"]["push"]          = {{"Loads", "pull: 0.6"}, {"Duration", 0.2}};
+    scene["Stages"]["pull"]          = {{"Loads", "pull: 0.6"}};
+    scene["Dynamics"]["Excess load"] = 1e-3;
+    const SceneRun run               = run_scene(write_scene(long_block(), scene));
+    ASSERT_EQ(run.exit_code, 0);
+    EXPECT_LE(run.certificate(), 1e-9);
+    const nlohmann::json &motion = run.summary.at("continuations").at(0);
+    EXPECT_EQ(motion.at("cause"), "dynamic stage");
+    EXPECT_TRUE(motion.at("comes_to_rest"));
+    const double slip = way_to_rest(0.6 - 0.5, mass_damping(0.2), 0.05, 20.);
+    // The force comes at once: before it slips the block moves on the springs of its base, and N
+    // swings.
+    expect_answer({problem, "slip in a dynamic stage and behind it [m]", slip, rigid_block},
+                  of_joint(run, "base", "largest_slip", 3.),
+                  6e-3 * slip);
+  }
+
+  TEST(Continuation, Restart)
+  {
+    const std::string file =
+      write_scene(long_block(), block_before_a_spring({{"Friction coefficient", 0.5}}));
+    EXPECT_GT(restart_everywhere(file, {"Output/Log=quiet"}, 5), 20u);
   }
 } // namespace fuga::tests

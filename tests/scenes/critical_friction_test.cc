@@ -108,6 +108,40 @@ TEST(CriticalFriction, OfOneFiniteElement)
 
 // Where the shear goes back from the strength, stick and slip are both admissible: reported, or
 // followed on request.
+// Where the corner cannot go on slowly it snaps off the plane, and rests in the equilibrium of the
+// element alone: K u = F with K_tt = K_nn = (D11 + G)/3 and K_tn = -(D12 + G)/4 of the bilinear
+// element.
+TEST(CriticalFriction, SnapOfOneFiniteElement)
+{
+  const SceneRun run = run_corner(3.,
+                                  "4*t",
+                                  "4",
+                                  {"Bodies/block/Weight density=1",
+                                   "Joints/base/Normal law=linear",
+                                   "Joints/base/Normal stiffness=1000",
+                                   "Joints/base/Shear law=linear",
+                                   "Joints/base/Shear stiffness=1000",
+                                   "Solver/Beyond limit load=dynamic",
+                                   "Dynamics/Time step=0.01",
+                                   "Dynamics/Gravity=10",
+                                   "Dynamics/Damping ratio=0.1",
+                                   "Dynamics/Damping frequencies=0.5; 2",
+                                   "Dynamics/Longest continuation=100"});
+  ASSERT_EQ(run.exit_code, 0);
+  EXPECT_LE(run.certificate(), 1e-9);
+  const auto &snap = run.summary.at("continuations").at(0);
+  EXPECT_EQ(snap.at("cause"), "no continuation");
+  EXPECT_NEAR(snap.at("t").get<double>(), 1.75, 1e-3); // the layer gives a little
+  EXPECT_TRUE(snap.at("comes_to_rest"));
+  const double nu = 0.3, G = 0.5 / (1. + nu), D12 = nu / ((1. + nu) * (1. - 2. * nu)),
+               D11 = D12 + 2. * G, a = (D11 + G) / 3., b = (D12 + G) / 4.;
+  for (const double t : {2., 3.})
+    {
+      EXPECT_EQ(run.states(t).back(), "open");
+      EXPECT_NEAR(run.values("gap", t).back(), (4. * b - a) / (a * a - b * b), 1e-9);
+    }
+}
+
 TEST(CriticalFriction, TwoContinuationsOfOneFiniteElement)
 {
   const std::string up = "2.5*t", back = "2.5 - t";

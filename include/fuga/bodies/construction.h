@@ -84,10 +84,13 @@ namespace fuga
      * time where equilibrium was lost, or found again. */
     unsigned int stage = 0;
     double begin       = 0.;
-    /** Equilibrium was lost; the phase is the motion that follows. */
-    bool follows_loss = false;
+    /** The phase is a motion that goes on until the bodies rest: equilibrium was lost, or they
+     * still moved at the end of a dynamic stage. */
+    bool until_rest = false;
     /** At its beginning, of all degrees of freedom (Discretization::dof()) [m]. */
     Vector displacement;
+    /** Of such a motion; empty: zero [m/s]. */
+    Vector velocity;
     /** Bar forces then, less those of water in open elements [MN]. */
     Vector forces;
     /** What the bars feel besides the jump of the bodies and the imposed gaps [m]. */
@@ -98,14 +101,14 @@ namespace fuga
     bool
     is_first() const
     {
-      return begin == 0. && !follows_loss;
+      return begin == 0. && !until_rest;
     }
 
     /** The phase begins with its stage, with all that is built, removed and grouted then. */
     bool
     begins_stage() const
     {
-      return begin == stage && !follows_loss;
+      return begin == stage && !until_rest;
     }
   };
 
@@ -113,11 +116,12 @@ namespace fuga
   void
   for_each_field(State &state, Visitor &&visit)
   {
-    auto &[stage, begin, follows_loss, displacement, forces, jump_offsets, shapes] = state;
+    auto &[stage, begin, until_rest, displacement, velocity, forces, jump_offsets, shapes] = state;
     visit("stage", stage);
     visit("begin", begin);
-    visit("follows_loss", follows_loss);
+    visit("until_rest", until_rest);
     visit("displacement", displacement);
+    visit("velocity", velocity);
     visit("forces", forces);
     visit("jump_offsets", jump_offsets);
     visit("shapes", shapes);

@@ -25,7 +25,7 @@ namespace fuga
     {
       const DynamicsDefinition &dynamics = model.dynamics;
       StageDefinition span               = model.stages[begin.stage];
-      if (begin.follows_loss)
+      if (begin.until_rest)
         {
           span.duration = dynamics.longest_continuation;
           span.levels   = 1;
@@ -37,14 +37,14 @@ namespace fuga
               span.duration / n_steps,
               dynamics.halvings,
               dynamics.event_tolerance,
-              begin.follows_loss};
+              begin.until_rest};
     }
 
     /** Where an equilibrium was lost the ground stands still, and supports hold. */
     DynamicsDefinition
     acting_in(DynamicsDefinition dynamics, const ConstructionState &begin)
     {
-      if (begin.follows_loss)
+      if (begin.until_rest)
         {
           dynamics.ground         = {};
           dynamics.absorbing      = {};
@@ -98,7 +98,7 @@ namespace fuga
                                       std::shared_ptr<StepSolvers> same_steps)
     : model(bodies)
     , dynamics(acting_in(definition, begin))
-    , stage(begin.stage)
+    , construction(begin)
     , grid(grid_of(model.definition(), begin, load_history.end()))
     , dashpots(make_dashpots(model, dynamics.absorbing.names))
     , steps(std::move(same_steps))
@@ -155,8 +155,10 @@ namespace fuga
     const Discretization<dim> &space   = model.discretization();
     const ModelDefinition &definition  = model.definition();
     const std::vector<std::string> &of = model.jointed_mesh().body_names;
+    if (!construction.velocity.empty())
+      return space.by_nodes(construction.velocity);
     Vector result(space.n_dofs(), 0.);
-    if (stage != first_dynamic_stage(definition))
+    if (construction.stage != first_dynamic_stage(definition))
       return result;
     std::vector<std::array<double, 3>> velocities(of.size());
     for (const Material &material : definition.materials)

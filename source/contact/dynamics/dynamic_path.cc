@@ -13,9 +13,9 @@ namespace fuga
 {
   namespace
   {
-    /** Tells when bodies that were let go have come to rest: their kinetic energy stays below a
-     * small share of the largest it had for as long as it took to become that large, which is more
-     * than the time between two maxima of a vibration about the new equilibrium. */
+    /** Tells when bodies have come to rest: their kinetic energy stays below a small share of the
+     * largest it had for half of the time that they have moved. Where they only turn back it is as
+     * small for thousandths of that time. */
     class RestWatch
     {
     public:
@@ -23,26 +23,21 @@ namespace fuga
       void
       note(const double kinetic_energy)
       {
-        constexpr double small = 1e-6;
         ++n_steps;
-        if (kinetic_energy > largest)
-          {
-            largest    = kinetic_energy;
-            to_largest = n_steps;
-          }
-        if (kinetic_energy > small * largest)
+        largest = std::max(largest, kinetic_energy);
+        if (kinetic_energy > TimeGrid::at_rest * largest)
           last_motion = n_steps;
       }
 
       bool
       has_come_to_rest() const
       {
-        return n_steps > 0 && n_steps - last_motion >= to_largest;
+        return n_steps > last_motion + last_motion / 2;
       }
 
     private:
       double largest      = 0.;
-      std::size_t n_steps = 0, to_largest = 0, last_motion = 0;
+      std::size_t n_steps = 0, last_motion = 0;
     };
   } // namespace
 

@@ -79,7 +79,9 @@ namespace fuga
     SummaryJson json = SummaryJson::array();
     for (const MotionBeyondLimit &motion : continuations)
       {
-        json.push_back({{"verdict", verdict_name(motion.loss.verdict)},
+        json.push_back({{"cause",
+                         motion.loss.verdict == Verdict::done ? "dynamic stage"
+                                                              : verdict_name(motion.loss.verdict)},
                         {"t", motion.loss.t},
                         {"t_of_loads", motion.t},
                         {"comes_to_rest", motion.rests},

@@ -245,10 +245,10 @@ def continuations(results):
     if not motions:
         return None
     length, energy = results.resultants.units["largest_slip"], results.resultants.units["external_work"]
-    rows = [[motion["verdict"], motion["t"], motion["t_of_loads"], "rest" if motion["comes_to_rest"] else "still moving",
+    rows = [[motion["cause"], motion["t"], motion["t_of_loads"], "rest" if motion["comes_to_rest"] else "still moving",
              motion["seconds"], motion["largest_slip"], motion["largest_opening"], motion["work"], motion["friction_work"],
              motion["damping"]] for motion in motions]
-    head = ["equilibrium lost by", "t", "t of the loads", "end", "seconds", f"largest slip [{length}]", f"opening [{length}]",
+    head = ["cause", "t", "t of the loads", "end", "seconds", f"largest slip [{length}]", f"opening [{length}]",
             f"work of the loads [{energy}]", f"friction [{energy}]", f"damping [{energy}]"]
     return Table(rows, head, "continuations-table")
 

@@ -133,7 +133,7 @@ namespace fuga
       check_later_phases();
     if (!is_last_phase())
       {
-        const double end       = construction.follows_loss
+        const double end       = construction.until_rest
                                    ? parameters.model.dynamics.end_of_continuation(construction.begin)
                                    : next_stage();
         program.history        = program.history.with_corner(end).until(end);

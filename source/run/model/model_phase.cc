@@ -80,8 +80,12 @@ namespace fuga
       carried_loads(bodies, parameters.model, construction, program.patterns, factors);
     program.patterns.push_back(std::move(carried.carried));
     program.patterns.push_back(std::move(carried.released));
+    // Little is out of balance behind a motion, and it is not to disturb what follows.
+    const double released = construction.begins_stage()
+                              ? construction.stage + 1.
+                              : parameters.model.dynamics.end_of_continuation(construction.begin);
     program.history =
-      program.history.with_carried_loads(construction.begin, construction.stage + 1.);
+      program.history.with_corner(released).with_carried_loads(construction.begin, released);
   }
 
   // The bars go on feeling what they felt, and new ones begin with nothing, wherever the bodies

@@ -189,12 +189,13 @@ namespace fuga
   PhaseEnd
   PhaseRun<dim>::leave(const JointState &last_state,
                        const PathResult &result,
-                       const std::size_t next_level)
+                       const std::size_t next_level,
+                       const bool until_rest)
   {
     PhaseEnd end;
-    end.next.shapes       = model.construction.shapes;
-    end.next.follows_loss = result.verdict != Verdict::done;
-    if (end.next.follows_loss || model.construction.follows_loss)
+    end.next.shapes     = model.construction.shapes;
+    end.next.until_rest = until_rest;
+    if (until_rest || model.construction.until_rest)
       {
         end.next.stage = static_cast<unsigned int>(std::floor(last_state.t));
         end.next.begin = last_state.t;
@@ -210,7 +211,14 @@ namespace fuga
         ? model.bodies.by_degrees_of_freedom(displacement_in_motion())
         : model.bodies.recover(model.loads.history.factors(last_state.t), monitored(last_state));
     if (motion)
-      judge.end_motion(energies().bodies);
+      {
+        judge.end_motion(energies().bodies);
+        if (until_rest)
+          {
+            const auto v = model.bodies.by_degrees_of_freedom(motion->velocity());
+            end.next.velocity.assign(v.begin(), v.end());
+          }
+      }
     end.next.displacement.assign(u.begin(), u.end());
     end.was_there.assign(u.size(), false);
     const Discretization<dim> &space = model.bodies.discretization();

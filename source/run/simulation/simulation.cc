@@ -68,19 +68,19 @@ namespace fuga
     try
       {
         PathResult found = path_to_follow();
-        if (model.construction.follows_loss)
+        if (model.construction.until_rest)
           outcome.mechanism = end_continuation(found);
         else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
           write_last_state();
-        if (model.goes_on_in_motion(found) ||
-            (found.verdict == Verdict::done && !model.is_last_phase()))
+        goes_on_in_motion = model.goes_on_in_motion(found) || still_move(found);
+        if (goes_on_in_motion || (found.verdict == Verdict::done && !model.is_last_phase()))
           {
-            if (found.verdict != Verdict::done)
+            if (goes_on_in_motion)
               begin_continuation(found);
             end_of_phase = found;
             return ExitCode::done;
           }
-        if (!model.construction.follows_loss)
+        if (!model.construction.until_rest)
           outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
         outcome.path    = found;
         outcome.verdict = verdict_name(found.verdict);

@@ -14,6 +14,19 @@
 
 namespace fuga
 {
+  // The stage behind is that of a slow path without changes of structure, in which supports hold.
+  template <int dim>
+  bool
+  Simulation<dim>::still_move(const PathResult &result) const
+  {
+    const ModelDefinition &definition = parameters.model;
+    return parameters.solver.beyond_limit == LimitLoadChoice::dynamic && motion &&
+           !model.construction.until_rest && result.verdict == Verdict::done &&
+           !model.is_last_phase() && !definition.stages[model.next_stage()].is_dynamic() &&
+           keeps_structure(definition, model.next_stage()) &&
+           motion_energies.kinetic > TimeGrid::at_rest * motion_energies.largest;
+  }
+
   template <int dim>
   void
   Simulation<dim>::begin_continuation(PathResult &loss)
@@ -35,7 +48,7 @@ namespace fuga
         virgin_state(joint.elements, layered.n_bars(), layered.water_in_joints() != nullptr);
     log.line(fmt::format("t = {:.12g}: {}. The bodies move under the loads of t = {:.12g}.",
                          loss.t,
-                         verdict_name(loss.verdict),
+                         motion ? "the dynamic stage ends in motion" : verdict_name(loss.verdict),
                          continuation.t));
     continuations.push_back(std::move(continuation));
   }
@@ -89,14 +102,16 @@ namespace fuga
   std::string
   Simulation<dim>::describe(const MotionBeyondLimit &continuation) const
   {
-    const Units &units = parameters.output.units;
+    const Units &units  = parameters.output.units;
+    const bool was_lost = continuation.loss.verdict != Verdict::done;
     const std::string state =
       continuation.rests
         ? fmt::format("rest at t = {:.12g}", continuation.t)
         : fmt::format("still move with {:.4g} {}/s", continuation.velocity, units.length);
     return fmt::format(
-      "bodies that lost equilibrium at t = {:.12g} {} after {:.4g} s; largest slip "
+      "bodies that {} at t = {:.12g} {} after {:.4g} s; largest slip "
       "{:.6g} {}, work of the loads {:.4g} {}, of friction {:.4g}, of damping {:.4g}",
+      was_lost ? "lost equilibrium" : "moved",
       continuation.loss.t,
       state,
       continuation.duration,

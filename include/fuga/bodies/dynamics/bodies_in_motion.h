@@ -88,6 +88,13 @@ namespace fuga
       return integration->displacement();
     }
 
+    /** [m/s] */
+    const Vector &
+    velocity() const
+    {
+      return integration->velocity();
+    }
+
     /** Of any node [m/s]. */
     double
     largest_velocity() const;
@@ -109,7 +116,7 @@ namespace fuga
     Vector
     damping_times(const Vector &v) const;
 
-    /** By nodes: those of the bodies, at the beginning of the first motion; else zero. */
+    /** By nodes: what the phase begins with, or those of the bodies in the first dynamic stage. */
     Vector
     initial_velocity() const;
 
@@ -125,7 +132,7 @@ namespace fuga
 
     const CondensedSystem<dim> &model;
     const DynamicsDefinition dynamics;
-    const unsigned int stage;
+    const ConstructionState &construction;
     const TimeGrid grid;
     /** α and β of Rayleigh's damping αM + βK [1/s, s]. */
     double mass_damping = 0., stiffness_damping = 0.;

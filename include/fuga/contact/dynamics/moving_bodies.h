@@ -24,6 +24,8 @@ namespace fuga
     unsigned int halvings = 5;
     /** Share of the largest energy that the events of a step may cost, or else it is halved. */
     double event_tolerance = 1e-4;
+    /** Share of the largest energy that is kinetic where bodies rest. */
+    static constexpr double at_rest = 1e-6;
     /** The motion ends when the bodies have come to rest; the steps are the most there may be. */
     bool until_rest = false;
 

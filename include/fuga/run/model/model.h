@@ -95,7 +95,7 @@ namespace fuga
     bool
     is_dynamic() const
     {
-      return construction.follows_loss || parameters.model.stages[construction.stage].is_dynamic();
+      return construction.until_rest || parameters.model.stages[construction.stage].is_dynamic();
     }
 
     /** Whether a path that ended so goes on as a motion. */
@@ -105,7 +105,7 @@ namespace fuga
     bool
     is_last_phase() const
     {
-      return !construction.follows_loss && next_stage() == parameters.model.stages.size();
+      return !construction.until_rest && next_stage() == parameters.model.stages.size();
     }
 
     /** What is built, removed and grouted when this phase begins. */

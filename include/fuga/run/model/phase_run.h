@@ -75,9 +75,13 @@ namespace fuga
     std::vector<ElementResult>
     results(const JointState &state) const;
 
-    /** What the next phase has to know of the end of this one, but for the records of a run. */
+    /** What the next phase has to know of the end of this one, but for the records of a run. @p
+     * until_rest: it is a motion of bodies that are not in equilibrium. */
     PhaseEnd
-    leave(const JointState &last_state, const PathResult &result, const std::size_t next_level);
+    leave(const JointState &last_state,
+          const PathResult &result,
+          const std::size_t next_level,
+          const bool until_rest = false);
 
     /** Lets the judge go on behind the phase that ended so, for which the model was made. Returns
      * what the path goes on from, with the records of @p before. */

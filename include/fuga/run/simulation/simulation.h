@@ -105,7 +105,12 @@ namespace fuga
 
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
-    /** The slow path has lost its equilibrium, @p loss, and goes on as a motion. */
+    /** Whether the bodies still move behind a dynamic stage, and are to come to rest before the
+     * slow one behind it. */
+    bool
+    still_move(const PathResult &result) const;
+    /** The slow path has lost its equilibrium, @p loss, or has none to begin with, and goes on as a
+     * motion. */
     void
     begin_continuation(PathResult &loss);
     /** The motion has ended: either at rest, or @p result becomes the verdict of the slow path that
@@ -227,6 +232,8 @@ namespace fuga
     FileIdentity mesh_identity;
     std::function<void()> checkpoint_action;
     std::optional<PathResult> end_of_phase;
+    /** The next phase is a motion until rest. */
+    bool goes_on_in_motion = false;
     std::chrono::steady_clock::time_point last_checkpoint;
     double cost_of_checkpoint = 0.;
   };
