@@ -251,6 +251,27 @@ namespace fuga::tests
                   6e-3 * slip);
   }
 
+  // A pull of 0.6 that comes at once, in two stages of half a second: the slide of one second from
+  // rest, but for the velocity √((0.6² - 0.1²)/(k m)) = 0.013 that the block has when the springs k
+  // of its base have come to their strength.
+  TEST(Continuation, OneMotionThroughTwoStages)
+  {
+    Json scene = sliding_block({{"Friction coefficient", 0.5}}, "0; -1", "1; 0");
+    scene["Solver"].erase("Beyond limit load");
+    scene["Stages"].erase("pull");
+    for (const char *stage : {"first", "second"})
+      scene["Stages"][stage] = {{"Loads", "pull: 0.6"}, {"Duration", 0.5}};
+    const SceneRun run = run_scene(write_scene(long_block(), scene));
+    ASSERT_EQ(run.exit_code, 0);
+    const double alpha = mass_damping(0.001), a = 0.1 * gravity;
+    expect_answer({problem,
+                   "slip in two dynamic stages [m]",
+                   a / alpha * (1. - (1. - std::exp(-alpha)) / alpha),
+                   rigid_block},
+                  of_joint(run, "base", "largest_slip", 3.),
+                  0.02);
+  }
+
   TEST(Continuation, Restart)
   {
     const std::string file =

@@ -89,7 +89,7 @@ namespace fuga
     bool until_rest = false;
     /** At its beginning, of all degrees of freedom (Discretization::dof()) [m]. */
     Vector displacement;
-    /** Of such a motion; empty: zero [m/s]. */
+    /** Of the motion behind another one; empty: zero [m/s]. */
     Vector velocity;
     /** Bar forces then, less those of water in open elements [MN]. */
     Vector forces;

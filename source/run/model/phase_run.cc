@@ -213,7 +213,10 @@ namespace fuga
     if (motion)
       {
         judge.end_motion(energies().bodies);
-        if (until_rest)
+        // Columns of a free field begin at rest, and so does what is between them.
+        const ModelDefinition &definition = parameters.model;
+        if (until_rest || (definition.stages[end.next.stage].is_dynamic() &&
+                           definition.dynamics.free_field.names.empty()))
           {
             const auto v = model.bodies.by_degrees_of_freedom(motion->velocity());
             end.next.velocity.assign(v.begin(), v.end());
