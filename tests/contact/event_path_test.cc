@@ -64,6 +64,29 @@ TEST(EventPath, OneBarWithGapSlipAndReversal)
   expect_jump("u_t(2)", 0.125, jump(4, 1));
 }
 
+// Lips that rise as they slide under a normal force that statics alone gives: nothing resists their
+// rise. By hand, from T = H - s = f on: s = H - f and a rise of s tan psi, while N stays -1.
+TEST(EventPath, LipsRiseUnderAGivenForce)
+{
+  FrictionLaw law;
+  law.coefficient = 0.5;
+  law.dilatancy   = 0.2;
+  const ToyJoint joint(1, 1., make_rigid_law(), make_rigid_law(), law);
+  ToySystem system;
+  system.S       = DenseMatrix(2, 2);
+  system.F       = DenseMatrix(2, 2);
+  system.S(1, 1) = system.F(0, 0) = system.F(1, 1) = 1.;
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 1.}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  ASSERT_EQ(path.run({1., 2.}, record).verdict, Verdict::done);
+  EXPECT_LE(record.worst.worst(), event_tolerance);
+  EXPECT_NEAR(record.last.forces[0], -1., event_tolerance);
+  EXPECT_NEAR(record.last.slips[0][0], 0.5, event_tolerance);
+  EXPECT_NEAR(layered.jumps(record.last.dislocations, record.last.forces)[0], 0.1, event_tolerance);
+}
+
 // V4: H(d) of bars that slip one after the other, by hand to nine digits and
 // exact as fractions: d_k = (f k_n / k_t) w_k, H = Σ min(C_t d, f N_k).
 TEST(EventPath, ProgressiveSlipOfRigidBlock)

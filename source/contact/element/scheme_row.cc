@@ -59,7 +59,7 @@ namespace fuga
       const double excess =
         shear_layer ? system.compliance(element.tangential_bar) - 1. / tangent.shear : 0.;
       SchemeRow row = free_row(element, k, 0);
-      double C      = system.stiffness()(row.bar, row.bar);
+      double C      = std::pow(system.scale(row.bar), 2);
       row.demand    = Demand::riding;
       row.own[0]    = 0.;
       if (has_nonlinear_closure(element))
@@ -114,7 +114,7 @@ namespace fuga
       const TangentVector n  = normal_to(e);
       const std::size_t bar  = element.second_tangential_bar;
       const bool curved      = has_nonlinear_shear(element);
-      const double stiffness = curved ? tangent.across : system.stiffness()(bar, bar);
+      const double stiffness = curved ? tangent.across : std::pow(system.scale(bar), 2);
       const double elastic   = curved ? 1. - tangent.across * system.compliance(bar) : 0.;
       const double turn      = stiffness * turning;
       row.column             = {{0., n[0], n[1]}};
