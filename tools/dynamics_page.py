@@ -105,7 +105,7 @@ def pad(fuga, folder, start, peer_start):
 ## {Pad.name}
 
 A stiff pad on a spring and a frictional base under a sudden force (Code_Aster SDNV104B). It turns at T/2, in the middle of a
-step, and ends at x(T) = 3.5; error of this, over x(T/2) = 14.917. Without the location of events (`Halvings = 0`), with the default (5, tolerance
+step, and ends at x(T) = 3.5; error of this, over x(T/2) = 14.917. Without the location of events (`Halvings = 0`), with the default (10, tolerance
 1e-4), and with 12 (1e-8). The pad is elastic and the layer compliant, which is worth 5e-7.
 
 """ + table(["steps", "without events", "order", "lacks", "CPU s", "default", "order", "lacks", "CPU s", "12 halvings", "order", "lacks", "CPU s"],

@@ -8,32 +8,39 @@
 
 namespace fuga::stress
 {
-  namespace
+  std::vector<judges::ConeElement>
+  cones_of(const std::vector<ContactElement> &elements)
   {
-    std::vector<judges::ConeElement>
-    cones_of(const std::vector<ContactElement> &elements)
-    {
-      std::vector<judges::ConeElement> result;
-      for (const ContactElement &element : elements)
-        {
-          judges::ConeElement copy;
-          copy.normal_bar        = element.normal_bar;
-          copy.area              = element.area;
-          copy.initial_gap       = element.initial_gap;
-          copy.normal_compliance = element.normal_law->initial_compliance();
-          if (element.has_tangential_bar())
-            {
-              copy.tangential_bars.push_back(element.tangential_bar);
-              copy.shear_compliance = element.shear_law->initial_compliance();
-            }
-          if (element.has_second_tangential_bar())
-            copy.tangential_bars.push_back(element.second_tangential_bar);
-          copy.friction = element.friction.coefficient;
-          result.push_back(copy);
-        }
-      return result;
-    }
-  } // namespace
+    std::vector<judges::ConeElement> result;
+    for (const ContactElement &element : elements)
+      {
+        judges::ConeElement copy;
+        copy.normal_bar        = element.normal_bar;
+        copy.area              = element.area;
+        copy.initial_gap       = element.initial_gap;
+        copy.normal_compliance = element.normal_law->initial_compliance();
+        if (element.has_tangential_bar())
+          {
+            copy.tangential_bars.push_back(element.tangential_bar);
+            copy.shear_compliance = element.shear_law->initial_compliance();
+          }
+        if (element.has_second_tangential_bar())
+          copy.tangential_bars.push_back(element.second_tangential_bar);
+        copy.friction = element.friction.coefficient;
+        result.push_back(copy);
+      }
+    return result;
+  }
+
+  // Openings count from the closed joint.
+  judges::ConeState
+  cone_state(const std::vector<ContactElement> &elements, const JointState &state)
+  {
+    judges::ConeState result{state.forces, state.dislocations};
+    for (const ContactElement &element : elements)
+      result.dislocations[element.normal_bar] += element.initial_gap;
+    return result;
+  }
 
   ConeExaminer::ConeExaminer(const Model<3> &fuga_model, const JointModel &joint)
     : model(fuga_model)
@@ -46,20 +53,10 @@ namespace fuga::stress
   {
   }
 
-  // Openings count from the closed joint.
-  judges::ConeState
-  ConeExaminer::cone_state(const JointState &state) const
-  {
-    judges::ConeState result{state.forces, state.dislocations};
-    for (const ContactElement &element : elements)
-      result.dislocations[element.normal_bar] += element.initial_gap;
-    return result;
-  }
-
   ConeExaminer::StepReport
   ConeExaminer::examine_step(const JointState &from, const JointState &to) const
   {
-    const judges::ConeState before = cone_state(from), ours = cone_state(to);
+    const judges::ConeState before = cone_state(elements, from), ours = cone_state(elements, to);
     const Vector factors = model.loads.history.factors(to.t);
     StepReport report;
     report.residual = newton.residual(before.dislocations, factors, ours);
@@ -120,7 +117,7 @@ namespace fuga::stress
   bool
   ConeExaminer::finds_step_beyond(const JointState &state, const double part) const
   {
-    const judges::ConeState now = cone_state(state);
+    const judges::ConeState now = cone_state(elements, state);
     const Vector factors        = model.loads.history.factors(state.t);
     const Vector rates          = model.loads.history.rates(state.t);
     Vector beyond               = factors;

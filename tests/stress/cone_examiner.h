@@ -14,6 +14,13 @@
 
 namespace fuga::stress
 {
+  /** What judges::ConeNewton is to know of the elements. */
+  std::vector<judges::ConeElement>
+  cones_of(const std::vector<ContactElement> &elements);
+
+  judges::ConeState
+  cone_state(const std::vector<ContactElement> &elements, const JointState &state);
+
   /** Puts states of a path in space before judges::ConeNewton, as Examiner does in the plane. Of
    * the solver only forces, dislocations and jumps of a motion are taken. */
   class ConeExaminer
@@ -41,8 +48,6 @@ namespace fuga::stress
     finds_step_beyond(const JointState &state, const double part) const;
 
   private:
-    judges::ConeState
-    cone_state(const JointState &state) const;
     bool
     respects(const ContactElement &element, const JointState &state, const Vector &jumps) const;
 

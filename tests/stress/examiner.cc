@@ -71,16 +71,15 @@ namespace fuga::stress
   }
 
   bool
-  Examiner::can_solve(const JointState &state) const
+  judges_know_layers(const std::vector<ContactElement> &elements)
   {
-    return can_continue(state) &&
-           std::all_of(elements.begin(), elements.end(), [](const ContactElement &element) {
-             return is_known(element);
-           });
+    return std::all_of(elements.begin(), elements.end(), [](const ContactElement &element) {
+      return is_known(element);
+    });
   }
 
   bool
-  Examiner::can_continue(const JointState &state) const
+  judges_know_strengths(const std::vector<ContactElement> &elements, const JointState &state)
   {
     for (const ContactElement &element : elements)
       if (element.coupling != nullptr)
@@ -92,18 +91,29 @@ namespace fuga::stress
              });
   }
 
+  bool
+  Examiner::can_solve(const JointState &state) const
+  {
+    return can_continue(state) && judges_know_layers(elements);
+  }
+
+  bool
+  Examiner::can_continue(const JointState &state) const
+  {
+    return judges_know_strengths(elements, state);
+  }
+
   Vector
   Examiner::load(const double t) const
   {
     return judge_load(model.bodies, model.loads.history.factors(t));
   }
 
-  // What of the strength is left; lips that have risen as they slid touch where the gap is their
-  // rise.
+  // Lips that have risen as they slid touch where the gap is their rise.
   JudgeProblem
-  Examiner::problem_at(const JointState &state) const
+  problem_in(const JudgeProblem &virgin, const JointState &state)
   {
-    JudgeProblem result = problem;
+    JudgeProblem result = virgin;
     for (std::size_t k = 0; k < result.elements.size(); ++k)
       {
         result.elements[k].initial_gap -= state.dilations[k];
@@ -128,10 +138,10 @@ namespace fuga::stress
   }
 
   std::optional<StepSolution>
-  Examiner::solve_anew(const JudgeProblem &at,
-                       const Vector &slip_before,
-                       const Vector &load_before,
-                       const Vector &new_load) const
+  solve_anew(const JudgeProblem &at,
+             const Vector &slip_before,
+             const Vector &load_before,
+             const Vector &new_load)
   {
     const std::size_t few_elements = 30, many_elements = 60;
     NewtonOptions options;
@@ -158,7 +168,7 @@ namespace fuga::stress
   Examiner::StepReport
   Examiner::examine_step(const JointState &from, const JointState &to) const
   {
-    const JudgeProblem at   = problem_at(from);
+    const JudgeProblem at   = problem_in(problem, from);
     const StepSolution ours = solution(at, to, judge_slips(from));
     StepReport report;
     report.residual = ours.residual;
@@ -226,7 +236,7 @@ namespace fuga::stress
   RateSearch
   Examiner::search(const JointState &state) const
   {
-    JudgeProblem at                       = problem_at(state);
+    JudgeProblem at                       = problem_in(problem, state);
     const std::vector<RateElement> places = positions(at, state, 1e-10);
     for (std::size_t k = 0; k < at.elements.size(); ++k)
       {
@@ -253,7 +263,7 @@ namespace fuga::stress
   {
     constexpr double none     = 1e-5;
     constexpr double free     = 1e-6;
-    const JudgeProblem at     = problem_at(state);
+    const JudgeProblem at     = problem_in(problem, state);
     const auto places         = positions(at, state, 1e-9);
     const Vector x            = judge.coordinates(jumps);
     const Vector resistance   = multiply(at.S, x);
@@ -287,7 +297,7 @@ namespace fuga::stress
   bool
   Examiner::finds_step_beyond(const JointState &state, const double part) const
   {
-    const JudgeProblem at = problem_at(state);
+    const JudgeProblem at = problem_in(problem, state);
     const Vector now      = load(state.t),
                  rate     = judge_load(model.bodies, model.loads.history.rates(state.t));
     Vector beyond         = now;

@@ -15,6 +15,26 @@
 
 namespace fuga::stress
 {
+  /** Whether the independent solvers know the laws of the layers. */
+  bool
+  judges_know_layers(const std::vector<ContactElement> &elements);
+
+  /** Whether they know the strengths in a state. */
+  bool
+  judges_know_strengths(const std::vector<ContactElement> &elements, const JointState &state);
+
+  /** The elements with what @p state has left of their strength, and touching where they touch by
+   * then. */
+  judges::JudgeProblem
+  problem_in(const judges::JudgeProblem &virgin, const JointState &state);
+
+  /** The step by another solver; nothing if none finds one. */
+  std::optional<judges::StepSolution>
+  solve_anew(const judges::JudgeProblem &problem,
+             const Vector &slip_before,
+             const Vector &load_before,
+             const Vector &load);
+
   /**
    * Puts states of a path before the independent judges. Of the solver only the numbers of the
    * states are taken: forces, dislocations, slips, names of states, broken bonds.
@@ -59,17 +79,10 @@ namespace fuga::stress
   private:
     Vector
     load(const double t) const;
-    judges::JudgeProblem
-    problem_at(const JointState &state) const;
     judges::StepSolution
     solution(const judges::JudgeProblem &at,
              const JointState &state,
              const Vector &slip_before) const;
-    std::optional<judges::StepSolution>
-    solve_anew(const judges::JudgeProblem &at,
-               const Vector &slip_before,
-               const Vector &load_before,
-               const Vector &load) const;
     std::vector<judges::RateElement>
     positions(const judges::JudgeProblem &at,
               const JointState &state,

@@ -77,6 +77,10 @@ namespace fuga::stress::families
   all_laws(Random &random);
   GridModel
   all_laws_crossing(Random &random);
+  GridModel
+  motion(Random &random);
+  GridModel
+  motion_with_laws(Random &random);
 
   /** Any of the layouts with any layers. */
   GridModel

@@ -21,6 +21,8 @@ namespace fuga::stress::families
   pair_in_space(Random &random);
   SpatialGrid
   wedge_in_space(Random &random);
+  SpatialGrid
+  motion_in_space(Random &random);
 } // namespace fuga::stress::families
 
 #endif

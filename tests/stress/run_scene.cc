@@ -5,6 +5,7 @@
 
 #include "stress/confirm.h"
 #include "stress/confirm_in_space.h"
+#include "stress/confirm_motion.h"
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/judge/limit_proof.h>
@@ -12,7 +13,7 @@
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/output/files/threads.h>
 #include <fuga/output/tables/summary.h>
-#include <fuga/run/simulation/simulation.h>
+#include <fuga/run/simulation/phases.h>
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <fstream>
+#include <numeric>
 #include <optional>
 
 namespace fuga::stress
@@ -27,24 +29,24 @@ namespace fuga::stress
   const std::vector<std::string> &
   scene_columns()
   {
-    static const std::vector<std::string> columns = {"scene",         "seed",
-                                                     "dimension",     "verdict",
-                                                     "confirmed_by",  "certificate",
-                                                     "events",        "zero_steps",
-                                                     "seconds",       "failure",
-                                                     "worst_entry",   "t",
-                                                     "stages",        "elements",
-                                                     "bodies",        "joints",
-                                                     "rho_min",       "rho_max",
-                                                     "friction",      "cohesion",
-                                                     "poisson",       "stiffness_ratio",
-                                                     "aspect",        "size_ratio",
-                                                     "offset",        "law",
-                                                     "steps",         "single_switching",
-                                                     "enumeration",   "lemke",
-                                                     "checked_equal", "checked_other",
-                                                     "difference",    "features",
-                                                     "message"};
+    static const std::vector<std::string> columns = {"scene",          "seed",
+                                                     "dimension",      "verdict",
+                                                     "confirmed_by",   "certificate",
+                                                     "events",         "zero_steps",
+                                                     "seconds",        "failure",
+                                                     "worst_entry",    "t",
+                                                     "stages",         "elements",
+                                                     "bodies",         "joints",
+                                                     "rho_min",        "rho_max",
+                                                     "friction",       "cohesion",
+                                                     "poisson",        "stiffness_ratio",
+                                                     "aspect",         "size_ratio",
+                                                     "offset",         "law",
+                                                     "steps",          "single_switching",
+                                                     "enumeration",    "lemke",
+                                                     "checked_equal",  "checked_other",
+                                                     "difference",     "features",
+                                                     "energy_lacking", "message"};
     return columns;
   }
 
@@ -87,9 +89,24 @@ namespace fuga::stress
       tell(write, "features", fmt::format("{}", fmt::join(axes.features, "; ")));
     }
 
+    // Every step but the shortest ones may lack the tolerance of the largest energy. What the
+    // shortest ones lack the program tells its user.
+    void
+    tell_energies(const Writer &write, const nlohmann::json &motion, const double tolerance)
+    {
+      const double largest = motion.at("largest_energy");
+      const auto steps     = motion.at("steps_by_halvings").get<std::vector<double>>();
+      const double n_steps = std::accumulate(steps.begin(), steps.end(), 0.);
+      const double lacking = std::abs(motion.at("not_accounted_for").get<double>());
+      const double share   = largest > 0. ? lacking / largest : 0.;
+      tell(write, "energy_lacking", share);
+      if (steps.back() == 0. && share > 2. * tolerance * n_steps)
+        tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
+    }
+
     /** What the program itself says, from the file that users read. */
     std::string
-    tell_summary(const Writer &write, const std::string &directory)
+    tell_summary(const Writer &write, const std::string &directory, const double energy_tolerance)
     {
       std::ifstream file(directory + "/out/summary.json");
       const nlohmann::json summary = nlohmann::json::parse(file);
@@ -118,6 +135,8 @@ namespace fuga::stress
       tell(write, "t", summary.at("t").get<double>());
       if (summary.contains("message"))
         tell(write, "message", summary.at("message").get<std::string>());
+      if (summary.contains("motion"))
+        tell_energies(write, summary.at("motion"), energy_tolerance);
       if (largest > certificate_bound)
         tell(write, "failure", fmt::format("certificate {:.1e} ({})", largest, worst));
       return verdict;
@@ -245,13 +264,20 @@ namespace fuga::stress
       const auto start            = std::chrono::steady_clock::now();
       Parameters parameters       = read_parameters(file);
       parameters.output.directory = directory + "/out";
-      const Model<dim> model(parameters);
-      Simulation<dim>(model).run();
+      auto model                  = std::make_unique<const Model<dim>>(parameters);
+      if (scene.is_in_motion())
+        run_all_phases(std::move(model));
+      else
+        Simulation<dim>(*model).run();
       tell(write,
            "seconds",
            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-      const std::string verdict = tell_summary(write, directory);
-      ask_judges(write, model, scene, verdict, directory);
+      const std::string verdict =
+        tell_summary(write, directory, parameters.model.dynamics.event_tolerance);
+      if (scene.is_in_motion())
+        tell_confirmation(write, confirm_motion<dim>(parameters, verdict, confirmation_time));
+      else
+        ask_judges(write, *model, scene, verdict, directory);
     }
   } // namespace
 

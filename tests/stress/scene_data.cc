@@ -96,16 +96,21 @@ namespace fuga::stress
     Vector before(loads.size(), 0.);
     for (std::size_t s = 0; s < stages.size(); ++s)
       {
+        const Course course = is_in_motion() ? courses[s] : Course();
         std::string histories;
         for (std::size_t l = 0; l < loads.size(); ++l)
           if (stages[s][l] != before[l] || (histories.empty() && l + 1 == loads.size()))
-            histories += fmt::format("{}load_{}: {}*(1-t) + {}*t",
+            histories += fmt::format("{}load_{}: {}*(1-{share}) + {}*{share}",
                                      histories.empty() ? "" : "; ",
                                      l,
                                      before[l],
-                                     stages[s][l]);
+                                     stages[s][l],
+                                     fmt::arg("share", course.share));
         text += fmt::format(
-          "subsection stage_{}\nset Loads = {}\nset Levels = {}\nend\n", s, histories, load_levels);
+          "subsection stage_{}\nset Loads = {}\nset Levels = {}\n", s, histories, load_levels);
+        if (course.duration > 0.)
+          text += fmt::format("set Duration = {}\n", course.duration);
+        text += "end\n";
         before = stages[s];
       }
     return text + "end\n";
@@ -121,18 +126,31 @@ namespace fuga::stress
                                    degree,
                                    mesh_entries());
     for (const Body &b : bodies)
-      text += fmt::format("subsection {}\nset Young modulus = {}\nset Poisson ratio = {}\n"
-                          "set Weight density = {}\nend\n",
-                          b.name,
-                          b.young_modulus,
-                          b.poisson_ratio,
-                          b.weight);
+      {
+        text += fmt::format("subsection {}\nset Young modulus = {}\nset Poisson ratio = {}\n"
+                            "set Weight density = {}\n",
+                            b.name,
+                            b.young_modulus,
+                            b.poisson_ratio,
+                            b.weight);
+        if (const auto velocity = initial_velocities.find(b.name);
+            velocity != initial_velocities.end())
+          text += fmt::format("set Initial velocity = {}\n", velocity->second);
+        text += "end\n";
+      }
     text += "end\n" + joint_text() + "subsection Boundaries\n";
     for (const auto &[boundary, components] : supports)
       text += fmt::format("subsection {}\nset Fixed = {}\nend\n", boundary, components);
     for (const std::string &boundary : free_boundaries())
       text += fmt::format("subsection {}\nset Fixed = free\nend\n", boundary);
     text += "end\n" + load_text();
+    if (is_in_motion())
+      {
+        text += "subsection Dynamics\n";
+        for (const auto &[entry, value] : dynamics)
+          text += fmt::format("set {} = {}\n", entry, value);
+        text += "end\n";
+      }
     return text + fmt::format("subsection Solver\nset Certificate bound = {}\n{}end\n"
                               "subsection Output\nset Fields = end\nset Log = quiet\nend\n",
                               certificate_bound,

@@ -58,6 +58,15 @@ namespace fuga::stress
       std::string value;
     };
 
+    /** How a stage goes from the factors of the one before to its own. */
+    struct Course
+    {
+      /** Seconds; 0: slowly. */
+      double duration = 0.;
+      /** Share of its own factors as an expression of t; 1 at its end. */
+      std::string share = "t";
+    };
+
     virtual ~SceneData() = default;
 
     unsigned int degree      = 1;
@@ -70,6 +79,18 @@ namespace fuga::stress
     std::vector<Load> loads;
     /** Factors of all loads at the end of every stage. */
     std::vector<Vector> stages;
+    /** By stage, if any is not slow. */
+    std::vector<Course> courses;
+    /** By body, if it is not at rest. */
+    std::map<std::string, std::string> initial_velocities;
+    /** Entries of the section Dynamics. */
+    std::vector<std::pair<std::string, std::string>> dynamics;
+
+    bool
+    is_in_motion() const
+    {
+      return !courses.empty();
+    }
 
     virtual unsigned int
     dimension() const = 0;

@@ -63,6 +63,12 @@ namespace fuga::stress
                                                       "Shear stiffness grows with"};
       std::set<std::string> result                 = {"cells: " + model.cells(),
                                                       fmt::format("cells: degree {}", model.degree)};
+      for (const SceneData::Course &course : model.courses)
+        if (course.duration > 0.)
+          result.insert(course.share == "1" ? "motion: load at once" : "motion: load over time");
+      for (const auto &[entry, unused] : model.dynamics)
+        if (entry == "Spectral radius" || entry == "Damping ratio")
+          result.insert("motion: " + entry);
       for (const SceneData::Load &load : model.loads)
         result.insert("load: " + load.type);
       for (const auto &[unused, components] : model.supports)
@@ -132,6 +138,8 @@ namespace fuga::stress
       {"lift-off", "all contact lost and found again, on any layer", families::lift_off},
       {"all laws", "any strength on any layer", families::all_laws},
       {"all laws crossing", "the same on joints that cross or meet", families::all_laws_crossing},
+      {"motion", "loads at once or shaking, bodies that arrive", families::motion},
+      {"motion with laws", "the same with any strength on any layer", families::motion_with_laws},
       {"extruded",
        "plane scenes made spatial: one path with lines of friction, one with cones",
        nullptr,
@@ -149,6 +157,10 @@ namespace fuga::stress
        "a block in a valley of two rigid planes, of hexahedra or tetrahedra",
        nullptr,
        families::wedge_in_space},
+      {"motion in space",
+       "blocks and wedges under loads at once or shaking",
+       nullptr,
+       families::motion_in_space},
     };
     return kinds;
   }

@@ -64,7 +64,7 @@ namespace fuga
     /** Length of a step [s]; steps are a little shorter where levels of a stage ask for it. */
     double time_step = 0.;
     /** How often a step may be halved to find an event; 0: events are found within whole steps. */
-    unsigned int halvings = 5;
+    unsigned int halvings = 10;
     /** A step is halved if its events cost more than this share of the largest energy so far. */
     double event_tolerance = 1e-4;
     /** ρ∞ of the generalised-α method: 1 keeps the energy (trapezoidal rule), less of it damps what

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/dynamics/dynamic_path.h>
+#include <fuga/contact/path/verdict_name.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,15 @@ namespace fuga
       double largest      = 0.;
       std::size_t n_steps = 0, last_motion = 0;
     };
+
+    /** Lips without mass may have no continuous way on, where friction is large: they jump to where
+     * they are in equilibrium again. */
+    PathOptions
+    with_jumps(PathOptions options)
+    {
+      options.follow_jumps = true;
+      return options;
+    }
   } // namespace
 
   /** The bodies in steps of one length, and the path through them, whose schemes live on from step
@@ -65,7 +75,7 @@ namespace fuga
     : ContactPath(contact_elements, layered_system, load_history)
     , bodies(moving_bodies)
     , grid(time_grid)
-    , options(path_options)
+    , options(with_jumps(path_options))
     , rungs(grid.halvings + 1)
     , steps_of_rung(grid.halvings + 1, 0)
     , history_of_step(StepSystem::history())
@@ -130,13 +140,13 @@ namespace fuga
         advance(number + 1, levels, state, result, observer);
         return;
       }
-    throw NumericalFailure(
-      fmt::format("No state of the joints was found at the end of a step of {:.3g} s at load time "
-                  "{:.12g}{}{}. Allow more halvings (Dynamics/Halvings) or shorter steps.",
-                  grid.length_of(number),
-                  state.t,
-                  step.result.tried.empty() ? "" : ": ",
-                  step.result.tried));
+    throw NumericalFailure(fmt::format(
+      "No state of the joints was found at the end of a step of {:.3g} s at load time "
+      "{:.12g}. Allow more halvings (Dynamics/Halvings) or shorter steps. What ended the last "
+      "attempt, in the time of the step from 0 to 1: {}",
+      grid.length_of(number),
+      state.t,
+      step.failure));
   }
 
   DynamicPath::Rung &
@@ -157,8 +167,18 @@ namespace fuga
     JointState start = state;
     start.t          = 0.;
     take_water(JointState(), start);
-    Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered())};
-    attempt.result = step.path.follow_step(start, result, attempt.record);
+    Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered()), {}};
+    try
+      {
+        attempt.result = step.path.follow_step(start, result, attempt.record);
+        if (const Verdict verdict = attempt.result.verdict; verdict != Verdict::done)
+          attempt.failure =
+            attempt.result.tried.empty() ? verdict_name(verdict) : attempt.result.tried;
+      }
+    catch (const NumericalFailure &failure)
+      {
+        attempt.failure = failure.what();
+      }
     return attempt;
   }
 
@@ -166,7 +186,7 @@ namespace fuga
   bool
   DynamicPath::is_good(const Attempt &attempt, const unsigned int number) const
   {
-    if (attempt.result.verdict != Verdict::done)
+    if (!attempt.failure.empty())
       return false;
     if (number == grid.halvings)
       return true;

@@ -44,9 +44,19 @@ namespace fuga
     });
   }
 
+  // The work is that of the trapezoidal rule, as if there had been a way.
   void
   StepRecord::jumped(const JointState &to)
   {
+    const Vector before = system.jumps(last.dislocations, last.forces);
+    const Vector after  = system.jumps(to.dislocations, to.forces);
+    for (std::size_t bar = 0; bar < work.size(); ++bar)
+      {
+        const double mean = 0.5 * (last.forces[bar] + to.forces[bar]);
+        work[bar] += mean * (after[bar] - before[bar]);
+        cost_of_jumps += std::abs((mean - last.forces[bar]) * (after[bar] - before[bar]));
+        impulse[bar] += mean * (to.t - last.t);
+      }
     last = to;
     reports.emplace_back(
       [to](const StepRecord &of, PathObserver &observer) { observer.jumped(of.in_motion(to)); });
@@ -87,7 +97,7 @@ namespace fuga
   StepRecord::cost_of_events(const double length, const double rate) const
   {
     const Vector changes = change_of_jumps();
-    double result        = 0.;
+    double result        = cost_of_jumps;
     for (const ContactElement &element : elements)
       {
         double energy = 0.;

@@ -18,23 +18,6 @@
 namespace fuga
 {
   std::string
-  verdict_name(const Verdict verdict)
-  {
-    switch (verdict)
-      {
-        case Verdict::done:
-          return "done";
-        case Verdict::limit_load:
-          return "limit load";
-        case Verdict::no_continuation:
-          return "no continuation";
-        case Verdict::non_unique_continuation:
-          return "non-unique continuation";
-      }
-    return "";
-  }
-
-  std::string
   mechanism_name(const MechanismKind kind)
   {
     switch (kind)

@@ -161,8 +161,8 @@ namespace fuga
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
     log.line(fmt::format("Events      {}{}", n_events, kinds.empty() ? "" : " (" + kinds + ")"));
     log_motion();
-    for (const MotionBeyondLimit &motion : continuations)
-      log.line("Continued   " + describe(motion));
+    for (const MotionBeyondLimit &continued : continuations)
+      log.line("Continued   " + describe(continued));
     log_resultants();
     if (!accuracy.rounds.empty())
       log.line("Accuracy    " + accuracy.conclusion());

@@ -7,6 +7,12 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** Share of the largest energy that a motion should not lack. */
+    constexpr double much_energy = 0.01;
+  } // namespace
+
   template <int dim>
   void
   Simulation<dim>::began_step(const ContactSystem &system, const LoadHistory &history_of_step)
@@ -40,6 +46,7 @@ namespace fuga
     for (std::size_t i = 1; i < motion_steps.size(); ++i)
       n_halved += motion_steps[i];
     const MotionLedger &e   = motion_energies;
+    const double lacking    = e.largest > 0. ? std::abs(e.defect()) / e.largest : 0.;
     const std::string &unit = parameters.output.units.energy();
     log.line(
       fmt::format("Motion      {} steps and {} shorter ones; work {:.6g} {}: kinetic {:.6g}, "
@@ -53,7 +60,17 @@ namespace fuga
                   e.bodies,
                   e.damping,
                   e.joints,
-                  e.largest > 0. ? std::abs(e.defect()) / e.largest : 0.));
+                  lacking));
+    if (lacking > much_energy)
+      log.warning(
+        fmt::format("{:.2g} of the largest energy of the motion is not accounted for; usual is "
+                    "less than {:.2g}. "
+                    "{} steps were as short as they may be, and longer than what happened in the "
+                    "joints. Allow more "
+                    "Dynamics/Halvings, or give a smaller Dynamics/Time step or Event tolerance.",
+                    lacking,
+                    much_energy,
+                    motion_steps.back()));
   }
 
   template class Simulation<2>;

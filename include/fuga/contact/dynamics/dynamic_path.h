@@ -59,6 +59,8 @@ namespace fuga
     {
       PathResult result;
       StepRecord record;
+      /** Why there is no state at the end of the step; empty if there is one. */
+      std::string failure;
     };
 
     PathResult

@@ -94,6 +94,8 @@ namespace fuga
     JointState last;
     /** By bar ∫ p dδ, and ∫ p dt with the time of the path. */
     Vector work, impulse;
+    /** Work that is known to half of the change of the forces only. */
+    double cost_of_jumps = 0.;
     /** Called with this object, which may have moved since. */
     using Report = std::function<void(const StepRecord &, PathObserver &)>;
     std::vector<Report> reports;

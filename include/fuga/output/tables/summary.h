@@ -9,6 +9,7 @@
 #include <fuga/contact/dynamics/moving_bodies.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/event_path.h>
+#include <fuga/contact/path/verdict_name.h>
 #include <fuga/input/parameters.h>
 #include <fuga/output/results/motion_beyond_limit.h>
 #include <fuga/output/tables/accuracy_report.h>
@@ -20,8 +21,6 @@
 namespace fuga
 {
   /** The words of summary.json and of the log. */
-  std::string
-  verdict_name(const Verdict verdict);
   std::string
   mechanism_name(const MechanismKind kind);
   std::string

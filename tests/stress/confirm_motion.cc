@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include "stress/confirm_motion.h"
+
+#include "judges/from_contact.h"
+#include "judges/linear_solve.h"
+#include "stress/cone_examiner.h"
+#include "stress/examiner.h"
+
+#include <fuga/base/errors.h>
+#include <fuga/contact/dynamics/step_system.h>
+#include <fuga/run/model/phase_run.h>
+
+#include <chrono>
+
+namespace fuga::stress
+{
+  namespace
+  {
+    /** Elements and a state of theirs as a step of time sees them: jumps count from its beginning.
+     */
+    class StepView
+    {
+    public:
+      StepView(const StepSystem &step, const LoadHistory &history, const double part)
+        : jumps_before(multiply(step.imposed_jumps(), history.factors(part)))
+      {
+      }
+
+      std::vector<ContactElement>
+      elements(std::vector<ContactElement> result) const
+      {
+        for (ContactElement &element : result)
+          element.initial_gap += jumps_before[element.normal_bar];
+        return result;
+      }
+
+      JointState
+      state(const std::vector<ContactElement> &elements, JointState result) const
+      {
+        for (std::size_t bar = 0; bar < jumps_before.size(); ++bar)
+          result.dislocations[bar] -= jumps_before[bar];
+        for (std::size_t k = 0; k < elements.size(); ++k)
+          if (elements[k].has_tangential_bar())
+            result.slips[k][0] -= jumps_before[elements[k].tangential_bar];
+        return result;
+      }
+
+    private:
+      const Vector jumps_before;
+    };
+
+    struct StepReport
+    {
+      double residual = 0.;
+      std::optional<double> distance;
+    };
+
+    struct Piece
+    {
+      const std::vector<ContactElement> &elements;
+      const StepSystem &step;
+      const LoadHistory &history;
+      const JointState &from, &to;
+    };
+
+    /** x with B x = jumps, counted from the beginning of the step, or of S x + Bᵀ p = f; nothing if
+     * that has no digits. */
+    std::optional<Vector>
+    coordinates(const judges::JudgeProblem &at, const Piece &piece, Vector load)
+    {
+      if (at.B.empty())
+        return piece.step.coordinates(
+          piece.step.layered().jumps(piece.to.dislocations, piece.to.forces), piece.to.forces);
+      for (std::size_t i = 0; i < load.size(); ++i)
+        for (std::size_t bar = 0; bar < piece.to.forces.size(); ++bar)
+          load[i] -= at.jump_operator(bar, i) * piece.to.forces[bar];
+      const judges::LinearSolution solution = judges::solve_linear(at.S, load);
+      if (!solution.regular)
+        return {};
+      return Vector(solution.X.column(0), solution.X.column(0) + load.size());
+    }
+
+    /** Nothing if x has no digits. */
+    std::optional<StepReport>
+    examine_in_the_plane(const Piece &piece)
+    {
+      const StepView view(piece.step, piece.history, piece.to.part_of_step);
+      const auto elements   = view.elements(piece.elements);
+      const JointState from = view.state(elements, piece.from), to = view.state(elements, piece.to);
+      const judges::JudgeProblem at = problem_in(judges::judge_problem(piece.step, elements), from);
+      const auto load               = [&](const double t) {
+        return judges::judge_load(piece.step, piece.history.factors(t));
+      };
+      const auto x = coordinates(at, piece, load(to.part_of_step));
+      if (!x)
+        return {};
+      judges::StepSolution ours;
+      ours.x              = *x;
+      ours.forces         = to.forces;
+      ours.slip           = judges::judge_slips(to);
+      ours.states         = to.states;
+      const Vector before = judges::judge_slips(from);
+      complete(at, before, load(to.part_of_step), ours);
+      StepReport report;
+      report.residual = ours.residual;
+      if (const auto other = solve_anew(at, before, load(from.part_of_step), load(to.part_of_step)))
+        report.distance = distance(*other, ours);
+      return report;
+    }
+
+    std::optional<StepReport>
+    examine_in_space(const Piece &piece)
+    {
+      const StepView view(piece.step, piece.history, piece.to.part_of_step);
+      const auto elements = view.elements(piece.elements);
+      const auto from     = cone_state(elements, view.state(elements, piece.from));
+      const auto to       = cone_state(elements, view.state(elements, piece.to));
+      const judges::ConeNewton newton(piece.step.stiffness(),
+                                      piece.step.jump_operator(),
+                                      piece.step.load_patterns(),
+                                      cones_of(elements));
+      const Vector factors = piece.history.factors(piece.to.part_of_step);
+      StepReport report;
+      report.residual = newton.residual(from.dislocations, factors, to);
+      const judges::ConeStep other =
+        newton.step(from.dislocations, piece.history.factors(piece.from.part_of_step), factors);
+      if (other.converged)
+        report.distance = newton.distance(to, other.state, factors);
+      return report;
+    }
+
+    template <int dim>
+    class MotionWitness : public PathObserver
+    {
+    public:
+      explicit MotionWitness(const double seconds)
+        : end(Clock::now() +
+              std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
+      {
+      }
+
+      Confirmation confirmation;
+      JointState last_state;
+      std::size_t levels = 0;
+
+      void
+      begin(PhaseRun<dim> &next)
+      {
+        phase     = &next;
+        can_solve = judges_know_layers(phase->joint.elements);
+        levels    = 0;
+        step      = nullptr;
+      }
+
+      void
+      advanced(const PathPoint &from, const PathPoint &to, const double length) override
+      {
+        phase->judge.follow(from, to, length);
+        last_state = to.state;
+        if (step != nullptr && can_solve && Clock::now() < end &&
+            judges_know_strengths(phase->joint.elements, from.state))
+          examine({phase->joint.elements, *step, *history, from.state, to.state});
+      }
+
+      void
+      jumped(const JointState &to) override
+      {
+        phase->judge.lose_track();
+        last_state = to;
+      }
+
+      void
+      changed(const std::vector<ContactEvent> &, const JointState &state) override
+      {
+        last_state = state;
+      }
+
+      void
+      reached(const std::size_t index, const JointState &state) override
+      {
+        last_state = state;
+        levels     = index + 1;
+      }
+
+      void
+      began_step(const ContactSystem &system, const LoadHistory &history_of_step) override
+      {
+        phase->began_step(system, history_of_step);
+        step    = &dynamic_cast<const StepSystem &>(system);
+        history = &history_of_step;
+      }
+
+      void
+      ended_step(const JointState &state) override
+      {
+        last_state = state;
+        phase->ended_step(state);
+      }
+
+    private:
+      using Clock = std::chrono::steady_clock;
+
+      // Nothing acts: rounding is all there is to compare.
+      static bool
+      is_in_flight(const Piece &piece)
+      {
+        constexpr double no_force = 1e-9;
+        const Vector load =
+          judges::judge_load(piece.step, piece.history.factors(piece.to.part_of_step));
+        return max_abs(load) <= no_force * piece.step.force_scale() &&
+               max_abs(piece.to.forces) <= no_force * piece.step.force_scale();
+      }
+
+      // Steps that follow each other are alike.
+      void
+      examine(const Piece &piece)
+      {
+        constexpr std::size_t every = 5;
+        if (n_seen++ % every != 0 || is_in_flight(piece))
+          return;
+        const std::optional<StepReport> report =
+          dim == 2 ? examine_in_the_plane(piece) : examine_in_space(piece);
+        if (report)
+          count_piece(report->residual, report->distance, piece.to.t, confirmation);
+      }
+
+      const Clock::time_point end;
+      PhaseRun<dim> *phase       = nullptr;
+      const StepSystem *step     = nullptr;
+      const LoadHistory *history = nullptr;
+      bool can_solve             = false;
+      std::size_t n_seen         = 0;
+    };
+  } // namespace
+
+  template <int dim>
+  Confirmation
+  confirm_motion(const Parameters &parameters, const std::string &verdict, const double seconds)
+  {
+    MotionWitness<dim> witness(seconds);
+    auto model = std::make_unique<const Model<dim>>(parameters);
+    auto phase = std::make_unique<PhaseRun<dim>>(*model, parameters);
+    if (!judges_know_layers(phase->joint.elements))
+      {
+        if (verdict == "numerical failure")
+          witness.confirmation.objection = verdict;
+        else
+          witness.confirmation.by = "certificate";
+        return witness.confirmation;
+      }
+    witness.begin(*phase);
+    std::string found = "numerical failure";
+    try
+      {
+        PathResult result = phase->path->run(model->loads.levels, witness);
+        while (result.verdict == Verdict::done && !model->is_last_phase())
+          {
+            const PhaseEnd end = phase->leave(witness.last_state, result, witness.levels);
+            phase.reset();
+            model                  = std::make_unique<const Model<dim>>(parameters, end, nullptr);
+            phase                  = std::make_unique<PhaseRun<dim>>(*model, parameters);
+            const Checkpoint start = phase->enter(end);
+            witness.begin(*phase);
+            result = phase->path->go_on(start.cut, model->loads.levels, witness);
+          }
+        found = verdict_name(result.verdict);
+      }
+    catch (const NumericalFailure &)
+      {
+      }
+    Confirmation &confirmation = witness.confirmation;
+    if (found != verdict)
+      confirmation.objection += "the verdict is another one when the path is run again; ";
+    if (found == "numerical failure")
+      confirmation.objection += "numerical failure; ";
+    if (confirmation.objection.empty())
+      confirmation.by = confirmation_by_pieces(confirmation);
+    return confirmation;
+  }
+
+  template Confirmation
+  confirm_motion<2>(const Parameters &, const std::string &, const double);
+  template Confirmation
+  confirm_motion<3>(const Parameters &, const std::string &, const double);
+} // namespace fuga::stress
