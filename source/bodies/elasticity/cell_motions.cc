@@ -18,6 +18,14 @@ namespace fuga
       for (std::size_t i = 0; i < v.size(); ++i)
         v[i] -= part * unit[i];
     }
+
+    void
+    normalize(Vector &v)
+    {
+      const double length = std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.));
+      for (double &value : v)
+        value /= length;
+    }
   } // namespace
 
 
@@ -25,17 +33,12 @@ namespace fuga
   // along the axis only.
   template <int dim>
   CellMotions<dim>::CellMotions(const Discretization<dim> &space)
-    : discretization(space), n_nodes(space.reference_element().n_nodes())
+    : discretization(space)
+    , n_nodes(space.reference_element().n_nodes())
+    , first_shift(space.is_axisymmetric() ? 1 : 0)
+    , arms(n_nodes)
+    , rotations(space.is_axisymmetric() ? 0 : dim * (dim - 1) / 2, Vector(n_nodes * dim))
   {
-    for (unsigned int c = space.is_axisymmetric() ? 1 : 0; c < dim; ++c)
-      {
-        motions.emplace_back(n_nodes * dim, 0.);
-        for (std::size_t node = 0; node < n_nodes; ++node)
-          motions.back()[node * dim + c] = 1. / std::sqrt(static_cast<double>(n_nodes));
-      }
-    n_shifts = motions.size();
-    motions.resize(n_shifts + (space.is_axisymmetric() ? 0 : dim * (dim - 1) / 2),
-                   Vector(n_nodes * dim, 0.));
   }
 
 
@@ -44,39 +47,45 @@ namespace fuga
   CellMotions<dim>::move_to(const std::size_t cell)
   {
     const unsigned int *const nodes = discretization.cell_nodes(cell);
-    std::size_t rotation            = n_shifts;
+    bool is_copy                    = !rotations.empty() && is_ready;
+    for (std::size_t node = 0; node < n_nodes; ++node)
+      {
+        const auto arm = discretization.position(nodes[node]) - discretization.position(nodes[0]);
+        is_copy        = is_copy && arm == arms[node];
+        arms[node]     = arm;
+      }
+    if (rotations.empty() || is_copy)
+      return;
+    dealii::Tensor<1, dim> center;
+    for (const auto &arm : arms)
+      center += arm / static_cast<double>(n_nodes);
+    std::size_t k = 0;
     for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < c && rotation < motions.size(); ++d, ++rotation)
+      for (unsigned int d = 0; d < c; ++d, ++k)
         {
-          Vector &motion = motions[rotation];
-          std::fill(motion.begin(), motion.end(), 0.);
+          std::fill(rotations[k].begin(), rotations[k].end(), 0.);
           for (std::size_t node = 0; node < n_nodes; ++node)
             {
-              const auto arm =
-                discretization.position(nodes[node]) - discretization.position(nodes[0]);
-              motion[node * dim + c] = arm[d];
-              motion[node * dim + d] = -arm[c];
+              rotations[k][node * dim + c] = arms[node][d] - center[d];
+              rotations[k][node * dim + d] = center[c] - arms[node][c];
             }
-          orthonormalize(rotation);
+          orthonormalize(k);
         }
+    is_ready = true;
   }
 
 
   // Twice: of motions that are all but parallel, about the axes of a slender cell, the first
-  // subtraction leaves few digits.
+  // subtraction leaves few digits. About the centre they have nothing of the shifts.
   template <int dim>
   void
   CellMotions<dim>::orthonormalize(const std::size_t k)
   {
-    Vector &motion = motions[k];
     for (int time = 0; time < 2; ++time)
       {
         for (std::size_t before = 0; before < k; ++before)
-          take_out_part(motions[before], motion);
-        const double length =
-          std::sqrt(std::inner_product(motion.begin(), motion.end(), motion.begin(), 0.));
-        for (double &value : motion)
-          value /= length;
+          take_out_part(rotations[before], rotations[k]);
+        normalize(rotations[k]);
       }
   }
 
@@ -85,8 +94,17 @@ namespace fuga
   void
   CellMotions<dim>::take_out(Vector &v) const
   {
-    for (const Vector &motion : motions)
-      take_out_part(motion, v);
+    for (unsigned int c = first_shift; c < dim; ++c)
+      {
+        double mean = 0.;
+        for (std::size_t node = 0; node < n_nodes; ++node)
+          mean += v[node * dim + c];
+        mean /= static_cast<double>(n_nodes);
+        for (std::size_t node = 0; node < n_nodes; ++node)
+          v[node * dim + c] -= mean;
+      }
+    for (const Vector &rotation : rotations)
+      take_out_part(rotation, v);
   }
 
 

@@ -30,15 +30,19 @@ namespace fuga
     take_out(Vector &v) const;
 
   private:
-    /** Makes a motion orthogonal to those before it, and a unit vector. */
+    /** Makes a rotation orthogonal to those before it, and a unit vector. */
     void
     orthonormalize(const std::size_t k);
 
     const Discretization<dim> &discretization;
     const std::size_t n_nodes;
-    /** Orthonormal: shifts, then rotations. */
-    std::vector<Vector> motions;
-    std::size_t n_shifts = 0;
+    /** Component of the first shift that causes no forces. */
+    const unsigned int first_shift;
+    /** Of the nodes from the first one: cells that are copies have the same rotations. */
+    std::vector<dealii::Tensor<1, dim>> arms;
+    /** Orthonormal, about the mean of the nodes. */
+    std::vector<Vector> rotations;
+    bool is_ready = false;
   };
 } // namespace fuga
 
