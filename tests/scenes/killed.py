@@ -67,7 +67,9 @@ def main():
             process.wait()
             n_seen.append(check_directory(pathlib.Path(name), complaints))
             verdict = json.loads((pathlib.Path(name) / "summary.json").read_text())["verdict"]
-            if process.returncode != 0 and n_seen[-1] != n_all and verdict == "done":
+            # A new run removes the checkpoint of the earlier one before it says that it is unfinished.
+            n_kept = n_all - (not (pathlib.Path(name) / "checkpoint.cbor").is_file())
+            if process.returncode != 0 and n_seen[-1] != n_kept and verdict == "done":
                 complaints.append(f"killed with {n_seen[-1]} files, but summary.json says done")
             n_restarts += restart(command + ["--output-dir", name], pathlib.Path(name), expected, 0.5)
     print(f"{n_all} files of a whole run, {duration:.2f} s; after kills: {n_seen}; {n_restarts} restarts")
