@@ -4,6 +4,7 @@
 // Restart: the oracle is the unbroken run, the tolerance is no byte.
 
 #include "scenes/keyed_blocks.h"
+#include "scenes/restarts.h"
 #include "scenes/scene_run.h"
 
 #include <fuga/base/errors.h>
@@ -25,56 +26,6 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  /** Files of a run by name, without what may differ: times, memory, work, and that it was
-   * restarted.
-   */
-  using Results = std::map<std::string, std::string>;
-
-  Results
-  results(const std::string &directory)
-  {
-    Results files;
-    for (const auto &entry : fs::directory_iterator(directory))
-      {
-        const std::string name = entry.path().filename();
-        std::string text       = file_text(entry.path());
-        if (name == checkpoint_file_name)
-          continue;
-        if (name == "summary.json")
-          {
-            nlohmann::json summary = nlohmann::json::parse(text);
-            summary.erase("seconds");
-            summary.erase("memory_MB");
-            summary.erase("work"); // of the process, not of the run
-            text = summary.dump(1);
-          }
-        if (name == "log.txt")
-          {
-            std::istringstream lines(text);
-            text.clear();
-            for (std::string line; std::getline(lines, line);)
-              if (line.rfind("Time ", 0) != 0 && line.rfind("Restarted ", 0) != 0)
-                text += line + "\n";
-          }
-        files[name] = text;
-      }
-    return files;
-  }
-
-  /** Names of the files that differ. */
-  std::string
-  differences(const Results &a, const Results &b)
-  {
-    std::string names;
-    for (const auto &[name, text] : a)
-      if (b.count(name) == 0 || b.at(name) != text)
-        names += name + " ";
-    for (const auto &[name, text] : b)
-      if (a.count(name) == 0)
-        names += name + " ";
-    return names;
-  }
-
   /** A copy of a shipped file with one more stage at the end. */
   std::string
   with_added_stage(const std::string &file, const std::string &loads, const unsigned int levels)
@@ -91,62 +42,13 @@ namespace
     return copy;
   }
 
-  /** Ends a run as a kill does. */
-  class Stop
-  {
-  };
-
-  std::vector<std::string>
-  with_checkpoints(const std::vector<std::string> &overrides)
-  {
-    std::vector<std::string> all = {"Output/Log=quiet", "Output/Checkpoint=every event"};
-    all.insert(all.end(), overrides.begin(), overrides.end());
-    return all;
-  }
-
-  /** Ends a run behind its checkpoint number @p last. */
-  void
-  run_until(const Model<2> &model, const std::size_t last)
-  {
-    std::size_t count = 0;
-    Simulation<2> simulation(model);
-    simulation.on_checkpoint([&]() {
-      if (++count == last)
-        throw Stop();
-    });
-    EXPECT_THROW(simulation.run(), Stop);
-  }
-
-  /** Restarts from about @p n_restarts of the checkpoints of a run; how many it wrote. */
   std::size_t
   check(const std::string &file,
         const std::vector<std::string> &overrides,
         const std::size_t n_restarts,
         const ExitCode code = ExitCode::done)
   {
-    Parameters parameters = read_parameters(parameter_path(file), with_checkpoints(overrides));
-    const std::string directory = parameters.output.directory = temporary_directory();
-    const Model<2> model(parameters);
-    std::size_t n_checkpoints = 0;
-    Simulation<2> unbroken(model);
-    unbroken.on_checkpoint([&]() { ++n_checkpoints; });
-    EXPECT_EQ(unbroken.run(), code);
-    const Results expected = results(directory);
-
-    // The last one belongs to the finished run.
-    const std::size_t stride = 1 + n_checkpoints / n_restarts;
-    for (std::size_t i = 1; i < n_checkpoints; i += stride)
-      {
-        run_until(model, i);
-        const Checkpoint checkpoint = read_checkpoint(directory);
-        EXPECT_FALSE(is_complete(checkpoint, parameters));
-        EXPECT_NO_THROW(check_same_problem(checkpoint, parameters));
-        EXPECT_EQ(Simulation<2>(model).resume(checkpoint), code);
-        EXPECT_EQ(differences(expected, results(directory)), "") << "checkpoint " << i;
-        EXPECT_TRUE(is_complete(read_checkpoint(directory), parameters));
-      }
-    fs::remove_all(directory);
-    return n_checkpoints;
+    return restart_everywhere(parameter_path(file), overrides, n_restarts, code);
   }
 } // namespace
 
@@ -228,24 +130,18 @@ TEST(Restart, StageEnds)
 // A restarted run can be restarted itself, also from the same checkpoint again.
 TEST(Restart, Again)
 {
-  Parameters parameters =
-    read_parameters(parameter_path("paper_2_linear.prm"), with_checkpoints({}));
+  Parameters parameters       = read_parameters(parameter_path("paper_2_linear.prm"),
+                                          {"Output/Log=quiet", "Output/Checkpoint=every event"});
   const std::string directory = parameters.output.directory = temporary_directory();
-  const Model<2> model(parameters);
-  Simulation<2>(model).run();
+  run_all_phases<2>(std::make_unique<const Model<2>>(parameters));
   const Results expected = results(directory);
-  run_until(model, 2);
+  run_until(parameters, 2);
   for (const std::size_t last : {1u, 1u, 3u, 2u})
     {
-      std::size_t count = 0;
-      Simulation<2> simulation(model);
-      simulation.on_checkpoint([&]() {
-        if (++count == last)
-          throw Stop();
-      });
-      EXPECT_THROW(simulation.resume(read_checkpoint(directory)), Stop);
+      const Checkpoint checkpoint = read_checkpoint(directory);
+      run_until(parameters, last, &checkpoint);
     }
-  EXPECT_EQ(Simulation<2>(model).resume(read_checkpoint(directory)), ExitCode::done);
+  EXPECT_EQ(run_rest(parameters), ExitCode::done);
   EXPECT_EQ(differences(expected, results(directory)), "");
 }
 

@@ -42,6 +42,21 @@ namespace fuga::stress
     return result;
   }
 
+  StepReport
+  examine_cone_step(const judges::ConeNewton &newton,
+                    const judges::ConeState &from,
+                    const Vector &factors_before,
+                    const judges::ConeState &to,
+                    const Vector &factors)
+  {
+    StepReport report;
+    report.residual              = newton.residual(from.dislocations, factors, to);
+    const judges::ConeStep other = newton.step(from.dislocations, factors_before, factors);
+    if (other.converged)
+      report.distance = newton.distance(to, other.state, factors);
+    return report;
+  }
+
   ConeExaminer::ConeExaminer(const Model<3> &fuga_model, const JointModel &joint)
     : model(fuga_model)
     , elements(joint.elements)
@@ -53,18 +68,14 @@ namespace fuga::stress
   {
   }
 
-  ConeExaminer::StepReport
+  StepReport
   ConeExaminer::examine_step(const JointState &from, const JointState &to) const
   {
-    const judges::ConeState before = cone_state(elements, from), ours = cone_state(elements, to);
-    const Vector factors = model.loads.history.factors(to.t);
-    StepReport report;
-    report.residual = newton.residual(before.dislocations, factors, ours);
-    const judges::ConeStep other =
-      newton.step(before.dislocations, model.loads.history.factors(from.t), factors);
-    if (other.converged)
-      report.distance = newton.distance(ours, other.state, factors);
-    return report;
+    return examine_cone_step(newton,
+                             cone_state(elements, from),
+                             model.loads.history.factors(from.t),
+                             cone_state(elements, to),
+                             model.loads.history.factors(to.t));
   }
 
   bool

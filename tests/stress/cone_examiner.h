@@ -5,12 +5,11 @@
 #define fuga_tests_stress_cone_examiner_h
 
 #include "judges/cone_newton.h"
+#include "stress/step_report.h"
 
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>
-
-#include <optional>
 
 namespace fuga::stress
 {
@@ -21,20 +20,20 @@ namespace fuga::stress
   judges::ConeState
   cone_state(const std::vector<ContactElement> &elements, const JointState &state);
 
+  /** The step from one state under one load to another. */
+  StepReport
+  examine_cone_step(const judges::ConeNewton &newton,
+                    const judges::ConeState &from,
+                    const Vector &factors_before,
+                    const judges::ConeState &to,
+                    const Vector &factors);
+
   /** Puts states of a path in space before judges::ConeNewton, as Examiner does in the plane. Of
    * the solver only forces, dislocations and jumps of a motion are taken. */
   class ConeExaminer
   {
   public:
     ConeExaminer(const Model<3> &model, const JointModel &joint);
-
-    struct StepReport
-    {
-      /** ConeNewton::residual(). */
-      double residual = 0.;
-      /** How far the solution of ConeNewton is away; nothing if it finds none. */
-      std::optional<double> distance;
-    };
 
     StepReport
     examine_step(const JointState &from, const JointState &to) const;

@@ -45,28 +45,25 @@ namespace fuga::stress
   }
 
   void
-  count_piece(const double residual,
-              const std::optional<double> distance,
-              const double t,
-              Confirmation &confirmation)
+  count_piece(const StepReport &report, const double t, Confirmation &confirmation)
   {
     /** Two solutions this close are the same one. */
     constexpr double same = 1e-6;
     /** A state with a larger residual does not satisfy the conditions. */
     constexpr double right = 1e-8;
-    if (distance && *distance <= same)
+    if (report.distance && *report.distance <= same)
       {
         ++confirmation.n_equal;
-        confirmation.difference = std::max(confirmation.difference, *distance);
+        confirmation.difference = std::max(confirmation.difference, *report.distance);
       }
-    else if (residual <= right)
+    else if (report.residual <= right)
       ++confirmation.n_other;
     else
-      confirmation.objection +=
-        fmt::format("step to t = {:.9g}: residual {:.1e}, other solver {}; ",
-                    t,
-                    residual,
-                    distance ? fmt::format("at distance {:.1e}", *distance) : "without solution");
+      confirmation.objection += fmt::format(
+        "step to t = {:.9g}: residual {:.1e}, other solver {}; ",
+        t,
+        report.residual,
+        report.distance ? fmt::format("at distance {:.1e}", *report.distance) : "without solution");
   }
 
   std::string
@@ -108,8 +105,7 @@ namespace fuga::stress
                 const PieceSample::Piece &piece,
                 Confirmation &confirmation)
     {
-      const Examiner::StepReport report = examiner.examine_step(piece.from, piece.to);
-      count_piece(report.residual, report.distance, piece.to.t, confirmation);
+      count_piece(examiner.examine_step(piece.from, piece.to), piece.to.t, confirmation);
     }
 
     void

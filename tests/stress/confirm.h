@@ -4,6 +4,8 @@
 #ifndef fuga_tests_stress_confirm_h
 #define fuga_tests_stress_confirm_h
 
+#include "stress/step_report.h"
+
 #include <fuga/contact/path/event_path.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>
@@ -63,13 +65,9 @@ namespace fuga::stress
     double difference = 0.;
   };
 
-  /** Counts a step to load time @p t whose end in the path has this residual and this distance from
-   * that of another solver, if it found one. */
+  /** Counts a step to load time @p t. */
   void
-  count_piece(const double residual,
-              const std::optional<double> distance,
-              const double t,
-              Confirmation &confirmation);
+  count_piece(const StepReport &report, const double t, Confirmation &confirmation);
 
   /** What the pieces of a path that was done say together. */
   std::string

@@ -230,10 +230,7 @@ namespace fuga::stress
       const ConeExaminer examiner(model, joint);
       const auto check = [&](const PieceSample::Piece &piece) {
         if (std::chrono::duration<double>(Clock::now() - start).count() < seconds)
-          {
-            const ConeExaminer::StepReport report = examiner.examine_step(piece.from, piece.to);
-            count_piece(report.residual, report.distance, piece.to.t, confirmation);
-          }
+          count_piece(examiner.examine_step(piece.from, piece.to), piece.to.t, confirmation);
       };
       if (sample.last)
         check(*sample.last);

@@ -51,12 +51,6 @@ namespace fuga::stress
       const Vector jumps_before;
     };
 
-    struct StepReport
-    {
-      double residual = 0.;
-      std::optional<double> distance;
-    };
-
     struct Piece
     {
       const std::vector<ContactElement> &elements;
@@ -110,25 +104,20 @@ namespace fuga::stress
       return report;
     }
 
-    std::optional<StepReport>
+    StepReport
     examine_in_space(const Piece &piece)
     {
       const StepView view(piece.step, piece.history, piece.to.part_of_step);
       const auto elements = view.elements(piece.elements);
-      const auto from     = cone_state(elements, view.state(elements, piece.from));
-      const auto to       = cone_state(elements, view.state(elements, piece.to));
       const judges::ConeNewton newton(piece.step.stiffness(),
                                       piece.step.jump_operator(),
                                       piece.step.load_patterns(),
                                       cones_of(elements));
-      const Vector factors = piece.history.factors(piece.to.part_of_step);
-      StepReport report;
-      report.residual = newton.residual(from.dislocations, factors, to);
-      const judges::ConeStep other =
-        newton.step(from.dislocations, piece.history.factors(piece.from.part_of_step), factors);
-      if (other.converged)
-        report.distance = newton.distance(to, other.state, factors);
-      return report;
+      return examine_cone_step(newton,
+                               cone_state(elements, view.state(elements, piece.from)),
+                               piece.history.factors(piece.from.part_of_step),
+                               cone_state(elements, view.state(elements, piece.to)),
+                               piece.history.factors(piece.to.part_of_step));
     }
 
     template <int dim>
@@ -223,7 +212,7 @@ namespace fuga::stress
         const std::optional<StepReport> report =
           dim == 2 ? examine_in_the_plane(piece) : examine_in_space(piece);
         if (report)
-          count_piece(report->residual, report->distance, piece.to.t, confirmation);
+          count_piece(*report, piece.to.t, confirmation);
       }
 
       const Clock::time_point end;

@@ -165,7 +165,7 @@ namespace fuga::stress
     return std::move(step.solution);
   }
 
-  Examiner::StepReport
+  StepReport
   Examiner::examine_step(const JointState &from, const JointState &to) const
   {
     const JudgeProblem at   = problem_in(problem, from);

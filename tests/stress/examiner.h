@@ -6,6 +6,7 @@
 
 #include "judges/judge_problem.h"
 #include "stress/rate_question.h"
+#include "stress/step_report.h"
 
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/run/model/joint_model.h>
@@ -52,14 +53,6 @@ namespace fuga::stress
     /** or to say whether the joints go on from it, by the tangents of their layers. */
     bool
     can_continue(const JointState &state) const;
-
-    /** How far the step from one state to another is from satisfying all conditions, and how far
-     * the solution of another solver is away; nothing if that finds none. */
-    struct StepReport
-    {
-      double residual = 0.;
-      std::optional<double> distance;
-    };
 
     StepReport
     examine_step(const JointState &from, const JointState &to) const;

@@ -102,15 +102,6 @@ namespace fuga::stress::families
         }
     }
 
-    Vector
-    halved(const Vector &lines)
-    {
-      Vector result = {lines[0]};
-      for (std::size_t i = 1; i < lines.size(); ++i)
-        result.insert(result.end(), {0.5 * (lines[i - 1] + lines[i]), lines[i]});
-      return result;
-    }
-
     /** The program wants every load to be used. */
     void
     remove_unused_loads(SceneData &scene)
@@ -164,7 +155,7 @@ namespace fuga::stress::families
     SpatialGrid model = random.one_of<SpatialGrid (*)(Random &)>(
       {blocks_in_space, pair_in_space, wedge_in_space})(random);
     for (Vector &lines : model.lines)
-      lines = halved(lines);
+      lines = grid_lines(lines, std::vector<unsigned int>(lines.size() - 1, 2));
     const auto body    = model.body_of_cell;
     model.body_of_cell = [body](const SpatialGrid::Index &cell) {
       return body({{cell[0] / 2, cell[1] / 2, cell[2] / 2}});

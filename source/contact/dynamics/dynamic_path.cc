@@ -112,9 +112,10 @@ namespace fuga
     ledger.note_largest();
     make_cut(state, result, observer);
     RestWatch watch;
+    const std::vector<double> reported = grid.until_rest ? std::vector<double>() : levels;
     for (unsigned int step = 0; step < grid.n_steps && !watch.has_come_to_rest(); ++step)
       {
-        advance(0, grid.until_rest ? std::vector<double>() : levels, state, result, observer);
+        advance(0, reported, state, result, observer);
         if (grid.until_rest)
           watch.note(ledger.kinetic);
       }

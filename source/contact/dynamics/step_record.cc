@@ -27,14 +27,13 @@ namespace fuga
   void
   StepRecord::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
-    const Vector before      = system.jumps(from.state.dislocations, from.state.forces);
-    const Vector after       = system.jumps(to.state.dislocations, to.state.forces);
+    const Vector jumps       = change_of_jumps(from.state, to.state);
     const Vector rate_before = system.jumps(from.rates.dislocations, from.rates.forces);
     const Vector rate_after  = system.jumps(to.rates.dislocations, to.rates.forces);
     for (std::size_t bar = 0; bar < work.size(); ++bar)
       {
         const double p0 = from.state.forces[bar], p1 = to.state.forces[bar];
-        work[bar] += 0.5 * (p0 + p1) * (after[bar] - before[bar]) -
+        work[bar] += 0.5 * (p0 + p1) * jumps[bar] -
                      (p1 - p0) * length / 12. * (rate_before[bar] - rate_after[bar]);
         impulse[bar] += 0.5 * (p0 + p1) * (to.state.t - from.state.t);
       }
@@ -48,13 +47,12 @@ namespace fuga
   void
   StepRecord::jumped(const JointState &to)
   {
-    const Vector before = system.jumps(last.dislocations, last.forces);
-    const Vector after  = system.jumps(to.dislocations, to.forces);
+    const Vector jumps = change_of_jumps(last, to);
     for (std::size_t bar = 0; bar < work.size(); ++bar)
       {
         const double mean = 0.5 * (last.forces[bar] + to.forces[bar]);
-        work[bar] += mean * (after[bar] - before[bar]);
-        cost_of_jumps += std::abs((mean - last.forces[bar]) * (after[bar] - before[bar]));
+        work[bar] += mean * jumps[bar];
+        cost_of_jumps += std::abs((mean - last.forces[bar]) * jumps[bar]);
         impulse[bar] += mean * (to.t - last.t);
       }
     last = to;
@@ -96,7 +94,7 @@ namespace fuga
   double
   StepRecord::cost_of_events(const double length, const double rate) const
   {
-    const Vector changes = change_of_jumps();
+    const Vector changes = change_of_jumps(first, last);
     double result        = cost_of_jumps;
     for (const ContactElement &element : elements)
       {
@@ -116,14 +114,14 @@ namespace fuga
   double
   StepRecord::largest_change() const
   {
-    return max_abs(change_of_jumps());
+    return max_abs(change_of_jumps(first, last));
   }
 
   Vector
-  StepRecord::change_of_jumps() const
+  StepRecord::change_of_jumps(const JointState &from, const JointState &to) const
   {
-    Vector result       = system.jumps(last.dislocations, last.forces);
-    const Vector before = system.jumps(first.dislocations, first.forces);
+    Vector result       = system.jumps(to.dislocations, to.forces);
+    const Vector before = system.jumps(from.dislocations, from.forces);
     for (std::size_t bar = 0; bar < result.size(); ++bar)
       result[bar] -= before[bar];
     return result;

@@ -65,12 +65,14 @@ namespace fuga
       log.warning(
         fmt::format("{:.2g} of the largest energy of the motion is not accounted for; usual is "
                     "less than {:.2g}. "
-                    "{} steps were as short as they may be, and longer than what happened in the "
-                    "joints. Allow more "
-                    "Dynamics/Halvings, or give a smaller Dynamics/Time step or Event tolerance.",
+                    "{}Give a smaller Dynamics/Time step or Event tolerance.",
                     lacking,
                     much_energy,
-                    motion_steps.back()));
+                    motion_steps.back() == 0
+                      ? ""
+                      : fmt::format("{} steps were as short as they may be, and longer than what "
+                                    "happened in the joints: allow more Dynamics/Halvings. ",
+                                    motion_steps.back())));
   }
 
   template class Simulation<2>;

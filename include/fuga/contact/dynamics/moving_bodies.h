@@ -21,9 +21,9 @@ namespace fuga
     /** Length of a step [s]. */
     double step = 0.;
     /** How often a step may be halved. */
-    unsigned int halvings = 5;
+    unsigned int halvings = 0;
     /** Share of the largest energy that the events of a step may cost, or else it is halved. */
-    double event_tolerance = 1e-4;
+    double event_tolerance = 0.;
     /** Share of the largest energy that is kinetic where bodies rest. */
     static constexpr double at_rest = 1e-6;
     /** The motion ends when the bodies have come to rest; the steps are the most there may be. */

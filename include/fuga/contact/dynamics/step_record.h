@@ -85,7 +85,7 @@ namespace fuga
     PathPoint
     in_motion(const PathPoint &of_path) const;
     Vector
-    change_of_jumps() const;
+    change_of_jumps(const JointState &from, const JointState &to) const;
 
     const JointState first;
     const double end_time;
