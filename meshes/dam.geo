@@ -1,7 +1,8 @@
 // A gravity dam, 30 m high, 18 m wide at its base and 4 m at its crest, on rock; its upstream face is
 // x = 0, its base y = 0. Variable (gmsh -setnumber):
-//   n   contact faces under the dam (18)
-DefineConstant[ n = 18 ];
+//   n     contact faces under the dam (18)
+//   rows  cells from its base to its crest (1.2 n)
+DefineConstant[ n = 18, rows = Round(1.2 * n) ];
 B = 18; H = 30; crest = 4; left = 36; right = 36; depth = 36;
 m = 10;  // faces along the far parts, which grow with the distance
 
@@ -20,7 +21,7 @@ Curve Loop(3) = {3, 10, -6, -9};    Plane Surface(3) = {3};
 Curve Loop(4) = {5, 12, -13, -11};  Plane Surface(4) = {4};
 
 Transfinite Curve {2, 5, 13} = n + 1;
-Transfinite Curve {11, 12} = Round(1.2 * n) + 1;
+Transfinite Curve {11, 12} = rows + 1;
 Transfinite Curve {1, 4} = m + 1 Using Progression 1 / 1.25;
 Transfinite Curve {3, 6} = m + 1 Using Progression 1.25;
 Transfinite Curve {7, 8, 9, 10} = m + 1 Using Progression 1 / 1.25;

@@ -15,6 +15,7 @@ import math
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -137,7 +138,10 @@ def dam(fuga, folder):
                          f"{motion['not_accounted_for'] / motion['largest_energy']:.0e}", f"{summary['certificate']['worst']:.0e}", f"{seconds:.1f}"])
             slips.append(slip)
             print(f"dam, {step} s, {tolerance}", flush=True)
-    large, slip, seconds = dam_run(fuga, folder, "Mesh/Refinements=2", "Mesh/Polynomial degree=1", "Stages/earthquake/Duration=20", "Stages/earthquake/Levels=40")
+    fine = pathlib.Path(folder) / "dam.msh"
+    subprocess.run(["gmsh", "-2", "-v", "1", "-format", "msh41", "-setnumber", "n", "128", "-setnumber", "rows", "60", "-o", fine, TOP / "meshes/dam.geo"],
+                   check=True)
+    large, slip, seconds = dam_run(fuga, folder, f"Mesh/File={fine}", "Mesh/Polynomial degree=1", "Stages/earthquake/Duration=20", "Stages/earthquake/Levels=40")
     mesh, motion = large["sizes"], large["motion"]
     return f"""
 ## A dam under an earthquake
@@ -145,7 +149,7 @@ def dam(fuga, folder):
 `parameters/dam_earthquake.prm`, [described here](examples/dam_earthquake.md): slip that remains, by step and by `Event tolerance` (`Halvings = 7`).
 
 """ + table(["step [ms]", "tolerance", "steps", "slip [mm]", "lacks", "certificate", "CPU s"], rows) + f"""
-The same dam, refined twice and with degree 1 ({mesh['degrees_of_freedom']} degrees of freedom, {mesh['contact_elements']} contact elements), 20 s in steps of 5 ms with the
+The same dam on a finer mesh of degree 1 ({mesh['degrees_of_freedom']} degrees of freedom, {mesh['contact_elements']} contact elements), 20 s in steps of 5 ms with the
 defaults: {sum(motion['steps_by_halvings'])} steps, slip {1e3 * slip:.2f} mm, certificate {large['certificate']['worst']:.0e}, {seconds:.0f} CPU s for the whole run, static stages and results included.
 """
 

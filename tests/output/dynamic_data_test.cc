@@ -100,7 +100,14 @@ TEST(DynamicData, OneWarningPerMistake)
      {"Dynamics/Time step = 0.05 s", "Record x", "at most 0.0"}},
     {"short stage",
      [](ModelDefinition &model) { model.stages[1].duration = 1.; },
-     {"Record x", "behind the end of the stage 'quake', 1 s", "lasts 2 s", "Duration"}}};
+     {"Record x", "behind the end of the stage 'quake', 1 s", "lasts 2 s", "Duration"}},
+    {"second order of nothing",
+     [](ModelDefinition &model) {
+       model.dynamics.second_order = SecondOrder::weight;
+       model.stages.erase(model.stages.begin());
+       model.dynamics.earthquake_stage = 0;
+     },
+     {"Dynamics/Second order = weight", "nothing stresses", "stage 'quake'"}}};
   for (const Mistake &mistake : mistakes)
     {
       Parameters parameters = shaken_block();
@@ -110,7 +117,7 @@ TEST(DynamicData, OneWarningPerMistake)
       for (const std::string &word : mistake.words)
         EXPECT_NE(warnings[0].find(word), std::string::npos) << word << " in\n" << warnings[0];
       // A slow stage has no records.
-      parameters.model.stages[1].duration = 0.;
+      parameters.model.stages.back().duration = 0.;
       EXPECT_TRUE(implausible_dynamics(parameters).empty());
     }
 }

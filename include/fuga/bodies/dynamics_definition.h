@@ -58,6 +58,14 @@ namespace fuga
     parabolic
   };
 
+  /** What of second order in the displacements a motion knows. */
+  enum class SecondOrder
+  {
+    none,
+    /** See add_geometric_stiffness(). */
+    weight
+  };
+
   /** How stages with a duration go on in time. */
   struct DynamicsDefinition
   {
@@ -72,6 +80,7 @@ namespace fuga
     double spectral_radius = 1.;
     /** g, which makes masses of weight densities [m/s²]. */
     double gravity = 9.81;
+    SecondOrder second_order = SecondOrder::none;
     /** Bodies without inertia: a foundation through which the ground motion arrives at once. */
     std::vector<std::string> massless_bodies;
     /** Rayleigh damping of the bodies has this ratio at both frequencies [Hz]; 0: none. */

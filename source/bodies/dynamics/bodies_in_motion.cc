@@ -54,39 +54,18 @@ namespace fuga
       return dynamics;
     }
 
-    /** One triangle of the products of the terms of two degrees of freedom. */
-    template <typename Terms>
-    void
-    add_products(const Terms &rows,
-                 const Terms &columns,
-                 const double value,
-                 SymmetricTriplets &matrix)
+    /** With a matrix by nodes, of the own cells. */
+    Vector
+    product(const dealii::SparseMatrix<double> &matrix, const Vector &u)
     {
-      for (const auto &row : rows)
-        for (const auto &column : columns)
-          if (row.coordinate >= column.coordinate)
-            {
-              matrix.rows.push_back(static_cast<int>(row.coordinate) + 1);
-              matrix.columns.push_back(static_cast<int>(column.coordinate) + 1);
-              matrix.values.push_back(value * row.factor * column.factor);
-            }
+      const dealii::Vector<double> x(u.begin(), u.end());
+      dealii::Vector<double> result(x.size());
+      matrix.vmult(result, x);
+      Vector sum(result.begin(), result.end());
+      processes::sum(sum);
+      return sum;
     }
   } // namespace
-
-
-  BodiesWork
-  StepSolvers::work() const
-  {
-    BodiesWork sum;
-    for (const std::unique_ptr<SchurSolver> &solver : solvers)
-      if (solver)
-        {
-          sum.n_factorisations += solver->work().n_factorisations;
-          sum.n_condensed_loads += solver->work().n_condensed_loads;
-          sum.n_solutions += solver->work().n_solutions;
-        }
-    return sum;
-  }
 
 
   template <int dim>
@@ -94,6 +73,7 @@ namespace fuga
                                       const DynamicsDefinition &definition,
                                       const LoadHistory &load_history,
                                       const ConstructionState &begin,
+                                      const TemperatureField<dim> &temperature,
                                       const std::vector<bool> &massless_joints,
                                       std::shared_ptr<StepSolvers> same_steps)
     : model(bodies)
@@ -111,11 +91,17 @@ namespace fuga
         stiffness_damping   = factor / (2. * dealii::numbers::PI);
       }
     model.elastic_bodies().assemble_by_nodes(pattern, stiffness);
+    if (dynamics.second_order == SecondOrder::weight)
+      {
+        geometric.reinit(pattern);
+        add_geometric_stiffness(model, begin.displacement, temperature, geometric);
+      }
     integration = std::make_unique<TimeIntegration>(
       lumped_mass(model, massless_joints),
       [this](const Vector &v) { return damping_times(v); },
       dynamics.spectral_radius);
-    if (!steps || steps->step != grid.step || steps->mass != integration->mass())
+    if (!steps || !geometric.empty() || steps->step != grid.step ||
+        steps->mass != integration->mass())
       {
         steps       = std::make_shared<StepSolvers>();
         steps->mass = integration->mass();
@@ -201,53 +187,22 @@ namespace fuga
     const double damped      = 1. + integration->damping_factor(h) * stiffness_damping;
     for (double &value : matrix.values)
       value *= damped;
-    add_inertia(integration->mass_factor(h) + integration->damping_factor(h) * mass_damping,
-                matrix);
-    add_dashpots(integration->damping_factor(h), matrix);
+    if (!geometric.empty())
+      add_by_nodes(geometric, coordinates, matrix);
+    if (processes::is_first())
+      {
+        const double damping = integration->damping_factor(h);
+        add_diagonal(integration->mass_factor(h) + damping * mass_damping,
+                     integration->mass(),
+                     coordinates,
+                     matrix);
+        add_dashpots(damping, dashpots, coordinates, matrix);
+      }
     if (steps->order.empty() && processes::is_first())
       steps->order = elimination_order(model.discretization(), coordinates);
     steps->solvers[rung]   = std::make_unique<SchurSolver>(steps->order);
     steps->stiffness[rung] = steps->solvers[rung]->eliminate(matrix, coordinates.n_interface());
     return steps->stiffness[rung];
-  }
-
-
-  // Adds the factor times CᵀMC.
-  template <int dim>
-  void
-  BodiesInMotion<dim>::add_inertia(const double factor, SymmetricTriplets &matrix) const
-  {
-    if (!processes::is_first())
-      return;
-    using Term = typename InterfaceCoordinates<dim>::Term;
-    std::vector<Term> terms;
-    const Vector &mass = integration->mass();
-    for (std::size_t dof = 0; dof < mass.size(); ++dof)
-      {
-        if (mass[dof] == 0.)
-          continue;
-        model.interface_coordinates().terms_of(dof, terms);
-        add_products(terms, terms, factor * mass[dof], matrix);
-      }
-  }
-
-
-  template <int dim>
-  void
-  BodiesInMotion<dim>::add_dashpots(const double factor, SymmetricTriplets &matrix) const
-  {
-    if (!processes::is_first())
-      return;
-    const auto &coordinates = model.interface_coordinates();
-    std::array<std::vector<typename InterfaceCoordinates<dim>::Term>, dim> terms;
-    for (const auto &[node, dashpot] : dashpots)
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          coordinates.terms_of(node * dim + c, terms[c]);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            add_products(terms[c], terms[d], factor * dashpot[c][d], matrix);
-      }
   }
 
 
@@ -281,25 +236,25 @@ namespace fuga
     add_multiple(0.5, forces, mean);
     add_multiple(0.5, forces_at_end, mean);
     integration->advance(h, du, mean, ledger);
-    const Vector &u      = integration->displacement();
-    const Vector elastic = stiffness_times(u);
-    ledger.bodies        = 0.5 * dot(u, elastic);
-    forces               = forces_at_end;
+    const Vector &u        = integration->displacement();
+    const Vector restoring = restoring_forces(u);
+    ledger.bodies          = 0.5 * dot(u, restoring);
+    forces                 = forces_at_end;
     if (free_field)
       free_field->finish_step();
     present_time += h;
-    integration->correct(net_forces(bar_forces, elastic));
+    integration->correct(net_forces(bar_forces, restoring));
   }
 
 
   template <int dim>
   Vector
-  BodiesInMotion<dim>::net_forces(const Vector &bar_forces, const Vector &elastic) const
+  BodiesInMotion<dim>::net_forces(const Vector &bar_forces, const Vector &restoring) const
   {
     Vector changes = bar_forces;
     add_multiple(-1., first_forces, changes);
     Vector result = forces;
-    add_multiple(-1., elastic, result);
+    add_multiple(-1., restoring, result);
     add_multiple(-1., model.bar_forces(changes), result);
     model.discretization().hanging_nodes().move_to_masters(result);
     return result;
@@ -308,13 +263,11 @@ namespace fuga
 
   template <int dim>
   Vector
-  BodiesInMotion<dim>::stiffness_times(const Vector &u) const
+  BodiesInMotion<dim>::restoring_forces(const Vector &u) const
   {
-    const dealii::Vector<double> x(u.begin(), u.end());
-    dealii::Vector<double> product(x.size());
-    stiffness.vmult(product, x);
-    Vector result(product.begin(), product.end());
-    processes::sum(result);
+    Vector result = product(stiffness, u);
+    if (!geometric.empty())
+      add_multiple(1., product(geometric, u), result);
     return result;
   }
 
@@ -325,7 +278,7 @@ namespace fuga
   {
     if (mass_damping == 0. && stiffness_damping == 0. && dashpots.empty())
       return {};
-    Vector result = stiffness_damping > 0. ? stiffness_times(v) : Vector(v.size(), 0.);
+    Vector result = stiffness_damping > 0. ? product(stiffness, v) : Vector(v.size(), 0.);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
     add_dashpot_forces(1., dashpots, v, result);
@@ -341,6 +294,8 @@ namespace fuga
     Vector loads = forces;
     add_multiple(-1., integration->inertia(), loads);
     add_multiple(-1., integration->damping_forces(), loads);
+    if (!geometric.empty())
+      add_multiple(-1., product(geometric, integration->displacement()), loads);
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
     return model.equilibrium_error_under(

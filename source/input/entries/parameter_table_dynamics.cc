@@ -60,10 +60,17 @@ namespace fuga
                 number_in(0, 1),
                 "Share of the critical damping that the bodies have at both Damping frequencies "
                 "(Rayleigh); joints dissipate by themselves.");
-    damping_frequencies  = optional("Damping frequencies",
+    damping_frequencies = optional("Damping frequencies",
                                    text(TextContent::numbers),
                                    "'f1; f2' [Hz]: between them the damping is less than the "
-                                    "Damping ratio, outside it is more.");
+                                   "Damping ratio, outside it is more.");
+    second_order        = defaulted(
+      "Second order",
+      &DynamicsDefinition::second_order,
+      choice<SecondOrder>({{"none", SecondOrder::none}, {"weight", SecondOrder::weight}}),
+      "Weight: what the weight, and whatever else stresses the bodies when a motion begins, gains "
+             "or loses of its arms as the bodies turn acts on them (geometric stiffness): a block that "
+             "rocks comes back later, or not at all. Slow stages do not know it.");
     longest_continuation = defaulted(
       "Longest continuation",
       &DynamicsDefinition::longest_continuation,

@@ -167,9 +167,8 @@ namespace fuga
     std::vector<Part> result       = {{there, displacement}};
     for (const StressFreeShape &shape : system.stress_free_shapes())
       {
-        Part part{std::vector<bool>(there.size(), false), displacement};
-        for (std::size_t i = 0; i < shape.dofs.size(); ++i)
-          part.straining[static_cast<unsigned int>(shape.dofs[i])] -= shape.displacements[i];
+        Part part{std::vector<bool>(there.size(), false),
+                  system.straining(displacement, shape.stage)};
         for (const Material &material : model.materials)
           if (const unsigned int body = index_of(body_names, material.body);
               material.built_at == shape.stage && there[body])

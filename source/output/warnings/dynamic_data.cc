@@ -59,6 +59,13 @@ namespace fuga
             path_name({of.name, of.damping_ratio.name()}),
             dynamics.damping_ratio,
             largest_damping));
+        if (dynamics.second_order != SecondOrder::none && model.stages.front().is_dynamic())
+          warnings.push_back(fmt::format(
+            "{} = {} does nothing in stage '{}', with which the file begins: nothing stresses the "
+            "bodies before it. Let a stage without a Duration put their weight on.",
+            path_name({of.name, of.second_order.name()}),
+            of.second_order.word_of(dynamics.second_order),
+            model.stages.front().name));
       }
 
       void

@@ -91,12 +91,15 @@ namespace fuga
   {
     if (!model.is_dynamic())
       return nullptr;
-    return std::make_unique<BodiesInMotion<dim>>(model.bodies,
-                                                 parameters.model.dynamics,
-                                                 loading,
-                                                 model.construction,
-                                                 massless_joints(parameters.joints),
-                                                 steps);
+    return std::make_unique<BodiesInMotion<dim>>(
+      model.bodies,
+      parameters.model.dynamics,
+      loading,
+      model.construction,
+      model.loads.template temperature<dim>(
+        parameters.model, model.bodies.jointed_mesh().body_names, model.construction.begin),
+      massless_joints(parameters.joints),
+      steps);
   }
 
   template <int dim>

@@ -147,6 +147,19 @@ namespace fuga
       return shapes;
     }
 
+    /** What strains the bodies that were built in @p stage: a displacement of all degrees of
+     * freedom less the shape in which these are free of stress. */
+    template <typename VectorType>
+    VectorType
+    straining(VectorType displacement, const unsigned int stage) const
+    {
+      for (const StressFreeShape &shape : shapes)
+        if (shape.stage == stage)
+          for (std::size_t i = 0; i < shape.dofs.size(); ++i)
+            displacement[static_cast<unsigned int>(shape.dofs[i])] -= shape.displacements[i];
+      return displacement;
+    }
+
     /** Work of nodal forces (entry node * dim + component) on the shape of bodies built in @p stage. */
     double
     stress_free_value(const Vector &force, const unsigned int stage) const;

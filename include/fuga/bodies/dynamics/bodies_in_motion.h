@@ -4,10 +4,8 @@
 #ifndef fuga_bodies_dynamics_bodies_in_motion_h
 #define fuga_bodies_dynamics_bodies_in_motion_h
 
-#include <deal.II/lac/sparse_matrix.h>
-
-#include <fuga/bodies/condensed/condensed_system.h>
 #include <fuga/bodies/dynamics/free_field.h>
+#include <fuga/bodies/dynamics/geometric_stiffness.h>
 #include <fuga/bodies/dynamics/step_solvers.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/load_history.h>
@@ -31,13 +29,15 @@ namespace fuga
     /**
      * @p bodies: the model at rest, with its load patterns; @p dynamics: its own, but for the motion
      * of the ground; @p history: factors of the patterns up to the end of the motion. All must live
-     * as long as this object. @p begin: of the phase. @p massless_joints: see lumped_mass(). @p steps: of another motion of
-     * these bodies, used if they fit.
+     * as long as this object. @p begin: of the phase, with the @p temperature then. @p
+     * massless_joints: see lumped_mass(). @p steps: of another motion of these bodies, used if they
+     * fit.
      */
     BodiesInMotion(const CondensedSystem<dim> &bodies,
                    const DynamicsDefinition &dynamics,
                    const LoadHistory &history,
                    const ConstructionState &begin,
+                   const TemperatureField<dim> &temperature,
                    const std::vector<bool> &massless_joints,
                    std::shared_ptr<StepSolvers> steps = nullptr);
 
@@ -110,8 +110,9 @@ namespace fuga
     }
 
   private:
+    /** K u + K_g u. */
     Vector
-    stiffness_times(const Vector &u) const;
+    restoring_forces(const Vector &u) const;
 
     Vector
     damping_times(const Vector &v) const;
@@ -120,15 +121,9 @@ namespace fuga
     Vector
     initial_velocity() const;
 
-    /** f - K u - Gᵀ(p - p_0) for bar forces p and K u (empty: zero). */
+    /** f - K u - K_g u - Gᵀ(p - p_0) for bar forces p and restoring forces (empty: zero). */
     Vector
-    net_forces(const Vector &bar_forces, const Vector &elastic) const;
-
-    void
-    add_inertia(const double factor, SymmetricTriplets &matrix) const;
-
-    void
-    add_dashpots(const double factor, SymmetricTriplets &matrix) const;
+    net_forces(const Vector &bar_forces, const Vector &restoring) const;
 
     const CondensedSystem<dim> &model;
     const DynamicsDefinition dynamics;
@@ -139,8 +134,8 @@ namespace fuga
     /** Of the absorbing boundaries. */
     const Dashpots<dim> dashpots;
     dealii::SparsityPattern pattern;
-    /** By nodes, of the own cells. */
-    dealii::SparseMatrix<double> stiffness;
+    /** K, and K_g if it is wanted; by nodes, of the own cells. */
+    dealii::SparseMatrix<double> stiffness, geometric;
     std::unique_ptr<TimeIntegration> integration;
     std::shared_ptr<StepSolvers> steps;
     std::optional<DrivingForces<dim>> driving;

@@ -4,6 +4,10 @@
 #ifndef fuga_bodies_dynamics_step_solvers_h
 #define fuga_bodies_dynamics_step_solvers_h
 
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <fuga/bodies/dynamics/dashpots.h>
+#include <fuga/bodies/joints/interface_coordinates.h>
 #include <fuga/bodies/solvers/bodies_work.h>
 #include <fuga/bodies/solvers/schur_solver.h>
 
@@ -27,6 +31,30 @@ namespace fuga
     BodiesWork
     work() const;
   };
+
+  /** Adds one triangle of CᵀAC to the matrix of a step, with C of the coordinates and A a matrix by
+   * nodes, */
+  template <int dim>
+  void
+  add_by_nodes(const dealii::SparseMatrix<double> &by_nodes,
+               const InterfaceCoordinates<dim> &coordinates,
+               SymmetricTriplets &matrix);
+
+  /** or a factor times a diagonal one, */
+  template <int dim>
+  void
+  add_diagonal(const double factor,
+               const Vector &diagonal,
+               const InterfaceCoordinates<dim> &coordinates,
+               SymmetricTriplets &matrix);
+
+  /** or a factor times that of dashpots. */
+  template <int dim>
+  void
+  add_dashpots(const double factor,
+               const Dashpots<dim> &dashpots,
+               const InterfaceCoordinates<dim> &coordinates,
+               SymmetricTriplets &matrix);
 } // namespace fuga
 
 #endif

@@ -154,6 +154,7 @@ namespace fuga
   {
     DynamicsEntries();
     Number time_step, gravity, damping_ratio, longest_continuation;
+    Entry<SecondOrder> second_order;
     Text massless_bodies, absorbing, damping_frequencies;
   };
 
