@@ -143,7 +143,7 @@ def dam(fuga, folder):
                    check=True)
     large, slip, seconds = dam_run(fuga, folder, f"Mesh/File={fine}", "Mesh/Polynomial degree=1", "Stages/earthquake/Duration=20", "Stages/earthquake/Levels=40")
     mesh, motion = large["sizes"], large["motion"]
-    return f"""
+    return """
 ## A dam under an earthquake
 
 `parameters/dam_earthquake.prm`, [described here](examples/dam_earthquake.md): slip that remains, by step and by `Event tolerance` (`Halvings = 7`).

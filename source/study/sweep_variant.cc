@@ -6,7 +6,7 @@
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/output/warnings/dynamic_data.h>
-#include <fuga/run/simulation/table_range.h>
+#include <fuga/output/warnings/model_range.h>
 #include <fuga/study/sweep.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ namespace fuga
     begin(PhaseRun<dim> &next)
     {
       phase = &next;
-      tables.emplace(phase->joint.elements);
+      range.emplace(phase->joint.elements, phase->model.joint_names.size(), excesses);
       openings.resize(phase->model.joint_names.size(), 0.);
     }
 
@@ -49,7 +49,7 @@ namespace fuga
     advanced(const PathPoint &from, const PathPoint &to, const double length) override
     {
       phase->judge.follow(from, to, length);
-      tables->watch(to.state);
+      range->watch(to.state);
       last_state = to.state;
     }
 
@@ -57,6 +57,7 @@ namespace fuga
     jumped(const JointState &to) override
     {
       phase->judge.lose_track();
+      range->watch(to);
       last_state = to;
     }
 
@@ -101,14 +102,6 @@ namespace fuga
       phase->ended_step(state);
     }
 
-    /** At the end of a phase, which is left. */
-    std::vector<std::string>
-    warnings() const
-    {
-      return tables->template warnings<dim>(phase->model.joint_names,
-                                            phase->parameters.output.units.stress());
-    }
-
     /** A search for safety is under way. */
     bool searching = false;
     JointState last_state;
@@ -118,10 +111,11 @@ namespace fuga
     std::size_t levels   = 0;
     Vector openings;
     MotionLedger energies_of_motion;
+    ModelRange::Record excesses;
 
   private:
     PhaseRun<dim> *phase = nullptr;
-    std::optional<TableRange> tables;
+    std::optional<ModelRange> range;
   };
 
   template <int dim>
@@ -136,8 +130,6 @@ namespace fuga
   private:
     PathResult
     follow_phases();
-    void
-    finish_phase();
     void
     take(PathResult found);
     void
@@ -184,7 +176,7 @@ namespace fuga
     PathResult found = phase->path->run(phase->model.loads.levels, observer);
     while (found.verdict == Verdict::done && !phase->model.is_last_phase())
       {
-        finish_phase();
+        sweep.count(*phase);
         const PhaseEnd end = phase->leave(observer.last_state, found, observer.levels);
         phase.reset();
         later = std::make_unique<const Model<dim>>(parameters, end, sweep.later_bodies);
@@ -196,15 +188,6 @@ namespace fuga
       }
     return found;
   }
-  template <int dim>
-  void
-  Sweep<dim>::VariantRun::finish_phase()
-  {
-    for (const std::string &text : observer.warnings())
-      row.warnings.push_back(text);
-    sweep.count(*phase);
-  }
-
   template <int dim>
   void
   Sweep<dim>::VariantRun::take(PathResult found)
@@ -254,7 +237,10 @@ namespace fuga
       }
     row.motion       = model.motion(phase->joint.elements, row.path);
     row.n_iterations = phase->path->iterations().n_iterations;
-    finish_phase();
+    for (const std::string &text :
+         range_warnings<dim>(observer.excesses, model.joint_names, parameters.output.units))
+      row.warnings.push_back(text);
+    sweep.count(*phase);
   }
 
   template <int dim>

@@ -29,7 +29,7 @@ namespace fuga
     , motion(phase.motion)
     , path(phase.path)
     , judge(phase.judge)
-    , tables(joint.elements)
+    , model_range(joint.elements, model.joint_names.size(), excesses)
     , context{joint.elements,
               model.joint_names,
               model.joints_there,
@@ -124,7 +124,7 @@ namespace fuga
   Simulation<dim>::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
     judge.follow(from, to, length);
-    tables.watch(to.state);
+    model_range.watch(to.state);
     last_state = to.state;
     log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
   }
@@ -134,6 +134,7 @@ namespace fuga
   Simulation<dim>::jumped(const JointState &to)
   {
     judge.lose_track();
+    model_range.watch(to);
     last_state = to;
   }
 

@@ -46,7 +46,7 @@ namespace fuga
       log.warning("The motion beyond the limit load was not followed: displacements, gaps or "
                   "temperatures change there, which have no inertia.");
     for (const std::string &text :
-         tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
+         range_warnings<dim>(excesses, model.joint_names, parameters.output.units))
       log.warning(text);
     log_closing_table(outcome);
     log.close();

@@ -9,10 +9,6 @@ namespace fuga
   PhaseEnd
   Simulation<dim>::leave_phase()
   {
-    for (const std::string &text :
-         tables.warnings<dim>(model.joint_names, parameters.output.units.stress()))
-      log.warning(text);
-
     PhaseEnd end = phase.leave(last_state, *end_of_phase, levels_written, goes_on_in_motion);
     fill(end.checkpoint);
     model.timer.finish("change of construction");

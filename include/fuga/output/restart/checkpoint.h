@@ -12,6 +12,7 @@
 #include <fuga/output/results/motion_beyond_limit.h>
 #include <fuga/output/tables/history_writer.h>
 #include <fuga/output/tables/run_log.h>
+#include <fuga/output/warnings/model_range.h>
 
 #include <map>
 
@@ -30,6 +31,7 @@ namespace fuga
     std::vector<std::size_t> motion_steps;
     /** Motions behind the loss of an equilibrium; the last one may be under way. */
     std::vector<MotionBeyondLimit> continuations;
+    ModelRange::Record excesses;
   };
 
   template <typename Record, typename Visitor, only_for<Record, RunRecord> = 0>
@@ -43,7 +45,8 @@ namespace fuga
            n_events,
            motion_energies,
            motion_steps,
-           continuations] = record;
+           continuations,
+           excesses] = record;
     visit("last_state", last_state);
     visit("levels_written", levels_written);
     visit("worst", worst);
@@ -52,6 +55,7 @@ namespace fuga
     visit("motion_energies", motion_energies);
     visit("motion_steps", motion_steps);
     visit("continuations", continuations);
+    visit("excesses", excesses);
   }
 
   /**

@@ -7,8 +7,8 @@
 #include <fuga/output/restart/checkpoint.h>
 #include <fuga/output/tables/accuracy_report.h>
 #include <fuga/output/tables/summary.h>
+#include <fuga/output/warnings/model_range.h>
 #include <fuga/run/model/phase_run.h>
-#include <fuga/run/simulation/table_range.h>
 
 #include <functional>
 #include <memory>
@@ -219,7 +219,7 @@ namespace fuga
     const std::unique_ptr<BodiesInMotion<dim>> &motion;
     const std::unique_ptr<ContactPath> &path;
     Judge &judge;
-    TableRange tables;
+    ModelRange model_range;
     const HistoryContext context;
     RunLog log;
     FieldWriter<dim> fields;
