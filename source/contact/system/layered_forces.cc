@@ -114,4 +114,30 @@ namespace fuga
       }
     forces.assign(p.begin(), p.end());
   }
+
+  // The columns of W and R are forces as well, of unit dislocations and of unit loads. In a matrix
+  // that contains S as it is, a rigid motion meets the rounding of S; beside a soft joint this
+  // presses and drives bodies that nothing presses.
+  void
+  LayeredSystem::refine_responses()
+  {
+    const Vector no_loads(R.n_columns(), 0.), no_dislocations(n_bars(), 0.);
+    const auto refine = [this](const Vector &loads, const Vector &dislocations, double *column) {
+      Vector forces(column, column + n_bars());
+      refine_with_jump_operator(loads, dislocations, {}, forces);
+      std::copy(forces.begin(), forces.end(), column);
+    };
+    for (std::size_t j = 0; j < R.n_columns(); ++j)
+      {
+        Vector unit = no_loads;
+        unit[j]     = 1.;
+        refine(unit, no_dislocations, R.column(j));
+      }
+    for (std::size_t j = 0; j < n_bars(); ++j)
+      {
+        Vector unit = no_dislocations;
+        unit[j]     = -1.;
+        refine(no_loads, unit, W.column(j));
+      }
+  }
 } // namespace fuga

@@ -23,36 +23,6 @@ namespace fuga
         for (std::size_t i = 0; i < j; ++i)
           A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
     }
-
-    /** A X = B, with residuals in extended precision where soft bars beside stiff ones would
-     * otherwise cost the soft ones their digits. */
-    void
-    solve_accurately(const DenseMatrix &A, const LuFactors &factors, DenseMatrix &B)
-    {
-      constexpr double harmless_condition = 1e-6;
-      const std::size_t n                 = A.n_rows();
-      const DenseMatrix rhs               = B;
-      factors.solve(B);
-      if (factors.reciprocal_condition() > harmless_condition)
-        return;
-      Accurate residual(n);
-      DenseMatrix change(n, B.n_columns());
-      for (int sweep = 0; sweep < 3; ++sweep)
-        {
-          work::now().accurate_operations += n * n * B.n_columns();
-          for (std::size_t column = 0; column < B.n_columns(); ++column)
-            {
-              std::copy_n(rhs.column(column), n, residual.begin());
-              for (std::size_t j = 0; j < n; ++j)
-                add_scaled(n, -B(j, column), A.column(j), residual.data());
-              std::copy(residual.begin(), residual.end(), change.column(column));
-            }
-          factors.solve(change);
-          for (std::size_t column = 0; column < B.n_columns(); ++column)
-            for (std::size_t i = 0; i < n; ++i)
-              B(i, column) += change(i, column);
-        }
-    }
   } // namespace
 
   double
@@ -91,6 +61,10 @@ namespace fuga
     if (delicate)
       rigid_motions.emplace(system);
     add_imposed_jumps(system);
+    if (!saddle_factors)
+      return;
+    refine_responses();
+    symmetrise(W);
   }
 
   void
@@ -157,12 +131,11 @@ namespace fuga
       for (std::size_t i = 0; i < n_x; ++i)
         rhs(i, n_p + j) = F(i, j) / scale;
 
-    const DenseMatrix matrix = saddle;
     LuFactors factors(std::move(saddle));
-    const double smallest_trusted_condition = 1e-15, harmless_condition = 1e-8;
+    const double smallest_trusted_condition = 1e-15, harmless_condition = 1e-6;
     if (factors.reciprocal_condition() < smallest_trusted_condition)
       throw_repeated_bars();
-    solve_accurately(matrix, factors, rhs);
+    factors.solve(rhs);
     delicate = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
     if (delicate)
       saddle_factors = std::move(factors);

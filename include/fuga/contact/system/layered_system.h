@@ -152,6 +152,9 @@ namespace fuga
                               const Vector &dislocations,
                               const Vector &water,
                               Vector &forces) const;
+    /** The same for the columns of W and R. */
+    void
+    refine_responses();
     /** Whether a share @p rounding of the jumps costs the forces digits. */
     bool
     has_soft_joint(const double rounding = std::numeric_limits<double>::epsilon()) const;
