@@ -87,6 +87,33 @@ TEST(EventPath, LipsRiseUnderAGivenForce)
   EXPECT_NEAR(layered.jumps(record.last.dislocations, record.last.forces)[0], 0.1, event_tolerance);
 }
 
+// A body that only the friction under another one holds is left alone as that is lifted off: it is
+// free to move, but nothing drives it. The path goes on; by hand N = a/2 while the joint is closed,
+// and jumps of a thereafter.
+TEST(EventPath, BodyThatNothingDrivesRests)
+{
+  const ToyJoint joint(1, 1., make_linear_law(1.), make_linear_law(1.), {0.5, 0.});
+  ToySystem system;
+  system.S             = DenseMatrix(2, 2);
+  system.F             = DenseMatrix(2, 1);
+  system.motions       = DenseMatrix(2, 1);
+  system.motion_loads  = DenseMatrix(1, 1);
+  system.S(0, 0)       = 1.;
+  system.F(0, 0)       = 1.;
+  system.motions(1, 0) = 1.;
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history({0., 1., 2.}, {{0.}, {-1.}, {1.}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  ASSERT_EQ(path.run({1., 2.}, record).verdict, Verdict::done);
+  EXPECT_LE(record.worst.worst(), event_tolerance);
+  ASSERT_EQ(record.events.size(), 1u);
+  EXPECT_NEAR(record.events[0].t, 1.5, event_tolerance);
+  EXPECT_NEAR(record.levels[0].forces[0], -0.5, event_tolerance);
+  EXPECT_NEAR(record.last.dislocations[0], 1., event_tolerance);
+  EXPECT_NEAR(record.last.dislocations[1], 0., event_tolerance);
+}
+
 // V4: H(d) of bars that slip one after the other, by hand to nine digits and
 // exact as fractions: d_k = (f k_n / k_t) w_k, H = Σ min(C_t d, f N_k).
 TEST(EventPath, ProgressiveSlipOfRigidBlock)

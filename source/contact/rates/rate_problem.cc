@@ -172,6 +172,21 @@ namespace fuga
     return switches;
   }
 
+  // Along a curve every point is a solution of its own, and a motion that rests would have to be
+  // held in all of them: there it stays a mechanism.
+  std::optional<JointRates>
+  RateProblem::rates_of_scheme(const Drive &drive, bool &is_mechanism)
+  {
+    std::optional<JointRates> rates = scheme.rates(drive);
+    if (rates)
+      return rates;
+    const std::optional<WorkingScheme::FreeMotion> motion = scheme.driven_motion(drive);
+    if (!motion)
+      return {};
+    is_mechanism = motion->is_driven || scheme.is_nonlinear();
+    return motion->rates;
+  }
+
   // Switches violating elements until none is left. A scheme that comes back, or a mechanism that
   // violates nothing as it moves, ends the attempt: then the next method has to decide.
   bool
@@ -189,10 +204,10 @@ namespace fuga
         ++result.n_schemes;
         if (!visited.insert(states_of(set)).second)
           return false;
-        std::optional<JointRates> rates = scheme.rates(drive);
-        const bool is_mechanism         = !rates;
-        if (is_mechanism && (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms ||
-                             !(rates = scheme.driven_motion(drive))))
+        bool is_mechanism               = false;
+        std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
+        if (!rates ||
+            (is_mechanism && (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms)))
           return false;
         result.met_negative_determinant |= !is_mechanism && scheme.determinant_sign() < 0;
         const std::vector<Switch> switches = violations(state, set, drive, *rates);
@@ -224,8 +239,9 @@ namespace fuga
       ++result.n_schemes;
       for (std::size_t i = 0; i < set.size(); ++i)
         scheme.set_state(set[i].element, choices[i][chosen[i]]);
-      const std::optional<JointRates> rates = scheme.rates(drive);
-      if (!rates || !violations(state, set, drive, *rates).empty())
+      bool is_mechanism                     = false;
+      const std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
+      if (!rates || is_mechanism || !violations(state, set, drive, *rates).empty())
         return false;
       result.exists = true;
       result.rates  = *rates;
@@ -267,8 +283,9 @@ namespace fuga
       return branches_of_cones(state, set, drive);
     const std::vector<ContactState> present = states_of(set);
     std::vector<Branch> found;
-    const std::optional<JointRates> rates = scheme.rates(drive);
-    if (rates && violations(state, set, drive, *rates).empty())
+    bool is_mechanism                     = false;
+    const std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
+    if (rates && !is_mechanism && violations(state, set, drive, *rates).empty())
       found.push_back(present_branch(state, set, *rates));
     Continuation result;
     if (can_be_enumerated(set))

@@ -257,25 +257,44 @@ namespace fuga
     return result;
   }
 
-  std::optional<JointRates>
+  // Refinement takes the added stiffness back. Where the drive works on no motion that is free the
+  // defect vanishes; where it works on one, that share of the defect stays.
+  std::optional<WorkingScheme::FreeMotion>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
-    constexpr double added_stiffness = 1e-8;
-    DenseMatrix M                    = active_matrix();
-    Vector rhs(rows.size()), active(rows.size()), defect(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    constexpr double added_stiffness = 1e-8, undriven = 1e-12;
+    const std::size_t n = rows.size();
+    DenseMatrix M       = active_matrix();
+    Vector rhs(n), defect(n);
+    double driving_force = 0.;
+    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(drive.reactions[i]) / system.scale(i));
+    for (std::size_t i = 0; i < n; ++i)
       {
         const double scale = system.scale(rows[i].bar);
         M(i, i) += added_stiffness * scale * scale;
         rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
-        active[i] = forces_in(rows[i], drive.reactions) - rhs[i];
+        defect[i] = forces_in(rows[i], drive.reactions) - rhs[i];
+        driving_force = std::max(driving_force, std::abs(rhs[i]) / scale);
       }
     const LuFactors factors(std::move(M));
     if (!(factors.reciprocal_condition() > 0.))
       return {};
-    factors.solve(active);
-    JointRates result;
-    apply(active, drive.reactions, rhs, result, defect);
+    std::vector<long double> active(n, 0.L);
+    FreeMotion result;
+    JointRates refined;
+    double last = std::numeric_limits<double>::infinity(), worst = last;
+    for (int sweep = 0; sweep < max_stale_sweeps && (sweep < 2 || worst < 0.5 * last); ++sweep)
+      {
+        factors.solve(defect);
+        for (std::size_t i = 0; i < n; ++i)
+          active[i] += defect[i];
+        last  = worst;
+        worst = apply(active, drive.reactions, rhs, sweep == 0 ? result.rates : refined, defect);
+      }
+    result.is_driven = worst > undriven * driving_force;
+    if (!result.is_driven)
+      result.rates = refined;
     return result;
   }
 

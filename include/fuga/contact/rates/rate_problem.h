@@ -233,6 +233,10 @@ namespace fuga
       all_at_once,
       one_at_a_time
     };
+    /** The rates of the working scheme, free motions that the drive does not work on at rest; @p
+     * is_mechanism: of those that it does, only their signs. */
+    std::optional<JointRates>
+    rates_of_scheme(const Drive &drive, bool &is_mechanism);
     bool
     switch_states(const JointState &state,
                   const std::vector<BoundaryElement> &set,

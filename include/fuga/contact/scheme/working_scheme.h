@@ -191,12 +191,20 @@ namespace fuga
     std::optional<JointRates>
     correction(const Vector &residual);
 
+    /** How a drive sets a singular scheme in motion. */
+    struct FreeMotion
+    {
+      JointRates rates;
+      /** The drive works on a motion that nothing resists: only the signs of the rates mean
+       * something. Otherwise such motions rest, and the rates are those of the scheme. */
+      bool is_driven = true;
+    };
+
     /**
-     * How @p drive sets a singular scheme in motion: rates with a stiffness added to every active
-     * bar that is too small to matter where others resist. Only their signs mean something. Nothing
-     * if even that has no solution.
+     * The rates of a singular scheme under @p drive, with a stiffness added to every active bar
+     * that is too small to matter where others resist. Nothing if even that has no solution.
      */
-    std::optional<JointRates>
+    std::optional<FreeMotion>
     driven_motion(const Drive &drive) const;
 
     /** A direction of motion without resistance of a singular scheme (null vector, largest entry
