@@ -217,7 +217,7 @@ TEST_F(PlantedMechanisms, ABodyThatDeforms)
 }
 
 // The judge finds the motion of the limit by itself, whatever the path says; below the limit there
-// is none, nor under a load that falls.
+// is none, nor under a load that falls, but where it waits for strength that is lost.
 TEST_F(PlantedMechanisms, TheJudgeFindsTheDrivenMotion)
 {
   const std::optional<Vector> found = at_limit.judge.driven_motion(at_limit.last);
@@ -237,6 +237,11 @@ TEST_F(PlantedMechanisms, TheJudgeFindsTheDrivenMotion)
   Judge judge(chain, joint.elements, falling);
   judge.judge(at_limit.last);
   EXPECT_FALSE(judge.driven_motion(at_fall));
+  at_fall.unreleased.assign(at_fall.forces.size(), 0.);
+  for (std::size_t node = 0; node < n; ++node)
+    at_fall.unreleased[2 * node + 1] = 0.1 * at_fall.forces[2 * node + 1];
+  EXPECT_TRUE(judge.driven_motion(at_fall));
+  EXPECT_NEAR(judge.judge_mechanism(at_fall, motion).drive, 1., 1e-12);
 }
 
 // A load that takes weight from the chain while the shear stays does no work on the motion in which

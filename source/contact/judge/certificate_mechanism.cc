@@ -156,13 +156,21 @@ namespace fuga
                direction(shear_part(elements[k], state.forces)));
   }
 
+  // The load waits while lost strength is given up, or water comes in.
+  Vector
+  Judge::growth_of_factors(const JointState &state) const
+  {
+    return state.is_unsettled() ? Vector(system->load_patterns().n_columns(), 0.)
+                                : history->rates(state.t);
+  }
+
   // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not
   // change, but by a strength reduction and what a broken bond lets go.
   double
   Judge::drive(const JointState &state, const Vector &motion) const
   {
     const Vector x          = coordinates(motion);
-    const Vector load_rates = multiply(system->load_patterns(), history->rates(state.t));
+    const Vector load_rates = multiply(system->load_patterns(), growth_of_factors(state));
     double growth = 0., size = 0.;
     const auto add = [&](const double term) {
       growth += term;
@@ -170,6 +178,8 @@ namespace fuga
     };
     for (std::size_t i = 0; i < x.size(); ++i)
       add(load_rates[i] * x[i]);
+    for (std::size_t bar = 0; bar < state.missing_water.size(); ++bar)
+      add(state.missing_water[bar] * motion[bar]);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];

@@ -174,8 +174,9 @@ namespace fuga
   Judge::powers_of_growth(const JointState &state) const
   {
     const DenseMatrix &motions = system->rigid_motions();
-    Vector result              = multiply(system->rigid_motion_loads(), history->rates(state.t));
-    Vector released(system->rigid_motions().n_rows(), 0.);
+    Vector result              = multiply(system->rigid_motion_loads(), growth_of_factors(state));
+    Vector released            = state.missing_water;
+    released.resize(system->rigid_motions().n_rows(), 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];

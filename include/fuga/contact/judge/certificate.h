@@ -236,6 +236,9 @@ namespace fuga
     /** What of the jump @p w of an element contradicts its freedom. */
     double
     inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const;
+    /** The rates of the load's factors, as far as it grows. */
+    Vector
+    growth_of_factors(const JointState &state) const;
     /** Of the growing load, of falling strength and of what broken bonds let go, on the rigid
      * motions of the bodies. */
     Vector
