@@ -253,7 +253,23 @@ namespace fuga::stress
                                  : 0.);
       }
     return search_continuation(
-      at, places, judge_load(model.bodies, model.loads.history.rates(state.t)));
+      at, places, judge_load(model.bodies, model.loads.history.rates(state.t)), stiffness_error());
+  }
+
+  // Rigid motions meet no resistance. What S answers is what its elimination has left: slender
+  // bodies leave more than the last digit of its largest entry.
+  double
+  Examiner::stiffness_error() const
+  {
+    const DenseMatrix &motions = model.bodies.rigid_coordinates();
+    double error               = 0.;
+    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+      {
+        const Vector motion(motions.column(k), motions.column(k) + motions.n_rows());
+        if (const double size = max_abs(motion); size > 0.)
+          error = std::max(error, max_abs(multiply(problem.S, motion)) / size);
+      }
+    return error;
   }
 
   // The lips of closed elements neither part nor close, unless N = 0; those inside the cone do not

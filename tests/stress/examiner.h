@@ -80,6 +80,8 @@ namespace fuga::stress
     positions(const judges::JudgeProblem &at,
               const JointState &state,
               const double tolerance) const;
+    double
+    stiffness_error() const;
 
     const Model<2> &model;
     const std::vector<ContactElement> &elements;

@@ -232,10 +232,11 @@ namespace fuga::stress
   search_continuation(const JudgeProblem &problem,
                       const std::vector<RateElement> &elements,
                       const Vector &load_rate,
+                      const double stiffness_error,
                       const std::size_t max_schemes)
   {
     RateSearch result;
-    const ReducedProblem reduced = reduce(problem, elements, load_rate);
+    const ReducedProblem reduced = reduce(problem, elements, load_rate, stiffness_error);
     result.n_boundary            = reduced.candidates.size();
     if (!reduced.regular)
       return result;

@@ -38,11 +38,13 @@ namespace fuga::stress
    * @p max_schemes combinations and given to judges::lemke() with several covering vectors if not.
    *
    * @p problem has linear layers only; nonlinear ones are to be replaced by their tangents.
+   * @p stiffness_error is what its stiffness is known to be wrong by.
    */
   RateSearch
   search_continuation(const judges::JudgeProblem &problem,
                       const std::vector<judges::RateElement> &elements,
                       const Vector &load_rate,
+                      const double stiffness_error,
                       const std::size_t max_schemes = 20000);
 } // namespace fuga::stress
 

@@ -16,7 +16,8 @@ namespace fuga::stress
   ReducedProblem
   reduce(const JudgeProblem &problem,
          const std::vector<RateElement> &elements,
-         const Vector &load_rate)
+         const Vector &load_rate,
+         const double stiffness_error)
   {
     ReducedProblem reduced;
     const DislocationForm form = dislocation_form(problem, {load_rate});
@@ -108,7 +109,8 @@ namespace fuga::stress
       softest = std::max({softest,
                           element.normal_compliance / element.area,
                           element.shear_compliance / element.area});
-    const double noise = std::numeric_limits<double>::epsilon() * stiffest * softest;
+    const double noise =
+      std::max(std::numeric_limits<double>::epsilon() * stiffest, stiffness_error) * softest;
     if (noise > 0.)
       reduced.unbounded_rate = std::min(reduced.unbounded_rate, 1e-2 / noise);
     return reduced;

@@ -44,11 +44,12 @@ namespace fuga::stress
   };
 
   /** Condenses the elements inside their cones, and those that are open, out of the rates under @p
-   * load_rate. */
+   * load_rate; see search_continuation(). */
   ReducedProblem
   reduce(const judges::JudgeProblem &problem,
          const std::vector<judges::RateElement> &elements,
-         const Vector &load_rate);
+         const Vector &load_rate,
+         const double stiffness_error);
 
   /** f N in the units of the scaled shear row. */
   double
