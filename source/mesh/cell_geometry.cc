@@ -133,42 +133,6 @@ namespace fuga
   } // namespace
 
 
-  unsigned int
-  n_faces(const CellShape shape)
-  {
-    switch (shape)
-      {
-        case CellShape::point:
-          return 0;
-        case CellShape::line:
-          return 2;
-        case CellShape::triangle:
-          return 3;
-        case CellShape::quadrilateral:
-        case CellShape::tetrahedron:
-          return 4;
-        case CellShape::hexahedron:
-          return 6;
-      }
-    return 0;
-  }
-
-
-  CellShape
-  face_shape(const CellShape shape)
-  {
-    switch (shape)
-      {
-        case CellShape::tetrahedron:
-          return CellShape::triangle;
-        case CellShape::hexahedron:
-          return CellShape::quadrilateral;
-        default:
-          return CellShape::line;
-      }
-  }
-
-
   std::array<unsigned int, 4>
   face_vertices(const JointedMesh::Cell &cell, const unsigned int face)
   {

@@ -6,6 +6,7 @@
 #include <fuga/mesh/gmsh_reader.h>
 #include <fuga/mesh/text_scanner.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -50,47 +51,54 @@ namespace fuga
       text.resize(size);
       return text;
     }
+
+    struct Shape
+    {
+      unsigned int dimension, n_vertices, n_faces;
+      CellShape face;
+    };
+
+    const Shape &
+    shape_of(const CellShape shape)
+    {
+      using Type = CellShape;
+      // In the order of CellShape.
+      static constexpr std::array<Shape, 6> shapes = {{{0, 1, 0, Type::point},
+                                                       {1, 2, 2, Type::point},
+                                                       {2, 3, 3, Type::line},
+                                                       {2, 4, 4, Type::line},
+                                                       {3, 4, 4, Type::triangle},
+                                                       {3, 8, 6, Type::quadrilateral}}};
+      return shapes[static_cast<std::size_t>(shape)];
+    }
   } // namespace
 
 
   unsigned int
   n_vertices(const CellShape shape)
   {
-    switch (shape)
-      {
-        case CellShape::point:
-          return 1;
-        case CellShape::line:
-          return 2;
-        case CellShape::triangle:
-          return 3;
-        case CellShape::quadrilateral:
-        case CellShape::tetrahedron:
-          return 4;
-        case CellShape::hexahedron:
-          return 8;
-      }
-    return 0;
+    return shape_of(shape).n_vertices;
   }
 
 
   unsigned int
   dimension(const CellShape shape)
   {
-    switch (shape)
-      {
-        case CellShape::point:
-          return 0;
-        case CellShape::line:
-          return 1;
-        case CellShape::triangle:
-        case CellShape::quadrilateral:
-          return 2;
-        case CellShape::tetrahedron:
-        case CellShape::hexahedron:
-          return 3;
-      }
-    return 0;
+    return shape_of(shape).dimension;
+  }
+
+
+  unsigned int
+  n_faces(const CellShape shape)
+  {
+    return shape_of(shape).n_faces;
+  }
+
+
+  CellShape
+  face_shape(const CellShape shape)
+  {
+    return shape_of(shape).face;
   }
 
 

@@ -12,14 +12,6 @@
 
 namespace fuga
 {
-  /** Number of faces of a cell of this shape. */
-  unsigned int
-  n_faces(const CellShape shape);
-
-  /** Shape of the faces of a cell of this shape. */
-  CellShape
-  face_shape(const CellShape shape);
-
   /** Vertices of a face, counter-clockwise seen from outside; in 2D the cell is to the left. */
   std::array<unsigned int, 4>
   face_vertices(const JointedMesh::Cell &cell, const unsigned int face);

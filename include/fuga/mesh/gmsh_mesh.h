@@ -33,6 +33,14 @@ namespace fuga
   unsigned int
   dimension(const CellShape shape);
 
+  /** Number of faces of a cell of this shape. */
+  unsigned int
+  n_faces(const CellShape shape);
+
+  /** Shape of the faces of a cell of this shape. */
+  CellShape
+  face_shape(const CellShape shape);
+
   /** A cell, face or point of the file, counter-clockwise as Gmsh numbers it. */
   struct MeshEntity
   {
