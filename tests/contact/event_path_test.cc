@@ -4,6 +4,9 @@
 #include "contact/toy_system.h"
 #include "known_answer.h"
 
+#include <fuga/base/errors.h>
+#include <fuga/contact/judge/limit_proof.h>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -112,6 +115,41 @@ TEST(EventPath, BodyThatNothingDrivesRests)
   EXPECT_NEAR(record.levels[0].forces[0], -0.5, event_tolerance);
   EXPECT_NEAR(record.last.dislocations[0], 1., event_tolerance);
   EXPECT_NEAR(record.last.dislocations[1], 0., event_tolerance);
+}
+
+// Nodes on [[1, -0.6], [-0.6, 1]] beside each other, rigid joints, f = 2 > 1/0.6: on their
+// strength, at t = 1 + 2/3, none can go on. Of twelve all 2^12 combinations are tried, of thirteen
+// no longer: then there is no verdict without the proof of a motion.
+TEST(EventPath, NoContinuationIsAVerdictWhereAllWasTried)
+{
+  for (const std::size_t n : {12, 13})
+    {
+      const ToyJoint joint(n, 1., make_rigid_law(), make_rigid_law(), {2., 0.});
+      ToySystem system;
+      system.S = DenseMatrix(2 * n, 2 * n);
+      system.F = DenseMatrix(2 * n, 2);
+      for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t a = 0; a < 2; ++a)
+          {
+            system.S(2 * k + a, 2 * k + a)     = 1.;
+            system.S(2 * k + a, 2 * k + 1 - a) = -0.6;
+            system.F(2 * k + a, a)             = 1.;
+          }
+      const LayeredSystem layered(system, joint.elements);
+      const LoadHistory history({0., 1., 2.}, {{0., 0.}, {-1., 0.}, {-1., 3.}});
+      EventPath path(joint.elements, layered, history, {});
+      Record record(system, joint.elements, history);
+      PathResult result = path.run({}, record);
+      EXPECT_EQ(result.verdict, Verdict::no_continuation);
+      EXPECT_NEAR(result.t, 1. + 2. / 3., event_tolerance);
+      const auto prove = [&] {
+        prove_limit(record.judge, joint.elements, layered, record.last, result);
+      };
+      if (n == 12)
+        EXPECT_NO_THROW(prove());
+      else
+        EXPECT_THROW(prove(), NumericalFailure);
+    }
 }
 
 // V4: H(d) of bars that slip one after the other, by hand to nine digits and

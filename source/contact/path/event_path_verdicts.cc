@@ -125,7 +125,8 @@ namespace fuga
     critical.determinant_signs = {scheme.determinant_sign()};
   }
 
-  // With two tangents all states can be tried only where directions of slip are given.
+  // All states can be tried where they are few and, with two tangents, directions of slip are
+  // given.
   void
   EventPath::note_what_was_tried(const Continuation &continuation,
                                  const std::vector<BoundaryElement> &set,
@@ -134,13 +135,20 @@ namespace fuga
     result.critical.all_counted = rate_problem.can_be_enumerated(set);
     if (result.critical.all_counted)
       return;
-    result.tried = fmt::format(
-      "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
-      "conditions, also from a softer layer, from associated friction, with sweeps from element to "
-      "element and from {}",
-      continuation.n_schemes,
-      set.size(),
-      rate_problem.is_small() ? "all combinations of their states" : "their present states alone");
+    if (has_cones)
+      result.tried = fmt::format(
+        "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
+        "conditions, also from a softer layer, from associated friction, with sweeps from element "
+        "to element and from {}",
+        continuation.n_schemes,
+        set.size(),
+        rate_problem.is_small() ? "all combinations of their states"
+                                : "their present states alone");
+    else
+      result.tried = fmt::format(
+        "Switching of states and Lemke's method, each from many beginnings, found none for {} "
+        "elements on the boundary of their contact conditions, more than can be enumerated",
+        set.size());
   }
 
   void
@@ -156,8 +164,7 @@ namespace fuga
     if (!continuation.has_mechanism || !is_free_motion(continuation.mechanism, system))
       {
         find_critical_elements(state, result);
-        if (has_cones)
-          note_what_was_tried(continuation, boundary.elements_on_boundary(state), result);
+        note_what_was_tried(continuation, boundary.elements_on_boundary(state), result);
         return;
       }
     take_limit(state, continuation.mechanism, result);
