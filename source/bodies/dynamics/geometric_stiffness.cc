@@ -3,7 +3,6 @@
 
 #include <fuga/bodies/dynamics/geometric_stiffness.h>
 #include <fuga/bodies/elasticity/elastic_stress.h>
-#include <fuga/bodies/model_names.h>
 #include <fuga/bodies/space/cell_values.h>
 
 namespace fuga
