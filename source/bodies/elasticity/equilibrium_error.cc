@@ -21,6 +21,7 @@ namespace fuga
   {
     EquilibriumError error;
     const double largest = std::max({max_abs(elastic), max_abs(loads), max_abs(contact)});
+    error.scale          = largest;
     if (largest == 0.)
       return error;
     // The displacements of a body that moves far on a soft joint leave K u uncertain by their last

@@ -23,6 +23,8 @@ namespace fuga
     /** Largest resultant (force or moment) on a body without support, and which body. */
     double resultant = 0.;
     std::string body;
+    /** Largest of the forces to which both are relative. */
+    double scale = 0.;
   };
 
   /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim + component). */
