@@ -32,6 +32,12 @@ namespace fuga
   }
 
   std::string
+  Units::acceleration() const
+  {
+    return length + "/s2";
+  }
+
+  std::string
   Units::energy() const
   {
     return force + length;

@@ -23,7 +23,7 @@ HATCHES = {OPEN: "", STICK: "", SLIP: "////", BONDED: "...."}
 STATE_MARKERS = {OPEN: "o", STICK: "s", SLIP: "^", BONDED: "D"}
 
 _TEXT_COLUMNS = ("joint", "stage", "state", "from", "to", "verdict", "mechanism", "monitor", "occasion", "driven_by",
-                 "motion")
+                 "motion", "axis")
 
 
 class Table:
@@ -123,6 +123,8 @@ class Results:
                          if os.path.exists(self._path("monitors.csv")) else None)
         # Only in runs with a stage in which inertia acts.
         self.motion = Table(self._path("earthquake.csv")) if os.path.exists(self._path("earthquake.csv")) else None
+        # Only on request: Output/Response spectra.
+        self.spectra = Table(self._path("spectra.csv")) if os.path.exists(self._path("spectra.csv")) else None
         self._joints = dict(list(self.history.frame.groupby("joint", sort=False)))
 
     def _path(self, name):

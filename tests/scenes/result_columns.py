@@ -22,10 +22,11 @@ RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()),
         ("dam_block_3d", "1, 1, 5", ("Sweep/Friction coefficient=0.7", "Stages/reservoir/Duration=0.2", "Dynamics/Time step=0.05")),
         ("footing", "0, 1", ("Sweep/Cohesion=0, 0.1",)),
         ("dam", "1, 10", ("Sweep/Joints/base/Cohesion=0, 10", "Safety/Strength reduction=yes", "Safety/Load factor=water")),
-        ("dam_earthquake", "1, 10", ("Stages/earthquake/Duration=0.1", f"Earthquake/Record x={ROOT}/parameters/records/noise.txt")),
-        ("dam_block_3d", "1, 1, 5", ("Stages/reservoir/Duration=1", "Dynamics/Time step=0.05")),
+        ("dam_earthquake", "1, 10", ("Stages/earthquake/Duration=0.1", "Output/Response spectra=true", f"Earthquake/Record x={ROOT}/parameters/records/noise.txt")),
+        ("dam_block_3d", "1, 1, 5", ("Stages/reservoir/Duration=1", "Dynamics/Time step=0.05", "Output/Response spectra=true")),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
-PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "earthquake", "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
+PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "earthquake", "accelerations", "spectra",
+                         "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
 
 

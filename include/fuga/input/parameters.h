@@ -183,6 +183,15 @@ namespace fuga
     quiet
   };
 
+  /** Of the accelerations of the monitors in stages with a duration. */
+  struct SpectrumSettings
+  {
+    bool wanted    = false;
+    double damping = 0.05;
+    /** [s] */
+    std::vector<double> periods;
+  };
+
   struct OutputSettings
   {
     /** Never empty; relative names are relative to the current directory of the process. */
@@ -191,6 +200,7 @@ namespace fuga
     MonitorOutput monitors      = MonitorOutput::levels;
     CheckpointOutput checkpoint = CheckpointOutput::levels;
     LogDetail log               = LogDetail::events;
+    SpectrumSettings spectra;
     /** Whether report.html is made at the end. */
     bool report = false;
     Units units;

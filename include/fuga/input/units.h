@@ -22,6 +22,8 @@ namespace fuga
     std::string
     stress() const;
     std::string
+    acceleration() const;
+    std::string
     energy() const;
     std::string
     area() const;

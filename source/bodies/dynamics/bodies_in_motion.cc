@@ -159,6 +159,15 @@ namespace fuga
 
 
   template <int dim>
+  std::array<double, 3>
+  BodiesInMotion<dim>::acceleration_of_frame() const
+  {
+    return dynamics.compliant_base.names.empty() ? ground_acceleration()
+                                                 : std::array<double, 3>{{0., 0., 0.}};
+  }
+
+
+  template <int dim>
   double
   BodiesInMotion<dim>::largest_velocity() const
   {

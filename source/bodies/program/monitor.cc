@@ -69,6 +69,15 @@ namespace fuga
     return u;
   }
 
+  std::array<double, 3>
+  Monitor::value_of(const Vector &field) const
+  {
+    std::array<double, 3> value{};
+    for (std::size_t c = 0; c < components.size(); ++c)
+      value[c] = dot(components[c].coordinates, field);
+    return value;
+  }
+
   std::array<double, 6>
   Monitor::stress(const Vector &x, const Vector &a, const double thermal_strain) const
   {

@@ -111,6 +111,7 @@ namespace fuga
     bodies.begin(state.forces, ledger);
     ledger.note_largest();
     make_cut(state, result, observer);
+    observer.began_motion();
     RestWatch watch;
     const std::vector<double> reported = grid.until_rest ? std::vector<double>() : levels;
     for (unsigned int step = 0; step < grid.n_steps && !watch.has_come_to_rest(); ++step)

@@ -67,6 +67,12 @@ namespace fuga
   }
 
   void
+  ReportCounter::began_motion()
+  {
+    hand_on([&]() { observer.began_motion(); });
+  }
+
+  void
   ReportCounter::began_step(const ContactSystem &system, const LoadHistory &history)
   {
     hand_on([&]() { observer.began_step(system, history); });

@@ -259,6 +259,21 @@ namespace fuga
       choice<MonitorOutput>({{"levels", MonitorOutput::levels}, {"events", MonitorOutput::events}}),
       "When the displacements of the monitors are written; events: at levels and at "
       "every event.");
+    spectra = defaulted(
+      "Response spectra",
+      &SpectrumSettings::wanted,
+      choice<bool>({{"true", true}, {"false", false}}),
+      "True: of every stage with a Duration accelerations.csv has the absolute accelerations of "
+      "the monitors, with that of the ground, and spectra.csv the response spectra of these.");
+    spectrum_damping =
+      optional("Spectrum damping",
+               &SpectrumSettings::damping,
+               number_between(0, true, 1),
+               "Share of the critical damping of the oscillators; 0.05 without this entry.");
+    spectrum_periods = optional("Spectrum periods",
+                                text(TextContent::numbers),
+                                "List 'T1, T2, ...' of the periods of the oscillators [s]; without "
+                                "it 100 from 0.02 s to 5 s in equal ratios.");
     defaulted("Checkpoint",
               &OutputSettings::checkpoint,
               choice<CheckpointOutput>({{"levels", CheckpointOutput::levels},

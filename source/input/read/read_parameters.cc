@@ -123,23 +123,6 @@ namespace fuga
       return model;
     }
 
-
-    OutputSettings
-    read_output(const ParameterValues &values, const std::string &parameter_file)
-    {
-      const OutputEntries &e         = entries_of<OutputEntries>();
-      const ParameterSection section = values.section<OutputEntries>();
-      const std::string directory =
-        values.section<TopLevel>().value(entries_of<TopLevel>().output_directory);
-      OutputSettings output;
-      output.directory = directory.empty()
-                           ? (fs::path("results") / fs::path(parameter_file).stem()).string()
-                           : resolve(parameter_file, directory);
-      section.read(output);
-      section.read(output.units);
-      output.units.named = section.given(e.force_unit) || section.given(e.length_unit);
-      return output;
-    }
   } // namespace
 
 
@@ -179,7 +162,7 @@ namespace fuga
         values.is_broken<EarthquakeEntries>())
       errors.throw_if_any();
     values.section<SolverEntries>().read(parameters.solver);
-    parameters.output           = read_output(values, file);
+    errors.attempt([&]() { read_output(values, parameters); });
     const ParameterSection mesh = values.section<MeshEntries>();
     values.attempt(mesh, [&]() { parameters.mesh_file = read_mesh_file(mesh, file); });
     errors.throw_if_any(); // what follows needs all that is above

@@ -108,6 +108,20 @@ namespace fuga
 
     template <std::size_t component>
     TableField
+    acceleration(const AccelerationRow &row)
+    {
+      return row.acceleration[component];
+    }
+
+    template <double SpectralResponse::*member>
+    TableField
+    of_response(const SpectrumRow &row)
+    {
+      return row.response.*member;
+    }
+
+    template <std::size_t component>
+    TableField
     stress(const MonitorRow &row)
     {
       return row.stress[component];
@@ -260,34 +274,61 @@ namespace fuga
     return columns;
   }
 
+  Columns<AccelerationRow>
+  acceleration_columns(const Units &u, const bool in_space)
+  {
+    Columns<AccelerationRow> columns = {
+      {"stage", "", [](const AccelerationRow &row) { return row.stage; }},
+      {"monitor", "", [](const AccelerationRow &row) { return row.monitor; }},
+      {"time", "s", [](const AccelerationRow &row) { return row.time; }},
+      {"ax", u.acceleration(), acceleration<0>},
+      {"ay", u.acceleration(), acceleration<1>}};
+    if (in_space)
+      append(columns, {{"az", u.acceleration(), acceleration<2>}});
+    return columns;
+  }
+
+  Columns<SpectrumRow>
+  spectrum_columns(const Units &u)
+  {
+    return {{"stage", "", [](const SpectrumRow &row) { return row.stage; }},
+            {"monitor", "", [](const SpectrumRow &row) { return row.monitor; }},
+            {"axis", "", [](const SpectrumRow &row) { return std::string(1, row.axis); }},
+            {"period", "s", of_response<&SpectralResponse::period>},
+            {"pseudo_acceleration",
+             u.acceleration(),
+             of_response<&SpectralResponse::pseudo_acceleration>},
+            {"velocity", u.length + "/s", of_response<&SpectralResponse::velocity>},
+            {"displacement", u.length, of_response<&SpectralResponse::displacement>}};
+  }
+
   Columns<MotionRow>
   motion_columns(const Units &u, const bool in_space)
   {
-    const std::string acceleration = u.length + "/s2";
-    Columns<MotionRow> columns     = {
-          {"t", "", [](const MotionRow &row) { return row.t; }},
-          {"time", "s", [](const MotionRow &row) { return row.moment.time; }},
-          {"joint", "", [](const MotionRow &row) { return row.joint; }},
-          {"N", u.force, of_joint<&JointResultant::N>},
-          {"T", u.force, of_joint<&JointResultant::T>},
-          {"mean_slip", u.length, of_joint<&JointResultant::mean_slip>},
-          {"largest_slip", u.length, of_joint<&JointResultant::largest_slip>},
-          {"largest_gap", u.length, of_joint<&JointResultant::largest_gap>},
-          {"share_open", "", of_joint<&JointResultant::share_open>},
-          {"share_stick", "", of_joint<&JointResultant::share_stick>},
-          {"share_slip", "", of_joint<&JointResultant::share_slip>},
-          {"ground_x", acceleration, of_ground<0>},
-          {"ground_y", acceleration, of_ground<1>},
-          {"work", u.energy(), of_motion<&MotionLedger::work>},
-          {"kinetic_energy", u.energy(), of_motion<&MotionLedger::kinetic>},
-          {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
-          {"damping", u.energy(), of_motion<&MotionLedger::damping>},
-          {"joint_work", u.energy(), of_motion<&MotionLedger::joints>}};
+    Columns<MotionRow> columns = {
+      {"t", "", [](const MotionRow &row) { return row.t; }},
+      {"time", "s", [](const MotionRow &row) { return row.moment.time; }},
+      {"joint", "", [](const MotionRow &row) { return row.joint; }},
+      {"N", u.force, of_joint<&JointResultant::N>},
+      {"T", u.force, of_joint<&JointResultant::T>},
+      {"mean_slip", u.length, of_joint<&JointResultant::mean_slip>},
+      {"largest_slip", u.length, of_joint<&JointResultant::largest_slip>},
+      {"largest_gap", u.length, of_joint<&JointResultant::largest_gap>},
+      {"share_open", "", of_joint<&JointResultant::share_open>},
+      {"share_stick", "", of_joint<&JointResultant::share_stick>},
+      {"share_slip", "", of_joint<&JointResultant::share_slip>},
+      {"ground_x", u.acceleration(), of_ground<0>},
+      {"ground_y", u.acceleration(), of_ground<1>},
+      {"work", u.energy(), of_motion<&MotionLedger::work>},
+      {"kinetic_energy", u.energy(), of_motion<&MotionLedger::kinetic>},
+      {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
+      {"damping", u.energy(), of_motion<&MotionLedger::damping>},
+      {"joint_work", u.energy(), of_motion<&MotionLedger::joints>}};
     if (in_space)
       append(columns,
              {{"T2", u.force, of_joint<&JointResultant::T2>},
               {"mean_slip2", u.length, of_joint<&JointResultant::mean_slip2>},
-              {"ground_z", acceleration, of_ground<2>}});
+              {"ground_z", u.acceleration(), of_ground<2>}});
     return columns;
   }
 } // namespace fuga

@@ -36,6 +36,13 @@ namespace fuga
     if (context.has_motion)
       motion = std::make_unique<Table<MotionRow>>(directory + "/earthquake.csv",
                                                   motion_columns(context.units, context.in_space));
+    if (context.spectra.wanted)
+      {
+        accelerations = std::make_unique<Table<AccelerationRow>>(
+          directory + "/accelerations.csv", acceleration_columns(context.units, context.in_space));
+        spectra = std::make_unique<Table<SpectrumRow>>(directory + "/spectra.csv",
+                                                       spectrum_columns(context.units));
+      }
   }
 
   Moment
@@ -82,11 +89,14 @@ namespace fuga
   HistoryMemory
   HistoryWriter::memory() const
   {
+    const auto of_table = [](const auto &table) { return table ? table->memory() : TextMemory(); };
     return {events.memory(),
             history.memory(),
             resultants.memory(),
-            monitors ? monitors->memory() : TextMemory(),
-            motion ? motion->memory() : TextMemory(),
+            of_table(monitors),
+            of_table(motion),
+            of_table(accelerations),
+            of_table(spectra),
             n_events};
   }
 
@@ -96,10 +106,14 @@ namespace fuga
     events.restore(memory.events);
     history.restore(memory.history);
     resultants.restore(memory.resultants);
-    if (monitors)
-      monitors->restore(memory.monitors);
-    if (motion)
-      motion->restore(memory.motion);
+    const auto restore_table = [](const auto &table, const TextMemory &of_table) {
+      if (table)
+        table->restore(of_table);
+    };
+    restore_table(monitors, memory.monitors);
+    restore_table(motion, memory.motion);
+    restore_table(accelerations, memory.accelerations);
+    restore_table(spectra, memory.spectra);
     n_events = memory.n_events;
   }
 
@@ -135,15 +149,46 @@ namespace fuga
         motion->add({t, moment, context.joint_names[joint], joint_resultants[joint]});
   }
 
+  // An oscillator of the period 0 goes with the motion.
+  void
+  HistoryWriter::add_accelerations(const std::size_t stage,
+                                   const std::vector<std::array<GroundMotion, 3>> &of_monitors)
+  {
+    for (std::size_t i = 0; i < of_monitors.size(); ++i)
+      {
+        const std::array<GroundMotion, 3> &along = of_monitors[i];
+        const std::string &name                  = context.monitors[i].name();
+        for (std::size_t n = 0; n < along[0].accelerations.size(); ++n)
+          accelerations->add(
+            {context.stage_names[stage],
+             name,
+             static_cast<double>(n) * along[0].step,
+             {{along[0].accelerations[n], along[1].accelerations[n], along[2].accelerations[n]}}});
+        for (std::size_t c = 0; c < (context.in_space ? 3 : 2); ++c)
+          {
+            std::vector<SpectralResponse> spectrum =
+              response_spectrum(along[c], context.spectra.periods, context.spectra.damping);
+            spectrum.insert(spectrum.begin(), {0., 0., 0., max_abs(along[c].accelerations)});
+            for (const SpectralResponse &response : spectrum)
+              spectra->add(
+                {context.stage_names[stage], name, static_cast<char>('x' + c), response});
+          }
+      }
+  }
+
   void
   HistoryWriter::publish(const bool now)
   {
     events.publish(now);
     history.publish(now);
     resultants.publish(now);
-    if (monitors)
-      monitors->publish(now);
-    if (motion)
-      motion->publish(now);
+    const auto publish_table = [now](const auto &table) {
+      if (table)
+        table->publish(now);
+    };
+    publish_table(monitors);
+    publish_table(motion);
+    publish_table(accelerations);
+    publish_table(spectra);
   }
 } // namespace fuga

@@ -8,6 +8,7 @@ from report.figures import new_figure, set_margins, to_figure
 from report.numbers import rounded
 
 SHOWN_JOINTS = 4
+SHOWN_MONITORS = 4
 
 
 def histories(results):
@@ -50,3 +51,31 @@ def histories(results):
                         f"{rounded(row['largest_gap'], 3)} {units['largest_gap']} of largest gap" for joint, row in last.items())
     return to_figure(figure, "Histories over the time since the motion began: acceleration of the ground, forces and motions of the "
                              f"joints, energies since then. At its end: {remains}.")
+
+
+def spectra(results):
+    """Response spectra of the monitors in the last stage that has some; None without them."""
+    if results.spectra is None or results.spectra.frame.empty:
+        return None
+    frame, units = results.spectra.frame, results.spectra.units
+    stage = frame["stage"].iloc[-1]
+    frame = frame[(frame["stage"] == stage) & (frame["period"] > 0.0)]
+    # Where nothing moves there is nothing to see.
+    axes_that_move = [axis for axis, rows in frame.groupby("axis") if rows["pseudo_acceleration"].any()] or ["x"]
+    monitors = list(dict.fromkeys(frame["monitor"]))[:SHOWN_MONITORS]
+    figure = new_figure(1.2 + 2.2 * len(axes_that_move))
+    for axes, axis in zip(figure.subplots(len(axes_that_move), sharex=True, squeeze=False)[:, 0], axes_that_move):
+        for monitor in monitors:
+            rows = frame[(frame["axis"] == axis) & (frame["monitor"] == monitor)].sort_values("period")
+            axes.plot(rows["period"], rows["pseudo_acceleration"], linewidth=1.0, label=monitor)
+        axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+        axes.set_ylim(bottom=0.0)
+        axes.set_ylabel(f"along {axis} [{units['pseudo_acceleration'].replace('s2', 's²')}]")
+        axes.legend(loc="upper right")
+    axes.set_xlabel("period [s]")
+    set_margins(figure, hspace=0.12)
+    damping = float(results.summary["parameters"]["Output"].get("Spectrum damping", 0.05))
+    return to_figure(figure, f"Response spectra of the monitors in stage ‘{stage}’: largest pseudo-acceleration of oscillators with "
+                             f"{rounded(100.0 * damping, 3)} % of the critical damping that stand there, under the absolute acceleration. "
+                             "All monitors: spectra.csv.")

@@ -86,6 +86,10 @@ class RunParts:
         return motion_diagrams.histories(self.results)
 
     @functools.cached_property
+    def spectra(self):
+        return motion_diagrams.spectra(self.results)
+
+    @functools.cached_property
     def safety(self):
         return load_diagrams.safety(self.results, self.joints)
 
@@ -114,7 +118,7 @@ def long_page(parts):
     page.section("joints", "Joints at the end of the loads", [parts.overview])
     page.section("resultants", "Resultants", sections.resultant_tables(results, levels))
     page.section("monitors", "Monitors", sections.monitor_tables(results, levels))
-    page.section("motion", "Motion", [sections.continuations(results), parts.motion])
+    page.section("motion", "Motion", [sections.continuations(results), parts.motion, parts.spectra])
     page.section("safety", "Safety", [parts.safety])
     page.section("load", "Load and displacement", [parts.load, load_diagrams.beyond_limit(results)])
     if not results.in_space:
@@ -145,7 +149,7 @@ def short_page(parts):
     page.section("stresses", "Stresses across the joints", parts.stresses[:SHORT_JOINTS])
     page.section("model", "Model", parts.sketch)
     page.section("joints", "Joints at the end of the loads", [sections.shortened(parts.overview, SHORT_ROWS)])
-    page.section("motion", "Motion", [sections.continuations(results), parts.motion])
+    page.section("motion", "Motion", [sections.continuations(results), parts.motion, parts.spectra])
     page.section("safety", "Safety", [parts.safety])
     page.section("load", "Load and displacement", [parts.load])
     page.section("pictures", "Bodies", [parts.pictures.get(name) for name in ("", "principal", "joints", "bodies")])

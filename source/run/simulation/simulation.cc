@@ -39,6 +39,7 @@ namespace fuga
               !model.bodies.closed_water().empty(),
               dim == 3,
               may_move(parameters),
+              parameters.output.spectra,
               DrivingQuantities(parameters.model, model.loads.load_factors)}
     , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
     , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
@@ -68,6 +69,7 @@ namespace fuga
     try
       {
         PathResult found = path_to_follow();
+        end_motion();
         if (model.construction.until_rest)
           outcome.mechanism = end_continuation(found);
         else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)

@@ -162,6 +162,9 @@ namespace fuga
                                   "joint_history.csv",
                                   "resultants.csv",
                                   "monitors.csv",
+                                  "earthquake.csv",
+                                  "accelerations.csv",
+                                  "spectra.csv",
                                   "boundaries.csv",
                                   "log.txt",
                                   checkpoint_file_name};

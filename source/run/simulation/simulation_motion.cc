@@ -15,6 +15,34 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::began_motion()
+  {
+    if (!parameters.output.spectra.wanted || model.construction.until_rest)
+      return;
+    monitored_motion.emplace(model.monitors, motion->time_grid().step, motion->mass());
+    note_accelerations();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::note_accelerations()
+  {
+    monitored_motion->add(
+      motion->displacement(), motion->acceleration(), motion->acceleration_of_frame());
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::end_motion()
+  {
+    if (!monitored_motion)
+      return;
+    history.add_accelerations(model.construction.stage, monitored_motion->accelerations());
+    publish(false);
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::began_step(const ContactSystem &system, const LoadHistory &history_of_step)
   {
     phase.began_step(system, history_of_step);
@@ -32,6 +60,8 @@ namespace fuga
                        model.resultants(phase.results(state), judge.dissipation()));
     if (!model.monitors.empty())
       write_monitors(state.t, "step", phase.monitored(state), model.loads.history.factors(state.t));
+    if (monitored_motion && phase.dynamic_path().is_at_whole_step())
+      note_accelerations();
     phase.ended_step(state);
     publish(false);
   }

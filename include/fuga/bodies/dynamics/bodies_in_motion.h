@@ -95,6 +95,25 @@ namespace fuga
       return integration->velocity();
     }
 
+    /** That of the integration in time, without that of the frame; see TimeIntegration [m/s²]. */
+    const Vector &
+    acceleration() const
+    {
+      return integration->acceleration();
+    }
+
+    /** Of the frame in which displacements are measured, by axes [m/s²]: that of the ground, but
+     * over a compliant base, where they are absolute. */
+    std::array<double, 3>
+    acceleration_of_frame() const;
+
+    /** Diagonal of the mass matrix. */
+    const Vector &
+    mass() const
+    {
+      return integration->mass();
+    }
+
     /** Of any node [m/s]. */
     double
     largest_velocity() const;

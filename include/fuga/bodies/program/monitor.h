@@ -51,6 +51,10 @@ namespace fuga
     std::array<double, 3>
     displacement(const Vector &x, const Vector &a) const;
 
+    /** With Source::field: the value at the point of a field by nodes, like the displacement. */
+    std::array<double, 3>
+    value_of(const Vector &field) const;
+
     bool
     has_stress() const
     {

@@ -52,6 +52,13 @@ namespace fuga
       return steps_of_rung;
     }
 
+    /** Whether the last step ended where a whole one does. */
+    bool
+    is_at_whole_step() const
+    {
+      return tick % (std::size_t(1) << grid.halvings) == 0;
+    }
+
   private:
     struct Rung;
 

@@ -63,6 +63,14 @@ namespace fuga
       return v;
     }
 
+    /** Where there is no mass, this alternates from step to step: take second differences of the
+     * displacement there. */
+    const Vector &
+    acceleration() const
+    {
+      return a;
+    }
+
     const Vector &
     mass() const
     {

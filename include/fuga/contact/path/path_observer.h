@@ -63,6 +63,12 @@ namespace fuga
     virtual void
     reached(const std::size_t index, const JointState &state) = 0;
 
+    /** Bodies begin to move with their inertia; steps of time follow. */
+    virtual void
+    began_motion()
+    {
+    }
+
     /** A step of time begins: from here on the bodies resist as @p system does, under the loads
      * @p history of the step. */
     virtual void

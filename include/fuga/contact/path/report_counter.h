@@ -34,6 +34,8 @@ namespace fuga
     void
     reached(const std::size_t index, const JointState &state) override;
     void
+    began_motion() override;
+    void
     began_step(const ContactSystem &system, const LoadHistory &history) override;
     void
     ended_step(const JointState &state) override;

@@ -248,6 +248,9 @@ namespace fuga
   struct OutputEntries : SectionDeclaration
   {
     OutputEntries();
+    Entry<bool> spectra;
+    Number spectrum_damping;
+    Text spectrum_periods;
     Text force_unit, length_unit;
   };
 } // namespace fuga

@@ -21,6 +21,10 @@ namespace fuga
   std::vector<MonitorDefinition>
   read_monitors(const ParameterValues &values, const unsigned int dimension);
 
+  /** Section Output, for the stages and monitors of the model. @throws InputError */
+  void
+  read_output(const ParameterValues &values, Parameters &parameters);
+
   /** A file, or a variant of it. Errors go to @p errors and are thrown. */
   Parameters
   read_scan(const ParameterScan &scan, InputErrors &errors);

@@ -4,6 +4,7 @@
 #ifndef fuga_output_tables_history_columns_h
 #define fuga_output_tables_history_columns_h
 
+#include <fuga/bodies/dynamics/response_spectrum.h>
 #include <fuga/bodies/program/driving_quantity.h>
 #include <fuga/bodies/program/monitor.h>
 #include <fuga/contact/dynamics/moving_bodies.h>
@@ -61,6 +62,23 @@ namespace fuga
     std::array<double, 6> stress;
   };
 
+  /** At the end of a whole step of time. */
+  struct AccelerationRow
+  {
+    const std::string &stage, &monitor;
+    /** Since the stage began [s]. */
+    double time;
+    /** Absolute [m/s²]. */
+    std::array<double, 3> acceleration;
+  };
+
+  struct SpectrumRow
+  {
+    const std::string &stage, &monitor;
+    char axis;
+    const SpectralResponse &response;
+  };
+
   /** The end of a step of time. */
   struct MotionMoment
   {
@@ -89,6 +107,10 @@ namespace fuga
   resultant_columns(const Units &units, const bool has_water, const bool in_space);
   Columns<MonitorRow>
   monitor_columns(const Units &units, const bool in_space);
+  Columns<AccelerationRow>
+  acceleration_columns(const Units &units, const bool in_space);
+  Columns<SpectrumRow>
+  spectrum_columns(const Units &units);
   Columns<MotionRow>
   motion_columns(const Units &units, const bool in_space);
 } // namespace fuga

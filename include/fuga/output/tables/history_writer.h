@@ -5,6 +5,7 @@
 #define fuga_output_tables_history_writer_h
 
 #include <fuga/contact/path/event_path.h>
+#include <fuga/input/parameters.h>
 #include <fuga/output/tables/history_columns.h>
 
 #include <memory>
@@ -27,6 +28,7 @@ namespace fuga
     bool in_space = false;
     /** Some stage is dynamic. */
     bool has_motion = false;
+    SpectrumSettings spectra;
     DrivingQuantities driving;
   };
 
@@ -42,7 +44,7 @@ namespace fuga
   /** What a checkpoint keeps of the tables. */
   struct HistoryMemory
   {
-    TextMemory events, history, resultants, monitors, motion;
+    TextMemory events, history, resultants, monitors, motion, accelerations, spectra;
     std::size_t n_events = 0;
   };
 
@@ -50,20 +52,24 @@ namespace fuga
   void
   for_each_field(Memory &memory, Visitor &&visit)
   {
-    auto &[events, history, resultants, monitors, motion, n_events] = memory;
+    auto &[events, history, resultants, monitors, motion, accelerations, spectra, n_events] =
+      memory;
     visit("events", events);
     visit("history", history);
     visit("resultants", resultants);
     visit("monitors", monitors);
     visit("motion", motion);
+    visit("accelerations", accelerations);
+    visit("spectra", spectra);
     visit("n_events", n_events);
   }
 
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
    * element and level), resultants.csv (one row per joint and level), if there are monitors,
-   * monitors.csv (one row per monitor and level, event or step of time), and, if there are dynamic
-   * stages, earthquake.csv (one row per joint and step of time). Columns: doc/results.md.
+   * monitors.csv (one row per monitor and level, event or step of time), if there are dynamic
+   * stages, earthquake.csv (one row per joint and step of time), and on request accelerations.csv
+   * and spectra.csv of the monitors in them. Columns: doc/results.md.
    */
   class HistoryWriter
   {
@@ -115,6 +121,11 @@ namespace fuga
                  const Vector &factors,
                  const Vector &thermal_strains);
 
+    /** What the monitors felt in a stage, and the response spectra of it. */
+    void
+    add_accelerations(const std::size_t stage,
+                      const std::vector<std::array<GroundMotion, 3>> &of_monitors);
+
     /** Brings the files on disk up to date. */
     void
     publish(const bool now);
@@ -131,6 +142,9 @@ namespace fuga
     std::unique_ptr<Table<MonitorRow>> monitors;
     /** Only if there are dynamic stages. */
     std::unique_ptr<Table<MotionRow>> motion;
+    /** Only on request. */
+    std::unique_ptr<Table<AccelerationRow>> accelerations;
+    std::unique_ptr<Table<SpectrumRow>> spectra;
     std::size_t n_events = 0;
     double length_beyond = 0.;
   };

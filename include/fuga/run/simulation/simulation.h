@@ -5,6 +5,7 @@
 #define fuga_run_simulation_simulation_h
 
 #include <fuga/output/restart/checkpoint.h>
+#include <fuga/output/results/monitored_motion.h>
 #include <fuga/output/tables/accuracy_report.h>
 #include <fuga/output/tables/summary.h>
 #include <fuga/output/warnings/model_range.h>
@@ -88,6 +89,8 @@ namespace fuga
     void
     went_beyond(const double length, const JointState &state) override;
     void
+    began_motion() override;
+    void
     began_step(const ContactSystem &system, const LoadHistory &history) override;
     void
     ended_step(const JointState &state) override;
@@ -150,6 +153,11 @@ namespace fuga
     /** All that a checkpoint keeps but the cut. */
     void
     fill(Checkpoint &checkpoint) const;
+    void
+    note_accelerations();
+    /** The path of a phase has come to its end. */
+    void
+    end_motion();
     void
     log_motion();
     void
@@ -229,6 +237,8 @@ namespace fuga
     bool from_the_beginning = false;
     /** A search for safety is under way: checkpoints are those of the path. */
     bool searching = false;
+    /** Only if response spectra of a dynamic stage are asked for. */
+    std::optional<MonitoredMotion> monitored_motion;
     FileIdentity mesh_identity;
     std::function<void()> checkpoint_action;
     std::optional<PathResult> end_of_phase;
