@@ -47,6 +47,8 @@ namespace fuga
     TEST(ParameterOutput, OfMotionsIsRead)
     {
       EXPECT_FALSE(read({}).spectra.wanted);
+      EXPECT_EQ(read({}).field_interval, 0.);
+      EXPECT_EQ(read({"Output/Field interval=0.1"}).field_interval, 0.1);
       const SpectrumSettings usual = read({spectra}).spectra;
       EXPECT_TRUE(usual.wanted);
       EXPECT_EQ(usual.damping, 0.05);
@@ -88,7 +90,11 @@ namespace fuga
       {"PeriodOfZero",
        monitored,
        in_motion_with({spectra, "Output/Spectrum periods=1, 0"}),
-       {"Spectrum periods = '1, 0'", "not a list of periods above 0", "'0.1, 0.2, 0.5'"}}};
+       {"Spectrum periods = '1, 0'", "not a list of periods above 0", "'0.1, 0.2, 0.5'"}},
+      {"IntervalWithoutMotion",
+       unchanged,
+       {"Output/Field interval=0.1"},
+       {"Field interval = '0.1'", "nothing moves"}}};
 
     INSTANTIATE_TEST_SUITE_P(Output, WrongOutput, testing::ValuesIn(wrong), name_of);
   } // namespace

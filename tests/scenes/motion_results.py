@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""What is written of bodies in motion besides the tables of every run: accelerations and response spectra of monitors.
+"""What is written of bodies in motion besides the tables of every run: accelerations and response spectra of monitors, and
+fields between the levels, which VTK's own readers read.
 
 usage: motion_results.py FUGA
 
@@ -10,6 +11,8 @@ Blocks are so stiff that they move as rigid ones; everything they do is known in
   a/(o^2 - w^2) (sin wt - w/o sin ot), o its own frequency.
 * A block on a spring, an elastic ground without mass, under a sudden acceleration: a (1 - cos wt); the ground in the middle of
   the spring has the mean of that and of its base. The oscillator on the block is the sum of two such motions.
+* A block that falls has the acceleration g, the velocity g t and the way g t^2/2.
+* A block that slides beyond its limit load does not come to rest: the last field is of the moment when it is left.
 """
 import csv
 import json
@@ -18,6 +21,10 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as xml
+
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 FUGA = str(pathlib.Path(sys.argv[1]).resolve())
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -82,6 +89,22 @@ class Run:
 
     def accelerations(self, monitor, axis):
         return [(float(row["time"]), float(row["a" + axis])) for row in self.rows("accelerations.csv", monitor=monitor)]
+
+    def frames(self):
+        """(time, arrays at the points) of the bodies; joints have the same times."""
+        result = []
+        for name in ("joints", "bodies"):
+            entries = xml.parse(self.folder / f"{name}.pvd").getroot().findall("./Collection/DataSet")
+            times = [float(entry.get("timestep")) for entry in entries]
+            check(not result or times == [t for t, _ in result], f"{name}.pvd: {times}")
+            result = []
+            for t, entry in zip(times, entries):
+                reader = vtk.vtkXMLUnstructuredGridReader()
+                reader.SetFileName(str(self.folder / entry.get("file")))
+                reader.Update()
+                data = reader.GetOutput().GetPointData()
+                result.append((t, {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}))
+        return result
 
 
 def largest_response(way, velocity, omega, duration, shortest):
@@ -148,9 +171,62 @@ def block_on_a_spring(folder):
         near(acceleration, known, 0.01 * known, f"pseudo-acceleration of {own_period} s on a block on a spring")
 
 
+def falling_block(folder):
+    duration, interval = 0.5, 0.03
+    model = scene({"fall": {"Loads": "weight: 1", "Duration": duration, "Levels": 2}},
+                  Output={"Field interval": interval, "Fields": "levels", "Response spectra": "true"})
+    model["Joints"]["base"].update({"Initial gap": 5., "Cohesion": 0., "Tensile strength": 0.})
+    for body in model["Bodies"].values():  # the stress of a rigid motion over E is the rounding of its way
+        body["Young modulus"] = 1e3
+    run = Run(folder, "fall", model)
+    known = sorted({k * interval for k in range(1, 17)} | {0.25, 0.5})
+    frames = run.frames()
+    check(len(frames) == len(known) and all(abs(t * duration - time) < 1e-9 for (t, _), time in zip(frames, known)),
+          f"times of the fields: {[t * duration for t, _ in frames]}")
+    for (_, arrays), t in zip(frames, known):
+        for name, component in (("velocity", -G * t), ("displacement", -0.5 * G * t * t)):
+            for vector in arrays[name]:  # single precision
+                near(vector[1], component, 1e-5 * G, f"{name} of the falling block after {t} s")
+                near(vector[0], 0., 1e-9, f"{name} of the falling block across")
+    for _, value in run.accelerations("top", "y"):
+        near(value, -G, 1e-9 * G, "acceleration of the falling block")
+    periods = [period for period, _, _ in run.spectrum("top", "y")[1:]]
+    check(len(periods) == 100 and abs(periods[0] - 0.02) < 1e-12 and abs(periods[-1] - 5.) < 1e-9, f"periods {periods}")
+    # g at once and with 5 % of the critical damping: g (1 + exp(-pi z/sqrt(1 - z^2))), half a period later.
+    known = G * (1. + math.exp(-math.pi * 0.05 / math.sqrt(1. - 0.05 ** 2)))
+    for period, acceleration, _ in run.spectrum("top", "y")[1:]:
+        if period < 2. * duration:
+            near(acceleration, known, 1e-6 * known, f"pseudo-acceleration of {period} s of a fall")
+    del model["Output"]["Field interval"], model["Output"]["Response spectra"]
+    plain = Run(folder, "plain", model)
+    check([round(2. * t) for t, _ in plain.frames()] == [1, 2], "fields without an interval")
+    check(all("velocity" not in arrays for _, arrays in plain.frames()), "velocities that nobody asked for")
+    check(not any((plain.folder / name).exists() for name in ("spectra.csv", "accelerations.csv")), "spectra nobody asked for")
+
+
+def endless_slide(folder):
+    interval, longest = 0.4, 1.
+    model = scene({"weight": {"Loads": "weight: t"}, "pull": {"Loads": "pull: t"}},
+                  Dynamics={"Longest continuation": longest, "Excess load": 0.1, "Damping ratio": 0.001, "Damping frequencies": "1; 9"},
+                  Solver={"Beyond limit load": "dynamic"}, Output={"Field interval": interval})
+    model["Joints"]["base"].update({"Cohesion": 0., "Tensile strength": 0., "Normal stiffness": 1e5, "Shear stiffness": 1e5})
+    model["Loads"]["pull"] = {"Type": "weight", "Value": "1; 0"}
+    run = Run(folder, "slide", model, 3)
+    motion = json.loads((run.folder / "summary.json").read_text(encoding="utf-8"))["continuations"][0]
+    steps, frames = run.rows("earthquake.csv"), run.frames()
+    check(not motion["comes_to_rest"] and motion["seconds"] >= 0.999 * longest, f"{motion}")
+    check(len(frames) == 3, f"times of the slide: {[t for t, _ in frames]}")
+    for t, arrays in frames:
+        time = float(min(steps, key=lambda row: abs(float(row["t"]) - t))["time"])
+        near(time, interval if t == frames[0][0] else 2. * interval if t == frames[1][0] else longest, 1e-9, "time of a field")
+        # Driven by a tenth of the weight; springs and damping are thousandths.
+        for vector in arrays["velocity"]:
+            near(vector[0], 0.1 * G * time, 0.02 * G * longest, f"velocity of the sliding block after {time} s")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for part in (block_on_stiff_ground, block_on_a_spring):
+        for part in (block_on_stiff_ground, block_on_a_spring, falling_block, endless_slide):
             part(pathlib.Path(name))
     print("\n".join(complaints[:40]) or "bodies in motion are written as they move")
     sys.exit(1 if complaints else 0)

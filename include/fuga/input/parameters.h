@@ -196,7 +196,9 @@ namespace fuga
   {
     /** Never empty; relative names are relative to the current directory of the process. */
     std::string directory;
-    FieldOutput fields          = FieldOutput::levels;
+    FieldOutput fields = FieldOutput::levels;
+    /** Time between those of bodies in motion [s]; 0: only at levels. */
+    double field_interval       = 0.;
     MonitorOutput monitors      = MonitorOutput::levels;
     CheckpointOutput checkpoint = CheckpointOutput::levels;
     LogDetail log               = LogDetail::events;

@@ -35,7 +35,7 @@ namespace fuga
   TimeIntegration::begin(const Vector &initial_velocity, const Vector &net_forces)
   {
     u.assign(m.size(), 0.);
-    v              = initial_velocity;
+    v = steady_v   = initial_velocity;
     damped         = damping(v);
     out_of_balance = net_forces;
     add_multiple(-1., damped, out_of_balance);
@@ -77,8 +77,9 @@ namespace fuga
       {
         const double a_before = a[i], v_before = v_at_begin[i];
         u[i] += du[i];
-        a[i] = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
-        v[i] = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
+        a[i]        = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
+        v[i]        = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
+        steady_v[i] = m[i] > 0. ? v[i] : du[i] / h;
         out_of_balance[i] =
           (m[i] * ((1. - alpha_m) * a[i] + alpha_m * a_before) - alpha_f * out_of_balance[i]) /
           (1. - alpha_f);

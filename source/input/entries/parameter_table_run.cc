@@ -253,6 +253,16 @@ namespace fuga
                                    {"never", FieldOutput::never}}),
               "When VTU files are written.")
       .deciding(Decides::nothing);
+    field_interval =
+      optional(
+        "Field interval",
+        &OutputSettings::field_interval,
+        number_above(0),
+        "Time between two VTU files of bodies in motion [s], besides those of the levels: in "
+        "stages "
+        "with a Duration, and in motions beyond a limit load; they have velocities, and the end of "
+        "the motion is among them.")
+        .deciding(Decides::nothing);
     defaulted(
       "Monitors",
       &OutputSettings::monitors,

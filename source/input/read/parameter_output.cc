@@ -82,6 +82,10 @@ namespace fuga
     section.read(output);
     section.read(output.units);
     output.units.named = section.given(e.force_unit) || section.given(e.length_unit);
+    if (section.given(e.field_interval) && !may_move(parameters))
+      section.fail(e.field_interval,
+                   "nothing moves: no stage has a Duration, and 'Solver/Beyond limit load' is not "
+                   "dynamic. Add one of these entries, or remove this one.");
     read_spectra(section, parameters.model, output.spectra);
   }
 } // namespace fuga

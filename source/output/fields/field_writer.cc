@@ -189,22 +189,27 @@ namespace fuga
   void
   FieldWriter<dim>::write_bodies(const double t,
                                  const dealii::Vector<double> &displacement,
+                                 const dealii::Vector<double> &velocity,
                                  const TemperatureField<dim> &temperature)
   {
     if (bodies.empty())
       write_script();
     const Discretization<dim> &space = system.discretization();
     const StressPostprocessor<dim> stresses(model, body_names, temperature);
-    const DisplacementOutput<dim> displacements;
+    const VectorOutput<dim> displacements("displacement"), velocities("velocity");
     dealii::Vector<float> body(space.triangulation().n_active_cells());
     for (const auto &cell : space.triangulation().active_cell_iterators())
       body[cell->active_cell_index()] = static_cast<float>(cell->material_id());
     processes::meet(processes::Place::fields); // deal.II's functions wait for all
     const DistributedVector moved = distributed(space, displacement);
+    const DistributedVector rates =
+      velocity.size() > 0 ? distributed(space, velocity) : DistributedVector();
     const auto build = [&](dealii::DataOut<dim> &output, const DistributedVector &strained) {
       output.set_flags(vtk_flags());
       output.attach_dof_handler(space.dof_handler());
       output.add_data_vector(moved, displacements);
+      if (velocity.size() > 0)
+        output.add_data_vector(rates, velocities);
       output.add_data_vector(strained, stresses);
       output.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
       output.build_patches(space.mapping(), model.polynomial_degree);

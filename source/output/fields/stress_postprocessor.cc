@@ -124,14 +124,14 @@ namespace fuga
   }
 
   template <int dim>
-  DisplacementOutput<dim>::DisplacementOutput()
-    : dealii::DataPostprocessorVector<dim>("displacement", dealii::update_values)
+  VectorOutput<dim>::VectorOutput(const std::string &of_field)
+    : dealii::DataPostprocessorVector<dim>(of_field, dealii::update_values)
   {
   }
 
   template <int dim>
   void
-  DisplacementOutput<dim>::evaluate_vector_field(
+  VectorOutput<dim>::evaluate_vector_field(
     const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
     std::vector<dealii::Vector<double>> &computed) const
   {
@@ -142,6 +142,6 @@ namespace fuga
 
   template class StressPostprocessor<2>;
   template class StressPostprocessor<3>;
-  template class DisplacementOutput<2>;
-  template class DisplacementOutput<3>;
+  template class VectorOutput<2>;
+  template class VectorOutput<3>;
 } // namespace fuga

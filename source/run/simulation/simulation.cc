@@ -199,17 +199,7 @@ namespace fuga
     const Vector a          = model.loads.history.factors(state.t);
     const auto results      = phase.results(state);
     if (with_fields)
-      {
-        const dealii::Vector<double> u = displacement(state, x, a, certificate);
-        // Beyond a limit load the load time does not grow, but the times of a film must.
-        const double time = state.t + history.path_length();
-        fields.write_bodies(
-          time,
-          u,
-          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, state.t));
-        fields.write_joints(time, joint.elements, results, judge.dissipation());
-        model.timer.finish("fields");
-      }
+      write_fields(state, results, displacement(state, x, a, certificate));
     worst.absorb(certificate);
     history.add_level(state.t,
                       results,
@@ -220,6 +210,26 @@ namespace fuga
     log.level(state.t, results, certificate.worst());
     publish(false);
     model.timer.finish("tables");
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_fields(const JointState &state,
+                                const std::vector<ElementResult> &results,
+                                const dealii::Vector<double> &displacement)
+  {
+    // Beyond a limit load the load time does not grow, but the times of a film must.
+    const double time = state.t + history.path_length();
+    dealii::Vector<double> velocity;
+    if (motion && parameters.output.field_interval > 0.)
+      velocity = model.bodies.by_degrees_of_freedom(motion->steady_velocity());
+    fields.write_bodies(
+      time,
+      displacement,
+      velocity,
+      model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, state.t));
+    fields.write_joints(time, joint.elements, results, judge.dissipation());
+    model.timer.finish("fields");
   }
 
   template <int dim>

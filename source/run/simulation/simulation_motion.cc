@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/work_counter.h>
 #include <fuga/run/simulation/simulation.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -33,8 +38,22 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::write_frame()
+  {
+    if (fields.has_written(last_state.t))
+      return;
+    const work::Scope scope(work::Phase::results);
+    write_fields(last_state,
+                 phase.results(last_state),
+                 model.bodies.by_degrees_of_freedom(phase.displacement_in_motion()));
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::end_motion()
   {
+    if (motion && parameters.output.field_interval > 0.)
+      write_frame();
     if (!monitored_motion)
       return;
     history.add_accelerations(model.construction.stage, monitored_motion->accelerations());
@@ -63,6 +82,14 @@ namespace fuga
     if (monitored_motion && phase.dynamic_path().is_at_whole_step())
       note_accelerations();
     phase.ended_step(state);
+    // Times are sums of steps.
+    constexpr double rounding = 1e-9;
+    if (const double interval = parameters.output.field_interval; interval > 0.)
+      if (const double n = std::floor((1. + rounding) * motion->time() / interval); n > n_intervals)
+        {
+          n_intervals = n;
+          write_frame();
+        }
     publish(false);
   }
 

@@ -95,6 +95,13 @@ namespace fuga
       return integration->velocity();
     }
 
+    /** To be looked at: see TimeIntegration [m/s]. */
+    const Vector &
+    steady_velocity() const
+    {
+      return integration->steady_velocity();
+    }
+
     /** That of the integration in time, without that of the frame; see TimeIntegration [m/s²]. */
     const Vector &
     acceleration() const

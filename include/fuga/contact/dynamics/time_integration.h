@@ -63,6 +63,14 @@ namespace fuga
       return v;
     }
 
+    /** Of degrees of freedom without mass the mean one over the last step, about which what the
+     * rule has for them alternates from step to step. */
+    const Vector &
+    steady_velocity() const
+    {
+      return steady_v;
+    }
+
     /** Where there is no mass, this alternates from step to step: take second differences of the
      * displacement there. */
     const Vector &
@@ -106,6 +114,8 @@ namespace fuga
     /** Since the beginning. */
     Vector u;
     Vector v, a, out_of_balance;
+    /** See steady_velocity(). */
+    Vector steady_v;
     /** See damping_forces(): the product is needed more than once. */
     Vector damped;
     /** What is out of balance besides. */

@@ -40,8 +40,8 @@ namespace fuga
   /**
    * Writes the fields of one load level as VTU files and keeps the PVD collections that ParaView
    * opens:
-   *  - bodies.pvd: of the bodies that are there displacement, stress tensor, principal stresses,
-   * von Mises stress, body;
+   *  - bodies.pvd: of the bodies that are there displacement, velocity where one is given, stress
+   * tensor, principal stresses, von Mises stress, body;
    *  - joints.pvd: one line cell per joint face with gap, closure, slip, ... at its contact
    * elements;
    *  - joints_exploded.pvd: the same on both lips, moved apart along the normal so that they can be
@@ -61,9 +61,11 @@ namespace fuga
                 const ModelDefinition &model,
                 const std::vector<std::string> &body_names);
 
+    /** @p velocity: empty but of bodies in motion. */
     void
     write_bodies(const double t,
                  const dealii::Vector<double> &displacement,
+                 const dealii::Vector<double> &velocity,
                  const TemperatureField<dim> &temperature);
 
     void
@@ -71,6 +73,13 @@ namespace fuga
                  const std::vector<ContactElement> &elements,
                  const std::vector<ElementResult> &results,
                  const Vector &dissipation);
+
+    /** Whether the last files are of this time. */
+    bool
+    has_written(const double t) const
+    {
+      return !bodies.empty() && bodies.back().first == t;
+    }
 
     const FieldCollections &
     memory() const

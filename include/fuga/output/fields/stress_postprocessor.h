@@ -45,12 +45,12 @@ namespace fuga
     std::vector<Material> materials;
   };
 
-  /** The displacement as one vector. */
+  /** A field by components as one vector. */
   template <int dim>
-  class DisplacementOutput : public dealii::DataPostprocessorVector<dim>
+  class VectorOutput : public dealii::DataPostprocessorVector<dim>
   {
   public:
-    DisplacementOutput();
+    explicit VectorOutput(const std::string &name);
 
     void
     evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim> &inputs,

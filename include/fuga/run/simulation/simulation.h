@@ -154,6 +154,13 @@ namespace fuga
     void
     fill(Checkpoint &checkpoint) const;
     void
+    write_fields(const JointState &state,
+                 const std::vector<ElementResult> &results,
+                 const dealii::Vector<double> &displacement);
+    /** The fields of bodies in motion, unless they are there. */
+    void
+    write_frame();
+    void
     note_accelerations();
     /** The path of a phase has come to its end. */
     void
@@ -237,6 +244,8 @@ namespace fuga
     bool from_the_beginning = false;
     /** A search for safety is under way: checkpoints are those of the path. */
     bool searching = false;
+    /** How many times Output/Field interval has passed in this motion. */
+    double n_intervals = 0.;
     /** Only if response spectra of a dynamic stage are asked for. */
     std::optional<MonitoredMotion> monitored_motion;
     FileIdentity mesh_identity;
