@@ -118,6 +118,9 @@ class Results:
         self.beyond = Table(self._path("resultants.csv")).frame.query("path_length > 0")
         self.events, self.history, self.resultants = (
             Table(self._path(name)).up_to_the_limit() for name in ("events.csv", "joint_history.csv", "resultants.csv"))
+        # States of elements; jumps, and motions as a whole, have an energy.
+        if "energy" in self.events:
+            self.events.frame = self.events.frame[self.events.frame["energy"].isna()]
         # Only in runs with monitors.
         self.monitors = (Table(self._path("monitors.csv")).up_to_the_limit()
                          if os.path.exists(self._path("monitors.csv")) else None)

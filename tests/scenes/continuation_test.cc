@@ -199,6 +199,9 @@ namespace fuga::tests
                   3e-3 * slip);
     EXPECT_NEAR(motion.at("friction_work").get<double>(), 0.5 * slip, 3e-3 * 0.5 * slip);
     expect_closed_ledger(motion, 1e-3);
+    const auto &kinds = run.summary.at("events").at("by_kind");
+    EXPECT_EQ(kinds.at("equilibrium -> motion until rest"), 1);
+    EXPECT_EQ(kinds.at("motion until rest -> equilibrium"), 1);
   }
 
   // Its bond breaks at a pull of 0.5, and nothing is left of its strength: the spring alone carries

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""What is written of bodies in motion besides the tables of every run: accelerations and response spectra of monitors, and
-fields between the levels, which VTK's own readers read.
+"""What is written of bodies in motion besides the tables of every run: accelerations and response spectra of monitors,
+fields between the levels, which VTK's own readers read, and events of the motion as a whole.
 
 usage: motion_results.py FUGA
 
@@ -12,7 +12,9 @@ Blocks are so stiff that they move as rigid ones; everything they do is known in
 * A block on a spring, an elastic ground without mass, under a sudden acceleration: a (1 - cos wt); the ground in the middle of
   the spring has the mean of that and of its base. The oscillator on the block is the sum of two such motions.
 * A block that falls has the acceleration g, the velocity g t and the way g t^2/2.
-* A block that slides beyond its limit load does not come to rest: the last field is of the moment when it is left.
+* A block that slides beyond its limit load does not come to rest: the last field is of the moment when it is left; friction
+  has taken f N s.
+* Lips without mass jump where friction is beyond its critical value: a row of events.csv with what the ledger of energies has.
 """
 import csv
 import json
@@ -44,17 +46,24 @@ def near(value, known, tolerance, what):
     check(abs(value - known) <= tolerance, f"{what}: {value!r} instead of {known!r}")
 
 
-def column(heights):
-    """Two cells above each other, one metre wide: the bodies `lower` and `upper`."""
-    nodes = [(x, y) for y in heights for x in (0., 1.)]
+def column():
+    """Two cells above each other, with sides of one metre: the bodies `lower` and `upper`."""
+    nodes = [(x, y) for y in (0., 1., 2.) for x in (0., 1.)]
     cells = [(1 + 2 * j, 2 + 2 * j, 4 + 2 * j, 3 + 2 * j) for j in range(2)]
     return Mesh(nodes, [(2, "lower", cells[:1]), (2, "upper", cells[1:]), (1, "bottom", [(1, 2)]), (1, "top", [(5, 6)]),
                         (1, "sides", [(1, 3), (3, 5), (2, 4), (4, 6)])])
 
 
+def pair():
+    """The same beside each other."""
+    nodes = [(x, y) for y in (0., 1.) for x in (0., 1., 2.)]
+    return Mesh(nodes, [(2, "lower", [(1, 2, 5, 4)]), (2, "upper", [(2, 3, 6, 5)]), (1, "bottom", [(1, 2), (2, 3)]),
+                        (1, "top", [(4, 5), (5, 6)]), (1, "sides", [(1, 4), (3, 6)])])
+
+
 def scene(stages, **sections):
     body = {"Young modulus": 1e9, "Poisson ratio": 0., "Weight density": G}
-    model = {"Mesh": {"File": "column.msh"}, "Bodies": {"lower": dict(body), "upper": dict(body)},
+    model = {"Mesh": {"File": "blocks.msh"}, "Bodies": {"lower": dict(body), "upper": dict(body)},
              "Joints": {"base": {"Plus lip": "bottom", "Minus lip": "rigid", "Normal stiffness": 1e10, "Shear stiffness": 1e10,
                                  "Friction coefficient": 0.5, "Cohesion": 1e6, "Tensile strength": 1e6}},
              "Boundaries": {"top": {"Fixed": "free"}, "sides": {"Fixed": "free"}},
@@ -67,10 +76,10 @@ def scene(stages, **sections):
 
 
 class Run:
-    def __init__(self, folder, name, model, exit_code=0):
+    def __init__(self, folder, name, model, exit_code=0, mesh=column()):
         self.folder = folder / name
         self.folder.mkdir()
-        column([0., 1., 2.]).write(self.folder / "column.msh")
+        mesh.write(self.folder / "blocks.msh")
         (self.folder / "scene.json").write_text(json.dumps(model), encoding="utf-8")
         done = subprocess.run([FUGA, "scene.json", "--quiet", "--output-dir", "."], cwd=self.folder, capture_output=True,
                               text=True, check=False)
@@ -121,7 +130,7 @@ def block_on_stiff_ground(folder):
                                                  for i in range(round(duration / STEP) + 1)))
     run = Run(folder, "stiff", scene({"shake": {"Loads": "weight: 0", "Duration": 2.}}, Earthquake={
         "Record x": "../harmonic.txt", "Record unit": "length/s^2", "Baseline": "keep"},
-        Output={"Response spectra": "true", "Spectrum damping": 0., "Spectrum periods": "0.1, 0.3, 0.7, 2"}))
+        Output={"Response spectra": "true", "Spectrum damping": 0., "Spectrum periods": "0.1, 0.3, 0.7, 2", "Report": "true"}))
     # Lines between the samples lack (w h)^2/8 of the sine; what steps do not resolve of the block swings about it from step to
     # step by a part of what the acceleration changes in one, w h.
     tolerance, of_history = 1e-4, 0.1 * w * STEP
@@ -142,6 +151,8 @@ def block_on_stiff_ground(folder):
         for t, value in history:
             near(value, a * math.sin(w * t) if t < duration else 0., of_history * a, f"{monitor}: acceleration after {t} s")
     check(not (run.folder / "bodies.pvd").exists(), "fields that nobody asked for")
+    page = (run.folder / "report.html").read_text(encoding="utf-8")
+    check("Response spectra of the monitors in stage \u2018shake\u2019" in page, "spectra in the report")
 
 
 def block_on_a_spring(folder):
@@ -222,11 +233,43 @@ def endless_slide(folder):
         # Driven by a tenth of the weight; springs and damping are thousandths.
         for vector in arrays["velocity"]:
             near(vector[0], 0.1 * G * time, 0.02 * G * longest, f"velocity of the sliding block after {time} s")
+    begin, end = (row for row in run.rows("events.csv") if row["energy"] != "nan")
+    check((begin["from"], begin["to"], float(begin["energy"])) == ("equilibrium", "motion until rest", 0.), f"{begin}")
+    check(float(begin["t"]) == motion["t"] and begin["stage"] == end["stage"] == "pull" and begin["joint"] == "base", f"{begin}")
+    check((end["from"], end["to"], end["t"]) == ("motion until rest", "motion", steps[-1]["t"]), f"{end}")
+    # Friction of half the weight on the way; what the springs of the joint store is thousandths.
+    friction = 0.5 * 2. * G * motion["largest_slip"]
+    near(float(end["energy"]), friction, 0.01 * friction, "work on the joints of a slide")
+    by_kind = json.loads((run.folder / "summary.json").read_text(encoding="utf-8"))["events"]
+    check(by_kind["by_kind"]["motion until rest -> motion"] == 1 and by_kind["total"] == len(run.rows("events.csv")), f"{by_kind}")
+
+
+def jumping_lips(folder):
+    model = scene({"weight": {"Loads": "weight: t"}, "shake": {"Loads": "pull: sin(2*pi*t)", "Duration": 1.}},
+                  Dynamics={"Time step": 0.02}, Solver={"Non-unique": "first"})
+    del model["Monitors"]
+    for body in model["Bodies"].values():
+        body.update({"Young modulus": 1e3, "Poisson ratio": 0.3})
+    model["Joints"]["base"] = {"Plus lip": "bottom", "Minus lip": "rigid", "Normal law": "rigid", "Shear law": "rigid",
+                               "Friction coefficient": 2.}
+    model["Loads"]["pull"] = {"Type": "weight", "Value": "2; 0"}
+    run = Run(folder, "jumps", model, mesh=pair())
+    events, steps = run.rows("events.csv"), run.rows("earthquake.csv")
+    jumps = [i for i, row in enumerate(events) if row["to"] == "jump"]
+    check(len(jumps) == 2, f"{len(jumps)} jumps")
+    for i in jumps:
+        row, t = events[i], float(events[i]["t"])
+        check(row["from"] == "motion" and row["joint"] == "base" and row["stage"] == "shake", f"{row}")
+        check(events[i + 1]["t"] == row["t"] and events[i + 1]["energy"] == "nan", f"behind a jump: {events[i + 1]}")
+        # In a rigid joint nothing but friction takes work, by the ledger the jump nearly all of that in its step.
+        step = next(k for k, one in enumerate(steps) if float(one["t"]) >= t)
+        work = float(steps[step]["joint_work"]) - float(steps[step - 1]["joint_work"])
+        check(abs(work - float(row["energy"])) <= 1e-3 * work, f"work {row['energy']} of a jump in a step with {work}")
 
 
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for part in (block_on_stiff_ground, block_on_a_spring, falling_block, endless_slide):
+        for part in (block_on_stiff_ground, block_on_a_spring, falling_block, endless_slide, jumping_lips):
             part(pathlib.Path(name))
     print("\n".join(complaints[:40]) or "bodies in motion are written as they move")
     sys.exit(1 if complaints else 0)

@@ -152,7 +152,7 @@ namespace fuga
   } // namespace
 
   Columns<EventRow>
-  event_columns(const Units &u)
+  event_columns(const Units &u, const bool has_motion)
   {
     Columns<EventRow> columns = {
       {"event", "", [](const EventRow &row) { return row.number; }},
@@ -163,11 +163,13 @@ namespace fuga
       {"element", "", [](const EventRow &row) { return std::size_t{row.element.number}; }}};
     append(columns, place_of_element<EventRow>(u));
     append(columns,
-           {{"from", "", [](const EventRow &row) { return std::string(row.event.names()[0]); }},
-            {"to", "", [](const EventRow &row) { return std::string(row.event.names()[1]); }},
+           {{"from", "", [](const EventRow &row) { return std::string(row.names[0]); }},
+            {"to", "", [](const EventRow &row) { return std::string(row.names[1]); }},
             certificate<EventRow>(),
-            {"continuations", "", [](const EventRow &row) { return row.event.n_branches; }},
+            {"continuations", "", [](const EventRow &row) { return row.n_branches; }},
             path_length<EventRow>(u)});
+    if (has_motion)
+      append(columns, {{"energy", u.energy(), [](const EventRow &row) { return row.energy; }}});
     append(columns, drive<EventRow>());
     return columns;
   }

@@ -9,6 +9,11 @@
 
 namespace fuga
 {
+  namespace
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  }
+
   std::pair<std::size_t, double>
   stage_of(const double t, const std::size_t n_stages)
   {
@@ -25,7 +30,7 @@ namespace fuga
 
   HistoryWriter::HistoryWriter(const std::string &directory, const HistoryContext &history_context)
     : context(history_context)
-    , events(directory + "/events.csv", event_columns(context.units))
+    , events(directory + "/events.csv", event_columns(context.units, context.has_motion))
     , history(directory + "/joint_history.csv", history_columns(context.units, context.has_water))
     , resultants(directory + "/resultants.csv",
                  resultant_columns(context.units, context.has_water, context.in_space))
@@ -55,17 +60,34 @@ namespace fuga
   HistoryWriter::add_events(const std::vector<ContactEvent> &new_events, const double certificate)
   {
     for (const ContactEvent &event : new_events)
-      {
-        const ContactElement &element = context.elements[event.element];
-        const auto [stage, fraction]  = stage_of_event(event.t, context.stage_names.size());
-        events.add({moment(event.t, stage, certificate),
-                    ++n_events,
-                    event,
-                    element,
-                    context.joint_names[element.joint],
-                    context.stage_names[stage],
-                    fraction});
-      }
+      add_event(event.t, certificate, event.element, event.names(), event.n_branches, unknown);
+  }
+
+  void
+  HistoryWriter::add_event(const MotionEvent &event)
+  {
+    add_event(event.t, unknown, event.element, event.names, 1, event.energy);
+  }
+
+  void
+  HistoryWriter::add_event(const double t,
+                           const double certificate,
+                           const std::size_t number,
+                           const std::array<std::string_view, 2> &names,
+                           const std::size_t n_branches,
+                           const double energy)
+  {
+    const ContactElement &element = context.elements[number];
+    const auto [stage, fraction]  = stage_of_event(t, context.stage_names.size());
+    events.add({moment(t, stage, certificate),
+                ++n_events,
+                names,
+                n_branches,
+                energy,
+                element,
+                context.joint_names[element.joint],
+                context.stage_names[stage],
+                fraction});
   }
 
   void
@@ -127,7 +149,7 @@ namespace fuga
     const std::size_t n_stages = context.stage_names.size();
     const std::size_t stage =
       (occasion == "event" ? stage_of_event(t, n_stages) : stage_of(t, n_stages)).first;
-    const Moment now = moment(t, stage, std::numeric_limits<double>::quiet_NaN());
+    const Moment now = moment(t, stage, unknown);
     for (std::size_t i = 0; i < context.monitors.size(); ++i)
       {
         const Monitor &monitor = context.monitors[i];

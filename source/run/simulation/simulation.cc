@@ -137,6 +137,8 @@ namespace fuga
   {
     judge.lose_track();
     model_range.watch(to);
+    if (motion)
+      note_jump(to);
     last_state = to;
   }
 

@@ -50,6 +50,12 @@ namespace fuga
                          loss.t,
                          motion ? "the dynamic stage ends in motion" : verdict_name(loss.verdict),
                          continuation.t));
+    note_motion(loss.t,
+                {{motion ? "motion" : "equilibrium", "motion until rest"}},
+                loss.mechanism_jumps.empty()
+                  ? layered.jumps(last_state.dislocations, last_state.forces)
+                  : loss.mechanism_jumps,
+                0.);
     continuations.push_back(std::move(continuation));
   }
 
@@ -73,6 +79,10 @@ namespace fuga
         continuation.opening =
           std::max(continuation.opening, std::abs(change[joint.elements[k].normal_bar]));
       }
+    note_motion(last_state.t,
+                {{"motion until rest", continuation.rests ? "equilibrium" : "motion"}},
+                change,
+                motion_energies.joints);
     if (continuation.rests)
       {
         last_state.t = continuation.t;

@@ -95,6 +95,41 @@ namespace fuga
 
   template <int dim>
   void
+  Simulation<dim>::note_jump(const JointState &to)
+  {
+    Vector change = layered.jumps(to.dislocations, to.forces);
+    add_multiple(-1., layered.jumps(last_state.dislocations, last_state.forces), change);
+    double work = 0.;
+    for (std::size_t bar = 0; bar < change.size(); ++bar)
+      work += 0.5 * (last_state.forces[bar] + to.forces[bar]) * change[bar];
+    note_motion(to.t, {{"motion", "jump"}}, change, work);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::note_motion(const double t,
+                               const std::array<std::string_view, 2> &names,
+                               const Vector &change,
+                               const double energy)
+  {
+    if (joint.elements.empty())
+      return;
+    std::size_t farthest = 0;
+    double largest       = 0.;
+    for (std::size_t k = 0; k < joint.elements.size(); ++k)
+      for (std::size_t i = 0; i < joint.elements[k].n_bars(); ++i)
+        if (const double size = std::abs(change[joint.elements[k].bar(i)]); size > largest)
+          {
+            largest  = size;
+            farthest = k;
+          }
+    history.add_event({t, farthest, names, energy});
+    ++events_by_kind[fmt::format("{} -> {}", names[0], names[1])];
+    ++n_events;
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::log_motion()
   {
     if (motion_steps.empty())

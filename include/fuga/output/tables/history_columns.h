@@ -26,11 +26,26 @@ namespace fuga
     double path_length;
   };
 
+  /** What happens to bodies in motion besides changes of state. */
+  struct MotionEvent
+  {
+    double t;
+    /** That whose lips move farthest. */
+    std::size_t element;
+    /** The words before and after it. */
+    std::array<std::string_view, 2> names;
+    /** Work on all joints [MNm]. */
+    double energy;
+  };
+
   struct EventRow
   {
     const Moment &moment;
     std::size_t number;
-    const ContactEvent &event;
+    std::array<std::string_view, 2> names;
+    std::size_t n_branches;
+    /** Not a number but of a MotionEvent. */
+    double energy;
     const ContactElement &element;
     const std::string &joint, &stage;
     double stage_fraction;
@@ -97,10 +112,11 @@ namespace fuga
     const JointResultant &resultant;
   };
 
-  /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water: with those that
-   * only models in space, or with water in joints, have. */
+  /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water, @p
+   * has_motion: with those that only models in space, with water in joints, or with bodies that may
+   * move have. */
   Columns<EventRow>
-  event_columns(const Units &units);
+  event_columns(const Units &units, const bool has_motion);
   Columns<ElementRow>
   history_columns(const Units &units, const bool has_water);
   Columns<ResultantRow>

@@ -87,6 +87,9 @@ namespace fuga
     add_events(const std::vector<ContactEvent> &events, const double certificate);
 
     void
+    add_event(const MotionEvent &event);
+
+    void
     add_level(const double t,
               const std::vector<ElementResult> &results,
               const std::vector<JointResultant> &joint_resultants,
@@ -131,6 +134,14 @@ namespace fuga
     publish(const bool now);
 
   private:
+    void
+    add_event(const double t,
+              const double certificate,
+              const std::size_t element,
+              const std::array<std::string_view, 2> &names,
+              const std::size_t n_branches,
+              const double energy);
+
     Moment
     moment(const double t, const std::size_t stage, const double certificate) const;
 

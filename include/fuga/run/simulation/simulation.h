@@ -160,6 +160,15 @@ namespace fuga
     /** The fields of bodies in motion, unless they are there. */
     void
     write_frame();
+    /** Lips without mass jump to this state, see StepRecord. */
+    void
+    note_jump(const JointState &to);
+    /** A row of events.csv: @p change of the jumps of all bars, with work on the joints. */
+    void
+    note_motion(const double t,
+                const std::array<std::string_view, 2> &names,
+                const Vector &change,
+                const double energy);
     void
     note_accelerations();
     /** The path of a phase has come to its end. */
