@@ -20,6 +20,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -219,7 +220,7 @@ def endless_slide(folder):
     interval, longest = 0.4, 1.
     model = scene({"weight": {"Loads": "weight: t"}, "pull": {"Loads": "pull: t"}},
                   Dynamics={"Longest continuation": longest, "Excess load": 0.1, "Damping ratio": 0.001, "Damping frequencies": "1; 9"},
-                  Solver={"Beyond limit load": "dynamic"}, Output={"Field interval": interval})
+                  Solver={"Beyond limit load": "dynamic"}, Output={"Field interval": interval, "Report": "true"})
     model["Joints"]["base"].update({"Cohesion": 0., "Tensile strength": 0., "Normal stiffness": 1e5, "Shear stiffness": 1e5})
     model["Loads"]["pull"] = {"Type": "weight", "Value": "1; 0"}
     run = Run(folder, "slide", model, 3)
@@ -233,6 +234,9 @@ def endless_slide(folder):
         # Driven by a tenth of the weight; springs and damping are thousandths.
         for vector in arrays["velocity"]:
             near(vector[0], 0.1 * G * time, 0.02 * G * longest, f"velocity of the sliding block after {time} s")
+    page = (run.folder / "report.html").read_text(encoding="utf-8")
+    near(float(re.search(r"at most ([0-9.]+) m/s on the way", page).group(1)), 0.1 * G * longest, 0.02 * G * longest,
+         "velocity of the slide in the report")
     begin, end = (row for row in run.rows("events.csv") if row["energy"] != "nan")
     check((begin["from"], begin["to"], float(begin["energy"])) == ("equilibrium", "motion until rest", 0.), f"{begin}")
     check(float(begin["t"]) == motion["t"] and begin["stage"] == end["stage"] == "pull" and begin["joint"] == "base", f"{begin}")

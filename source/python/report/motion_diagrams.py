@@ -3,6 +3,7 @@
 """Histories of stages in which inertia acts."""
 
 import matplotlib.ticker
+import numpy
 
 from report.figures import new_figure, set_margins, to_figure
 from report.numbers import rounded
@@ -11,8 +12,15 @@ SHOWN_JOINTS = 4
 SHOWN_MONITORS = 4
 
 
+def _slides(of_joint):
+    """Ends of the steps of time, and how fast the joint slid in each, in the mean of its area; in space the size of that."""
+    steps = [numpy.diff(of_joint[name]) for name in ("mean_slip", "mean_slip2") if name in of_joint]
+    way = numpy.hypot(*steps) if len(steps) == 2 else steps[0]
+    return of_joint["time"].iloc[1:], way / numpy.diff(of_joint["time"])
+
+
 def histories(results):
-    """Ground, forces and motions of the joints and energies over the time of the last motion; None without one."""
+    """Ground, forces, motions and velocities of the joints and energies over the time of the last motion; None without one."""
     if results.motion is None or results.motion.frame.empty:
         return None
     table = results.motion
@@ -21,8 +29,8 @@ def histories(results):
     frame = frame[motions == motions.iloc[-1]]
     joints = list(dict.fromkeys(frame["joint"]))[:SHOWN_JOINTS]
     one = frame[frame["joint"] == joints[0]]
-    figure = new_figure(7.4)
-    rows = figure.subplots(4, sharex=True)
+    figure = new_figure(8.8)
+    rows = figure.subplots(5, sharex=True)
     for column in ("ground_x", "ground_y", "ground_z"):
         if column in table and one[column].any():
             rows[0].plot(one["time"], one[column], linewidth=0.6, label=column.replace("_", " "))
@@ -33,24 +41,28 @@ def histories(results):
         rows[1].plot(of_joint["time"], of_joint["N"], linewidth=0.7, label="N" + suffix)
         rows[2].plot(of_joint["time"], of_joint["mean_slip"], linewidth=0.9, label="mean slip" + suffix)
         rows[2].plot(of_joint["time"], of_joint["largest_gap"], linewidth=0.7, label="largest gap" + suffix)
+        rows[3].plot(*_slides(of_joint), linewidth=0.7, label="sliding" + suffix)
     rows[1].set_ylabel(f"force [{units['T']}]")
     rows[2].set_ylabel(f"[{units['mean_slip']}]")
+    rows[3].set_ylabel(f"[{units['mean_slip']}/s]")
     names = {"work": "work", "joint_work": "joints", "damping": "damping", "kinetic_energy": "kinetic",
              "energy_bodies": "bodies"}
     for column, name in names.items():
-        rows[3].plot(one["time"], one[column], linewidth=0.8, label=name)
-    rows[3].set_ylabel(f"energy [{units['work']}]")
-    rows[3].set_xlabel("time [s]")
+        rows[4].plot(one["time"], one[column], linewidth=0.8, label=name)
+    rows[4].set_ylabel(f"energy [{units['work']}]")
+    rows[4].set_xlabel("time [s]")
     for axes in rows:
         axes.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(5))
         if axes.get_legend_handles_labels()[0]:
             axes.legend(loc="upper left", ncols=5)
     set_margins(figure, hspace=0.12)
     last = {joint: frame[frame["joint"] == joint].iloc[-1] for joint in joints}
-    remains = "; ".join(f"'{joint}' {rounded(row['mean_slip'], 4)} {units['mean_slip']} of slip in the mean, "
+    fastest = {joint: max(abs(_slides(frame[frame["joint"] == joint])[1]), default=0.0) for joint in joints}
+    remains = "; ".join(f"'{joint}' {rounded(row['mean_slip'], 4)} {units['mean_slip']} of slip in the mean (at most "
+                        f"{rounded(float(fastest[joint]), 3)} {units['mean_slip']}/s on the way), "
                         f"{rounded(row['largest_gap'], 3)} {units['largest_gap']} of largest gap" for joint, row in last.items())
     return to_figure(figure, "Histories over the time since the motion began: acceleration of the ground, forces and motions of the "
-                             f"joints, energies since then. At its end: {remains}.")
+                             f"joints, mean velocity at which they slide, energies since then. At its end: {remains}.")
 
 
 def spectra(results):
