@@ -15,15 +15,6 @@ namespace fuga
 {
   namespace
   {
-    enum Kind
-    {
-      normal_table,
-      shear_table,
-      slip,
-      turn,
-      n_kinds
-    };
-
     /** Of the length of a joint: lips that slip by more do not lie opposite to each other. */
     constexpr double largest_slip = 0.05;
 
@@ -75,41 +66,46 @@ namespace fuga
 
     template <int dim>
     std::string
-    sentence(const int kind, const ModelExcess &excess, const Units &units)
+    beyond_table(const std::string &kind, const ModelExcess &excess, const Units &units)
     {
-      switch (kind)
-        {
-          case slip:
-            return fmt::format("{} slips by {:.4g} {} at t = {:.6g}, {:.2g} times the length of "
-                               "the joint. Lips are taken to stay opposite to each other, which "
-                               "is meant for less than {:g} times.",
-                               place_of<dim>(excess),
-                               excess.largest,
-                               units.length,
-                               excess.t,
-                               excess.largest / excess.limit,
-                               largest_slip);
-          case turn:
-            return fmt::format("openings differ by {:.4g} {} at t = {:.6g}, {:.2g} times the "
-                               "length of the joint: bodies turn by about that angle. "
-                               "Displacements are taken for small, which is meant for less than "
-                               "{:g}.",
-                               excess.largest,
-                               units.length,
-                               excess.t,
-                               excess.largest / excess.limit,
-                               largest_turn);
-          default:
-            return fmt::format("the {} table ends at {:g} {}, but {} reaches {:.6g} at t = {:.6g}. "
-                               "Beyond its last point the table is continued by a straight line: "
-                               "add points.",
-                               kind == normal_table ? "normal" : "shear",
-                               excess.limit,
-                               units.stress(),
-                               place_of<dim>(excess),
-                               excess.largest,
-                               excess.t);
-        }
+      return fmt::format("the {} table ends at {:g} {}, but {} reaches {:.6g} at t = {:.6g}. "
+                         "Beyond its last point the table is continued by a straight line: "
+                         "add points.",
+                         kind,
+                         excess.limit,
+                         units.stress(),
+                         place_of<dim>(excess),
+                         excess.largest,
+                         excess.t);
+    }
+
+    template <int dim>
+    std::string
+    far_slip(const ModelExcess &excess, const Units &units)
+    {
+      return fmt::format("{} slips by {:.4g} {} at t = {:.6g}, {:.2g} times the length of "
+                         "the joint. Lips are taken to stay opposite to each other, which "
+                         "is meant for less than {:g} times.",
+                         place_of<dim>(excess),
+                         excess.largest,
+                         units.length,
+                         excess.t,
+                         excess.largest / excess.limit,
+                         largest_slip);
+    }
+
+    std::string
+    far_turn(const ModelExcess &excess, const Units &units)
+    {
+      return fmt::format("openings differ by {:.4g} {} at t = {:.6g}, {:.2g} times the "
+                         "length of the joint: bodies turn by about that angle. "
+                         "Displacements are taken for small, which is meant for less than "
+                         "{:g}.",
+                         excess.largest,
+                         units.length,
+                         excess.t,
+                         excess.largest / excess.limit,
+                         largest_turn);
     }
   } // namespace
 
@@ -119,59 +115,79 @@ namespace fuga
     : elements(contact_elements)
     , lengths(lengths_of_joints(elements, n_joints))
     , record(record_of_run)
+    , openings(n_joints)
   {
-    record.resize(n_joints * n_kinds);
+    record.resize(n_joints);
+    const auto note_table =
+      [this](const ContactElement &element, const bool is_normal, const ComplianceLaw &law) {
+        if (std::isfinite(law.data_limit()))
+          tabulated_bars.push_back({&element, is_normal, law.stress(law.data_limit())});
+      };
+    for (const ContactElement &element : elements)
+      {
+        note_table(element, true, *element.normal_law);
+        if (element.has_tangential_bar())
+          note_table(element, false, *element.shear_law);
+      }
   }
 
   void
   ModelRange::watch(const JointState &state)
   {
-    std::vector<double> least(lengths.size(), std::numeric_limits<double>::infinity());
-    std::vector<const ContactElement *> widest(lengths.size(), nullptr);
-    std::vector<double> most(lengths.size(), 0.);
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      {
-        const ContactElement &element = elements[k];
-        const unsigned int joint      = element.joint;
-        watch_table(element, state, true);
-        if (element.has_tangential_bar())
-          watch_table(element, state, false);
-        if (const double way = length(state.slips[k]); way > largest_slip * lengths[joint])
-          note(record[joint * n_kinds + slip], way, lengths[joint], state.t, element);
-        const double opening = state.states[k] == ContactState::open
-                                 ? element.initial_gap + state.dislocations[element.normal_bar]
-                                 : 0.;
-        least[joint]         = std::min(least[joint], opening);
-        if (widest[joint] == nullptr || opening > most[joint])
-          {
-            widest[joint] = &element;
-            most[joint]   = opening;
-          }
-      }
-    for (std::size_t joint = 0; joint < lengths.size(); ++joint)
-      if (most[joint] - least[joint] > largest_turn * lengths[joint])
-        note(record[joint * n_kinds + turn],
-             most[joint] - least[joint],
-             lengths[joint],
-             state.t,
-             *widest[joint]);
+    watch_tables(state);
+    watch_slips(state);
+    watch_turns(state);
   }
 
   void
-  ModelRange::watch_table(const ContactElement &element, const JointState &state, const bool normal)
+  ModelRange::watch_tables(const JointState &state)
   {
-    const ComplianceLaw &law = normal ? *element.normal_law : *element.shear_law;
-    if (!std::isfinite(law.data_limit()))
-      return;
-    const double end    = law.stress(law.data_limit());
-    const double force  = state.forces[normal ? element.normal_bar : element.tangential_bar];
-    const double stress = (normal ? -force : std::abs(force)) / element.area;
-    if (stress > end)
-      note(record[element.joint * n_kinds + (normal ? normal_table : shear_table)],
-           stress,
-           end,
-           state.t,
-           element);
+    for (const auto &[element, is_normal, end] : tabulated_bars)
+      {
+        const double stress = is_normal
+                                ? -state.forces[element->normal_bar] / element->area
+                                : std::abs(state.forces[element->tangential_bar]) / element->area;
+        JointExcess &excess = record[element->joint];
+        if (stress > end)
+          note(
+            is_normal ? excess.normal_table : excess.shear_table, stress, end, state.t, *element);
+      }
+  }
+
+  void
+  ModelRange::watch_slips(const JointState &state)
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const unsigned int joint = elements[k].joint;
+        if (const double way = length(state.slips[k]); way > largest_slip * lengths[joint])
+          note(record[joint].slip, way, lengths[joint], state.t, elements[k]);
+      }
+  }
+
+  void
+  ModelRange::watch_turns(const JointState &state)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    openings.assign(openings.size(), {infinity, -infinity, nullptr});
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        const double opening          = state.states[k] == ContactState::open
+                                          ? element.initial_gap + state.dislocations[element.normal_bar]
+                                          : 0.;
+        auto &[least, most, widest]   = openings[element.joint];
+        least                         = std::min(least, opening);
+        if (opening > most)
+          {
+            most   = opening;
+            widest = &element;
+          }
+      }
+    for (std::size_t joint = 0; joint < lengths.size(); ++joint)
+      if (const auto &[least, most, widest] = openings[joint];
+          most - least > largest_turn * lengths[joint])
+        note(record[joint].turn, most - least, lengths[joint], state.t, *widest);
   }
 
   template <int dim>
@@ -181,12 +197,18 @@ namespace fuga
                  const Units &units)
   {
     std::vector<std::string> result;
-    for (std::size_t i = 0; i < record.size(); ++i)
-      if (record[i].largest > 0.)
-        result.push_back(
-          fmt::format("joint '{}': {}",
-                      joint_names[i / n_kinds],
-                      sentence<dim>(static_cast<int>(i % n_kinds), record[i], units)));
+    for (std::size_t joint = 0; joint < record.size(); ++joint)
+      {
+        const auto say = [&](const ModelExcess &excess, const std::string &sentence) {
+          if (excess.largest > 0.)
+            result.push_back(fmt::format("joint '{}': {}", joint_names[joint], sentence));
+        };
+        const auto &[normal_table, shear_table, slip, turn] = record[joint];
+        say(normal_table, beyond_table<dim>("normal", normal_table, units));
+        say(shear_table, beyond_table<dim>("shear", shear_table, units));
+        say(slip, far_slip<dim>(slip, units));
+        say(turn, far_turn(turn, units));
+      }
     return result;
   }
 

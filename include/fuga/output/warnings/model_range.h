@@ -4,7 +4,6 @@
 #ifndef fuga_output_warnings_model_range_h
 #define fuga_output_warnings_model_range_h
 
-#include <fuga/base/fields.h>
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/joint_state.h>
 #include <fuga/input/units.h>
@@ -28,25 +27,19 @@ namespace fuga
     std::array<double, 3> position = {{0., 0., 0.}};
   };
 
-  template <typename Excess, typename Visitor, only_for<Excess, ModelExcess> = 0>
-  void
-  for_each_field(Excess &excess, Visitor &&visit)
+  /** Of one joint. */
+  struct JointExcess
   {
-    auto &[largest, limit, t, element, position] = excess;
-    visit("largest", largest);
-    visit("limit", limit);
-    visit("t", t);
-    visit("element", element);
-    visit("position", position);
-  }
+    ModelExcess normal_table, shear_table, slip, turn;
+  };
 
   /** Watches whether a run leaves what its model is made for: the data of tabular laws, and
    * displacements that are small beside the joints. */
   class ModelRange
   {
   public:
-    /** By joint and kind of excess; outlives phases of construction and restarts. */
-    using Record = std::vector<ModelExcess>;
+    /** By joint; outlives phases of construction and restarts. */
+    using Record = std::vector<JointExcess>;
 
     /** @p record, empty or of an earlier phase, must live as long as this object. */
     ModelRange(const std::vector<ContactElement> &elements,
@@ -57,13 +50,35 @@ namespace fuga
     watch(const JointState &state);
 
   private:
+    /** A bar with a law that is a table. */
+    struct TabulatedBar
+    {
+      const ContactElement *element;
+      bool is_normal;
+      /** At the last point of the table. */
+      double stress;
+    };
+
     void
-    watch_table(const ContactElement &element, const JointState &state, const bool normal);
+    watch_tables(const JointState &state);
+    void
+    watch_slips(const JointState &state);
+    void
+    watch_turns(const JointState &state);
 
     const std::vector<ContactElement> &elements;
+    std::vector<TabulatedBar> tabulated_bars;
     /** By joint: the diagonal of the box about its elements [m]. */
-    std::vector<double> lengths;
+    const std::vector<double> lengths;
     Record &record;
+
+    /** By joint: smallest and largest opening, and where the latter is. */
+    struct Openings
+    {
+      double least, most;
+      const ContactElement *widest;
+    };
+    std::vector<Openings> openings;
   };
 
   /** One sentence per excess. */
