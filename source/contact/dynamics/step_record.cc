@@ -47,17 +47,20 @@ namespace fuga
   void
   StepRecord::jumped(const JointState &to)
   {
-    const Vector jumps = change_of_jumps(last, to);
+    const Vector jumps  = change_of_jumps(last, to);
+    double work_of_jump = 0.;
     for (std::size_t bar = 0; bar < work.size(); ++bar)
       {
         const double mean = 0.5 * (last.forces[bar] + to.forces[bar]);
         work[bar] += mean * jumps[bar];
+        work_of_jump += mean * jumps[bar];
         cost_of_jumps += std::abs((mean - last.forces[bar]) * jumps[bar]);
         impulse[bar] += mean * (to.t - last.t);
       }
     last = to;
-    reports.emplace_back(
-      [to](const StepRecord &of, PathObserver &observer) { observer.jumped(of.in_motion(to)); });
+    reports.emplace_back([to, work_of_jump](const StepRecord &of, PathObserver &observer) {
+      observer.jumped_in_motion(of.in_motion(to), work_of_jump);
+    });
   }
 
   void

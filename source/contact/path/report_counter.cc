@@ -55,6 +55,12 @@ namespace fuga
   }
 
   void
+  ReportCounter::jumped_in_motion(const JointState &to, const double work)
+  {
+    hand_on([&]() { observer.jumped_in_motion(to, work); });
+  }
+
+  void
   ReportCounter::changed(const std::vector<ContactEvent> &events, const JointState &state)
   {
     hand_on([&]() { observer.changed(events, state); });

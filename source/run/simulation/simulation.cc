@@ -137,8 +137,6 @@ namespace fuga
   {
     judge.lose_track();
     model_range.watch(to);
-    if (motion)
-      note_jump(to);
     last_state = to;
   }
 

@@ -7,7 +7,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
-
 #include <fmt/format.h>
 
 namespace fuga
@@ -95,14 +94,12 @@ namespace fuga
 
   template <int dim>
   void
-  Simulation<dim>::note_jump(const JointState &to)
+  Simulation<dim>::jumped_in_motion(const JointState &to, const double work)
   {
     Vector change = layered.jumps(to.dislocations, to.forces);
     add_multiple(-1., layered.jumps(last_state.dislocations, last_state.forces), change);
-    double work = 0.;
-    for (std::size_t bar = 0; bar < change.size(); ++bar)
-      work += 0.5 * (last_state.forces[bar] + to.forces[bar]) * change[bar];
     note_motion(to.t, {{"motion", "jump"}}, change, work);
+    jumped(to);
   }
 
   template <int dim>

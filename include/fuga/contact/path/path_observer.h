@@ -55,6 +55,14 @@ namespace fuga
     virtual void
     jumped(const JointState &to) = 0;
 
+    /** The same within a step of bodies in motion, with work on the joints [MNm], see StepRecord.
+     */
+    virtual void
+    jumped_in_motion(const JointState &to, const double /*work*/)
+    {
+      jumped(to);
+    }
+
     /** The scheme changed; @p state has the new states. */
     virtual void
     changed(const std::vector<ContactEvent> &events, const JointState &state) = 0;

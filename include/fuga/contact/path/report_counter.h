@@ -30,6 +30,8 @@ namespace fuga
     void
     jumped(const JointState &to) override;
     void
+    jumped_in_motion(const JointState &to, const double work) override;
+    void
     changed(const std::vector<ContactEvent> &events, const JointState &state) override;
     void
     reached(const std::size_t index, const JointState &state) override;

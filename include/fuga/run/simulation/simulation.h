@@ -83,6 +83,8 @@ namespace fuga
     void
     jumped(const JointState &to) override;
     void
+    jumped_in_motion(const JointState &to, const double work) override;
+    void
     changed(const std::vector<ContactEvent> &events, const JointState &state) override;
     void
     reached(const std::size_t index, const JointState &state) override;
@@ -160,9 +162,6 @@ namespace fuga
     /** The fields of bodies in motion, unless they are there. */
     void
     write_frame();
-    /** Lips without mass jump to this state, see StepRecord. */
-    void
-    note_jump(const JointState &to);
     /** A row of events.csv: @p change of the jumps of all bars, with work on the joints. */
     void
     note_motion(const double t,
