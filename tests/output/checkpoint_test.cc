@@ -105,7 +105,7 @@ TEST(Archive, Checkpoint)
   checkpoint.judge.ledger      = {0.1, 0.2, 0.3, std::nan("")};
   checkpoint.judge.on_track    = false;
   checkpoint.record.worst.cone = 1e-16;
-  checkpoint.tables.events     = {{10, 3}, "1,2\r\n"};
+  checkpoint.tables.files      = {{"events.csv", {{10, 3}, "1,2\r\n"}}};
   checkpoint.log.warnings      = {"w"};
   const Checkpoint read        = stored(checkpoint);
   const archive::Json a = archive::encode(checkpoint), b = archive::encode(read);

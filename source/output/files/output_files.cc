@@ -201,6 +201,12 @@ namespace fuga
   {
   }
 
+  std::string
+  TextFile::name() const
+  {
+    return fs::path(path).filename().string();
+  }
+
   void
   TextFile::publish(const bool now)
   {

@@ -50,16 +50,8 @@ namespace fuga
     void
     check_results(const std::string &directory, const Checkpoint &checkpoint)
     {
-      recover_text(directory + "/events.csv", checkpoint.tables.events);
-      recover_text(directory + "/joint_history.csv", checkpoint.tables.history);
-      recover_text(directory + "/resultants.csv", checkpoint.tables.resultants);
-      const HistoryMemory &tables = checkpoint.tables;
-      for (const auto &[name, memory] : {std::pair("monitors.csv", &tables.monitors),
-                                         std::pair("earthquake.csv", &tables.motion),
-                                         std::pair("accelerations.csv", &tables.accelerations),
-                                         std::pair("spectra.csv", &tables.spectra)})
-        if (memory->published.size > 0)
-          recover_text(directory + "/" + name, *memory);
+      for (const auto &[name, memory] : checkpoint.tables.files)
+        recover_text(directory + "/" + name, memory);
       recover_text(directory + "/log.txt", checkpoint.log.text);
       for_each_field(checkpoint.fields, [&](const char *, const auto &collection) {
         for (const auto &[t, file] : collection)

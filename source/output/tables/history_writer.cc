@@ -108,34 +108,40 @@ namespace fuga
         resultants.add({now, context.joint_names[joint], joint_resultants[joint], energies});
   }
 
+  template <typename Writer, typename Visitor>
+  void
+  HistoryWriter::for_each_table(Writer &writer, const Visitor &visit)
+  {
+    visit(writer.events);
+    visit(writer.history);
+    visit(writer.resultants);
+    const auto visit_if_there = [&visit](const auto &table) {
+      if (table)
+        visit(*table);
+    };
+    visit_if_there(writer.monitors);
+    visit_if_there(writer.motion);
+    visit_if_there(writer.accelerations);
+    visit_if_there(writer.spectra);
+  }
+
   HistoryMemory
   HistoryWriter::memory() const
   {
-    const auto of_table = [](const auto &table) { return table ? table->memory() : TextMemory(); };
-    return {events.memory(),
-            history.memory(),
-            resultants.memory(),
-            of_table(monitors),
-            of_table(motion),
-            of_table(accelerations),
-            of_table(spectra),
-            n_events};
+    HistoryMemory result;
+    for_each_table(*this, [&result](const TextFile &table) {
+      result.files.emplace_back(table.name(), table.memory());
+    });
+    result.n_events = n_events;
+    return result;
   }
 
   void
   HistoryWriter::restore(const HistoryMemory &memory)
   {
-    events.restore(memory.events);
-    history.restore(memory.history);
-    resultants.restore(memory.resultants);
-    const auto restore_table = [](const auto &table, const TextMemory &of_table) {
-      if (table)
-        table->restore(of_table);
-    };
-    restore_table(monitors, memory.monitors);
-    restore_table(motion, memory.motion);
-    restore_table(accelerations, memory.accelerations);
-    restore_table(spectra, memory.spectra);
+    std::size_t n_restored = 0;
+    for_each_table(*this,
+                   [&](TextFile &table) { table.restore(memory.files.at(n_restored++).second); });
     n_events = memory.n_events;
   }
 
@@ -201,16 +207,6 @@ namespace fuga
   void
   HistoryWriter::publish(const bool now)
   {
-    events.publish(now);
-    history.publish(now);
-    resultants.publish(now);
-    const auto publish_table = [now](const auto &table) {
-      if (table)
-        table->publish(now);
-    };
-    publish_table(monitors);
-    publish_table(motion);
-    publish_table(accelerations);
-    publish_table(spectra);
+    for_each_table(*this, [now](TextFile &table) { table.publish(now); });
   }
 } // namespace fuga

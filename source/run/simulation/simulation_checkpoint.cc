@@ -157,17 +157,10 @@ namespace fuga
     unfinished.path    = checkpoint.cut.result;
     write_summary(unfinished);
     fields.restore(checkpoint.fields);
-    std::set<std::string> kept = {"summary.json",
-                                  "events.csv",
-                                  "joint_history.csv",
-                                  "resultants.csv",
-                                  "monitors.csv",
-                                  "earthquake.csv",
-                                  "accelerations.csv",
-                                  "spectra.csv",
-                                  "boundaries.csv",
-                                  "log.txt",
-                                  checkpoint_file_name};
+    std::set<std::string> kept = {
+      "summary.json", "boundaries.csv", "log.txt", checkpoint_file_name};
+    for (const auto &[name, memory] : checkpoint.tables.files)
+      kept.insert(name);
     for_each_field(checkpoint.fields, [&kept](const std::string &name, const auto &collection) {
       for (const auto &[t, file] : collection)
         kept.insert({name + ".pvd", file, paraview_script_name});

@@ -88,6 +88,10 @@ namespace fuga
   public:
     explicit TextFile(std::string path);
 
+    /** Without its directory. */
+    std::string
+    name() const;
+
     void
     append(const std::string &more)
     {

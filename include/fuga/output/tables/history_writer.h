@@ -44,7 +44,8 @@ namespace fuga
   /** What a checkpoint keeps of the tables. */
   struct HistoryMemory
   {
-    TextMemory events, history, resultants, monitors, motion, accelerations, spectra;
+    /** Of all that the run has, each with the name of its file. */
+    std::vector<std::pair<std::string, TextMemory>> files;
     std::size_t n_events = 0;
   };
 
@@ -52,15 +53,8 @@ namespace fuga
   void
   for_each_field(Memory &memory, Visitor &&visit)
   {
-    auto &[events, history, resultants, monitors, motion, accelerations, spectra, n_events] =
-      memory;
-    visit("events", events);
-    visit("history", history);
-    visit("resultants", resultants);
-    visit("monitors", monitors);
-    visit("motion", motion);
-    visit("accelerations", accelerations);
-    visit("spectra", spectra);
+    auto &[files, n_events] = memory;
+    visit("files", files);
     visit("n_events", n_events);
   }
 
@@ -144,6 +138,11 @@ namespace fuga
 
     Moment
     moment(const double t, const std::size_t stage, const double certificate) const;
+
+    /** Calls @p visit with every table that @p writer has. */
+    template <typename Writer, typename Visitor>
+    static void
+    for_each_table(Writer &writer, const Visitor &visit);
 
     const HistoryContext context;
     Table<EventRow> events;
