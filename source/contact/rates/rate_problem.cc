@@ -174,17 +174,15 @@ namespace fuga
 
   // Along a curve every point is a solution of its own, and a motion that rests would have to be
   // held in all of them: there it stays a mechanism.
-  std::optional<JointRates>
-  RateProblem::rates_of_scheme(const Drive &drive, bool &is_mechanism)
+  std::optional<WorkingScheme::FreeMotion>
+  RateProblem::rates_of_scheme(const Drive &drive)
   {
-    std::optional<JointRates> rates = scheme.rates(drive);
-    if (rates)
-      return rates;
-    const std::optional<WorkingScheme::FreeMotion> motion = scheme.driven_motion(drive);
-    if (!motion)
-      return {};
-    is_mechanism = motion->is_driven || scheme.is_nonlinear();
-    return motion->rates;
+    if (std::optional<JointRates> rates = scheme.rates(drive))
+      return WorkingScheme::FreeMotion{std::move(*rates), false};
+    std::optional<WorkingScheme::FreeMotion> motion = scheme.driven_motion(drive);
+    if (motion)
+      motion->is_driven |= scheme.is_nonlinear();
+    return motion;
   }
 
   // Switches violating elements until none is left. A scheme that comes back, or a mechanism that
@@ -204,19 +202,18 @@ namespace fuga
         ++result.n_schemes;
         if (!visited.insert(states_of(set)).second)
           return false;
-        bool is_mechanism               = false;
-        std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
-        if (!rates ||
-            (is_mechanism && (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms)))
+        const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive);
+        if (!motion || (motion->is_driven &&
+                        (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms)))
           return false;
-        result.met_negative_determinant |= !is_mechanism && scheme.determinant_sign() < 0;
-        const std::vector<Switch> switches = violations(state, set, drive, *rates);
-        if (switches.empty() && is_mechanism)
+        result.met_negative_determinant |= !motion->is_driven && scheme.determinant_sign() < 0;
+        const std::vector<Switch> switches = violations(state, set, drive, motion->rates);
+        if (switches.empty() && motion->is_driven)
           return false;
         if (switches.empty())
           {
             result.exists = true;
-            result.rates  = *rates;
+            result.rates  = motion->rates;
             return true;
           }
         const std::size_t n = stride == Stride::all_at_once ? switches.size() : 1;
@@ -239,12 +236,11 @@ namespace fuga
       ++result.n_schemes;
       for (std::size_t i = 0; i < set.size(); ++i)
         scheme.set_state(set[i].element, choices[i][chosen[i]]);
-      bool is_mechanism                     = false;
-      const std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
-      if (!rates || is_mechanism || !violations(state, set, drive, *rates).empty())
+      const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive);
+      if (!motion || motion->is_driven || !violations(state, set, drive, motion->rates).empty())
         return false;
       result.exists = true;
-      result.rates  = *rates;
+      result.rates  = motion->rates;
       return found();
     });
   }
@@ -283,10 +279,9 @@ namespace fuga
       return branches_of_cones(state, set, drive);
     const std::vector<ContactState> present = states_of(set);
     std::vector<Branch> found;
-    bool is_mechanism                     = false;
-    const std::optional<JointRates> rates = rates_of_scheme(drive, is_mechanism);
-    if (rates && !is_mechanism && violations(state, set, drive, *rates).empty())
-      found.push_back(present_branch(state, set, *rates));
+    const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive);
+    if (motion && !motion->is_driven && violations(state, set, drive, motion->rates).empty())
+      found.push_back(present_branch(state, set, motion->rates));
     Continuation result;
     if (can_be_enumerated(set))
       enumerate(state, set, drive, result, [&] {

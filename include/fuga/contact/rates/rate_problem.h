@@ -233,10 +233,9 @@ namespace fuga
       all_at_once,
       one_at_a_time
     };
-    /** The rates of the working scheme, free motions that the drive does not work on at rest; @p
-     * is_mechanism: of those that it does, only their signs. */
-    std::optional<JointRates>
-    rates_of_scheme(const Drive &drive, bool &is_mechanism);
+    /** The rates of the working scheme: a mechanism only if the drive works on a free motion. */
+    std::optional<WorkingScheme::FreeMotion>
+    rates_of_scheme(const Drive &drive);
     bool
     switch_states(const JointState &state,
                   const std::vector<BoundaryElement> &set,
