@@ -79,7 +79,7 @@ namespace fuga
      * the steps do not resolve. */
     double spectral_radius = 1.;
     /** g, which makes masses of weight densities [m/s²]. */
-    double gravity = 9.81;
+    double gravity           = 9.81;
     SecondOrder second_order = SecondOrder::none;
     /** Bodies without inertia: a foundation through which the ground motion arrives at once. */
     std::vector<std::string> massless_bodies;

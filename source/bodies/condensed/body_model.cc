@@ -272,7 +272,8 @@ namespace fuga
   BodyModel<dim>::equilibrium_error_under(Vector loads,
                                           const dealii::Vector<double> &u,
                                           const Vector &p,
-                                          const dealii::Vector<double> &motion) const
+                                          const dealii::Vector<double> &motion,
+                                          const double scale) const
   {
     timer.restart();
     Vector terms;
@@ -310,7 +311,7 @@ namespace fuga
       space->hanging_nodes().move_to_masters(*forces);
 
     const EquilibriumError error =
-      equilibrium_error(elastic, terms, contact, loads, fixed, *pieces);
+      equilibrium_error(elastic, terms, contact, loads, scale, fixed, *pieces);
     timer.finish("equilibrium check");
     return error;
   }

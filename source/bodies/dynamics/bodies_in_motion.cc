@@ -307,16 +307,12 @@ namespace fuga
       add_multiple(-1., product(geometric, integration->displacement()), loads);
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
-    EquilibriumError error = model.equilibrium_error_under(
-      loads, model.by_degrees_of_freedom(integration->displacement()), changes, {});
     // Where a body falls freely inertia leaves nothing of the forces.
-    if (error.scale > 0.)
-      {
-        const double share = error.scale / std::max(error.scale, max_abs(forces));
-        error.residual *= share;
-        error.resultant *= share;
-      }
-    return error;
+    return model.equilibrium_error_under(loads,
+                                         model.by_degrees_of_freedom(integration->displacement()),
+                                         changes,
+                                         {},
+                                         max_abs(forces));
   }
 
 

@@ -16,12 +16,12 @@ namespace fuga
                     const Vector &terms,
                     const Vector &contact,
                     const Vector &loads,
+                    const double scale,
                     const std::vector<bool> &fixed,
                     const RigidPieces<dim> &pieces)
   {
     EquilibriumError error;
-    const double largest = std::max({max_abs(elastic), max_abs(loads), max_abs(contact)});
-    error.scale          = largest;
+    const double largest = std::max({scale, max_abs(elastic), max_abs(loads), max_abs(contact)});
     if (largest == 0.)
       return error;
     // The displacements of a body that moves far on a soft joint leave K u uncertain by their last
@@ -57,6 +57,7 @@ namespace fuga
                     const Vector &,
                     const Vector &,
                     const Vector &,
+                    const double,
                     const std::vector<bool> &,
                     const RigidPieces<2> &);
   template EquilibriumError
@@ -64,6 +65,7 @@ namespace fuga
                     const Vector &,
                     const Vector &,
                     const Vector &,
+                    const double,
                     const std::vector<bool> &,
                     const RigidPieces<3> &);
 } // namespace fuga

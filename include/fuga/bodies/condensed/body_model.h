@@ -142,12 +142,14 @@ namespace fuga
 
     /** Errors of the full model for displacement u, bar forces p and nodal forces @p loads (entry node
      * * dim + component; empty: none). @p motion: a rigid motion that was taken out of u, to whose
-     * last digits the jumps are uncertain. */
+     * last digits the jumps are uncertain. @p scale: of forces that others have balanced in @p
+     * loads; errors are relative to the largest of all forces. */
     EquilibriumError
     equilibrium_error_under(Vector loads,
                             const dealii::Vector<double> &u,
                             const Vector &p,
-                            const dealii::Vector<double> &motion) const;
+                            const dealii::Vector<double> &motion,
+                            const double scale = 0.) const;
 
     /** Cᵀ (P - K u), of vectors by nodes. */
     Vector

@@ -23,17 +23,17 @@ namespace fuga
     /** Largest resultant (force or moment) on a body without support, and which body. */
     double resultant = 0.;
     std::string body;
-    /** Largest of the forces to which both are relative. */
-    double scale = 0.;
   };
 
-  /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim + component). */
+  /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim +
+   * component). @p scale: forces are relative to it if it is larger than all of them. */
   template <int dim>
   EquilibriumError
   equilibrium_error(const Vector &elastic,
                     const Vector &terms,
                     const Vector &contact,
                     const Vector &loads,
+                    const double scale,
                     const std::vector<bool> &fixed,
                     const RigidPieces<dim> &pieces);
 } // namespace fuga
