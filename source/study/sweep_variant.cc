@@ -188,6 +188,7 @@ namespace fuga
       }
     return found;
   }
+
   template <int dim>
   void
   Sweep<dim>::VariantRun::take(PathResult found)

@@ -41,8 +41,7 @@ namespace fuga
       &ModelDefinition::body_solver,
       body_solvers(),
       "How the bodies are eliminated. Direct: one factorisation. On disk: its factor lies in "
-      "temporary files (TMPDIR) and takes half of the memory. Iterative: conjugate gradients "
-      "with "
+      "temporary files (TMPDIR) and takes half of the memory. Iterative: conjugate gradients with "
       "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
       "without the stiffness of the interface as well, for Follow = stage ends and linear "
       "layers. Automatic: by an estimate of time, and of memory against that of the machine, "
@@ -259,9 +258,8 @@ namespace fuga
         &OutputSettings::field_interval,
         number_above(0),
         "Time between two VTU files of bodies in motion [s], besides those of the levels: in "
-        "stages "
-        "with a Duration, and in motions beyond a limit load; they have velocities, and the end of "
-        "the motion is among them.")
+        "stages with a Duration, and in motions beyond a limit load; they have velocities, and the "
+        "end of the motion is among them.")
         .deciding(Decides::nothing);
     defaulted(
       "Monitors",
@@ -275,11 +273,10 @@ namespace fuga
       choice<bool>({{"true", true}, {"false", false}}),
       "True: of every stage with a Duration accelerations.csv has the absolute accelerations of "
       "the monitors, with that of the ground, and spectra.csv the response spectra of these.");
-    spectrum_damping =
-      optional("Spectrum damping",
-               &SpectrumSettings::damping,
-               number_between(0, true, 1),
-               "Share of the critical damping of the oscillators; 0.05 without this entry.");
+    defaulted("Spectrum damping",
+              &SpectrumSettings::damping,
+              number_between(0, true, 1),
+              "Share of the critical damping of the oscillators.");
     spectrum_periods = optional("Spectrum periods",
                                 text(TextContent::numbers),
                                 "List 'T1, T2, ...' of the periods of the oscillators [s]; without "

@@ -5,11 +5,10 @@
 #include <fuga/input/read/parameter_readers.h>
 #include <fuga/input/values/value_readers.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace fuga
 {
@@ -29,7 +28,6 @@ namespace fuga
       return periods;
     }
 
-
     void
     read_spectra(const ParameterSection &section,
                  const ModelDefinition &model,
@@ -37,12 +35,11 @@ namespace fuga
     {
       const OutputEntries &e = entries_of<OutputEntries>();
       section.read(spectra);
-      for (const AnyEntry &entry : {AnyEntry(e.spectrum_damping), AnyEntry(e.spectrum_periods)})
-        if (section.given(entry) && !spectra.wanted)
-          section.fail(entry,
-                       fmt::format("without '{} = true' there are no spectra, and this does "
-                                   "nothing. Add that entry, or remove this one.",
-                                   e.spectra.name()));
+      if (section.given(e.spectrum_periods) && !spectra.wanted)
+        section.fail(e.spectrum_periods,
+                     fmt::format("without '{} = true' there are no spectra, and this does "
+                                 "nothing. Add that entry, or remove this one.",
+                                 e.spectra.name()));
       if (!spectra.wanted)
         return;
       if (!has_dynamic_stage(model))
@@ -66,19 +63,17 @@ namespace fuga
     }
   } // namespace
 
-
   void
   read_output(const ParameterValues &values, Parameters &parameters)
   {
     const OutputEntries &e         = entries_of<OutputEntries>();
     const ParameterSection section = values.section<OutputEntries>();
-    const fs::path file(parameters.parameter_file);
     const std::string directory =
       values.section<TopLevel>().value(entries_of<TopLevel>().output_directory);
-    OutputSettings &output = parameters.output;
-    output.directory       = directory.empty()
-                               ? (fs::path("results") / file.stem()).string()
-                               : (file.parent_path() / directory).lexically_normal().string();
+    OutputSettings &output  = parameters.output;
+    const std::string &file = parameters.parameter_file;
+    output.directory = directory.empty() ? (fs::path("results") / fs::path(file).stem()).string()
+                                         : resolve(file, directory);
     section.read(output);
     section.read(output.units);
     output.units.named = section.given(e.force_unit) || section.given(e.length_unit);

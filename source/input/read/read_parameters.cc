@@ -24,14 +24,6 @@ namespace fuga
   {
     namespace fs = std::filesystem;
 
-    /** A path of the file, which is relative to the folder of the file. */
-    std::string
-    resolve(const std::string &parameter_file, const std::string &path)
-    {
-      return (fs::path(parameter_file).parent_path() / path).lexically_normal().string();
-    }
-
-
     std::string
     read_mesh_file(const ParameterSection &mesh, const std::string &parameter_file)
     {
@@ -124,6 +116,13 @@ namespace fuga
     }
 
   } // namespace
+
+
+  std::string
+  resolve(const std::string &parameter_file, const std::string &path)
+  {
+    return (fs::path(parameter_file).parent_path() / path).lexically_normal().string();
+  }
 
 
   Parameters

@@ -87,7 +87,7 @@ def spectra(results):
         axes.legend(loc="upper right")
     axes.set_xlabel("period [s]")
     set_margins(figure, hspace=0.12)
-    damping = float(results.summary["parameters"]["Output"].get("Spectrum damping", 0.05))
+    damping = float(results.summary["parameters"]["Output"]["Spectrum damping"])
     return to_figure(figure, f"Response spectra of the monitors in stage ‘{stage}’: largest pseudo-acceleration of oscillators with "
                              f"{rounded(100.0 * damping, 3)} % of the critical damping that stand there, under the absolute acceleration. "
                              "All monitors: spectra.csv.")

@@ -249,7 +249,7 @@ namespace fuga
   {
     OutputEntries();
     Entry<bool> spectra;
-    Number field_interval, spectrum_damping;
+    Number field_interval;
     Text spectrum_periods;
     Text force_unit, length_unit;
   };

@@ -21,6 +21,10 @@ namespace fuga
   std::vector<MonitorDefinition>
   read_monitors(const ParameterValues &values, const unsigned int dimension);
 
+  /** A path of a parameter file, which is relative to the folder of the file. */
+  std::string
+  resolve(const std::string &parameter_file, const std::string &path);
+
   /** Section Output, for the stages and monitors of the model. @throws InputError */
   void
   read_output(const ParameterValues &values, Parameters &parameters);
