@@ -77,6 +77,20 @@ namespace fuga::tests
     t += h;
   }
 
+  MotionMemory
+  MovingSprings::memory() const
+  {
+    return {t, first_forces, {}, {integration.memory()}};
+  }
+
+  void
+  MovingSprings::restore(const MotionMemory &memory)
+  {
+    t            = memory.time;
+    first_forces = memory.first_forces;
+    integration.restore(memory.integrations.front());
+  }
+
   struct SpringMotion::Actors
   {
     Actors(const Springs &springs,

@@ -53,6 +53,10 @@ namespace fuga::tests
     begin_step(const unsigned int rung) override;
     void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) override;
+    MotionMemory
+    memory() const override;
+    void
+    restore(const MotionMemory &memory) override;
 
     const TimeIntegration &
     motion() const

@@ -257,6 +257,31 @@ namespace fuga
 
 
   template <int dim>
+  MotionMemory
+  BodiesInMotion<dim>::memory() const
+  {
+    MotionMemory result = {present_time, first_forces, forces, {integration->memory()}};
+    if (free_field)
+      free_field->remember(result.integrations);
+    return result;
+  }
+
+
+  template <int dim>
+  void
+  BodiesInMotion<dim>::restore(const MotionMemory &memory)
+  {
+    present_time          = memory.time;
+    first_forces          = memory.first_forces;
+    first_forces_at_nodes = model.bar_forces(first_forces);
+    forces                = memory.forces;
+    integration->restore(memory.integrations.front());
+    if (free_field)
+      free_field->restore(memory.integrations, present_time);
+  }
+
+
+  template <int dim>
   Vector
   BodiesInMotion<dim>::net_forces(const Vector &bar_forces, const Vector &restoring) const
   {

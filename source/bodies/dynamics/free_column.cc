@@ -93,6 +93,14 @@ namespace fuga
 
 
   void
+  FreeColumn::restore(const IntegrationMemory &memory, const Drive &drive)
+  {
+    begin(drive);
+    now->restore(memory);
+  }
+
+
+  void
   FreeColumn::try_step(const unsigned int rung, const double h, const Drive &drive)
   {
     if (!factors[rung])

@@ -221,6 +221,24 @@ namespace fuga
   }
 
 
+  template <int dim>
+  void
+  FreeField<dim>::remember(std::vector<IntegrationMemory> &integrations) const
+  {
+    for (const Side &side : sides)
+      integrations.push_back(side.column->integration());
+  }
+
+
+  template <int dim>
+  void
+  FreeField<dim>::restore(const std::vector<IntegrationMemory> &integrations, const double time)
+  {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      sides[i].column->restore(integrations.at(1 + i), drive_at(time));
+  }
+
+
   template class FreeField<2>;
   template class FreeField<3>;
 } // namespace fuga

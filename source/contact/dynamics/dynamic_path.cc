@@ -104,26 +104,87 @@ namespace fuga
   {
     JointState state  = cut.state;
     PathResult result = cut.result;
-    ledger            = MotionLedger();
-    tick              = 0;
-    slip_rates.assign(elements.size(), TangentVector{});
-    length_before = largest_rate = 0.;
-    bodies.begin(state.forces, ledger);
-    ledger.note_largest();
-    make_cut(state, result, observer);
-    observer.began_motion();
+    if (restart)
+      restore(*restart);
+    else
+      begin(state);
+    restart.reset();
+    const auto cut_here = [&]() {
+      make_cut(state, result, observer);
+      if (observer.wants_cuts())
+        motion_cut = memory();
+    };
     RestWatch watch;
     const std::vector<double> reported = grid.until_rest ? std::vector<double>() : levels;
-    for (unsigned int step = 0; step < grid.n_steps && !watch.has_come_to_rest(); ++step)
+    for (std::size_t step = tick >> grid.halvings; step < grid.n_steps && !watch.has_come_to_rest();
+         ++step)
       {
+        cut_here();
+        if (step == 0)
+          observer.began_motion();
         advance(0, reported, state, result, observer);
         if (grid.until_rest)
           watch.note(ledger.kinetic);
       }
     if (grid.until_rest && !watch.has_come_to_rest())
       result.verdict = Verdict::limit_load;
-    make_cut(state, result, observer);
+    cut_here();
     return result;
+  }
+
+  PathResult
+  DynamicPath::resume_motion(const PathCut &from,
+                             const MotionCut &motion,
+                             const std::vector<double> &levels,
+                             PathObserver &observer)
+  {
+    restart = motion;
+    return resume(from, levels, observer);
+  }
+
+  void
+  DynamicPath::begin(const JointState &state)
+  {
+    ledger = MotionLedger();
+    tick   = 0;
+    slip_rates.assign(elements.size(), TangentVector{});
+    length_before = largest_rate = 0.;
+    bodies.begin(state.forces, ledger);
+    ledger.note_largest();
+  }
+
+  MotionCut
+  DynamicPath::memory() const
+  {
+    MotionCut result = {
+      tick, bodies.memory(), ledger, steps_of_rung, slip_rates, length_before, largest_rate, {}};
+    for (unsigned int number = 0; number < rungs.size(); ++number)
+      if (rungs[number])
+        {
+          PathCut of_rung;
+          static_cast<const ContactPath &>(rungs[number]->path).remember_schemes(of_rung);
+          result.schemes.push_back({number, {of_rung.scheme, of_rung.background}});
+        }
+    return result;
+  }
+
+  void
+  DynamicPath::restore(const MotionCut &motion)
+  {
+    tick = motion.tick;
+    bodies.restore(motion.bodies);
+    ledger        = motion.ledger;
+    steps_of_rung = motion.steps_of_rung;
+    slip_rates    = motion.slip_rates;
+    length_before = motion.length_before;
+    largest_rate  = motion.largest_rate;
+    for (const auto &[number, schemes] : motion.schemes)
+      {
+        PathCut of_rung;
+        of_rung.scheme     = schemes.first;
+        of_rung.background = schemes.second;
+        static_cast<ContactPath &>(rung(number).path).restore_schemes(of_rung);
+      }
   }
 
   void

@@ -12,11 +12,8 @@ namespace fuga
     , alpha_f(spectral_radius / (spectral_radius + 1.))
     , gamma(0.5 - alpha_m + alpha_f)
     , beta(0.25 * (1. - alpha_m + alpha_f) * (1. - alpha_m + alpha_f))
-    , u(m.size(), 0.)
-    , v(m.size(), 0.)
-    , a(m.size(), 0.)
-    , out_of_balance(m.size(), 0.)
   {
+    u = v = a = out_of_balance = Vector(m.size(), 0.);
   }
 
   double

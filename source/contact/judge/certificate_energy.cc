@@ -124,7 +124,10 @@ namespace fuga
     if (system == &of_step)
       return;
     if (!in_motion)
-      energy_of_bodies_before = ledger.bodies;
+      {
+        energy_of_bodies_before = ledger.bodies;
+        at_rest                 = ledger;
+      }
     in_motion     = true;
     system        = &of_step;
     rigid_motions = RigidBasis(of_step);
@@ -151,6 +154,7 @@ namespace fuga
   Judge::begin_phase(const JudgeMemory &memory, const JointState &state)
   {
     restore(memory);
+    in_motion = false;
     ledger.external_work -= ledger.layer;
     for (std::size_t k = 0; k < elements.size(); ++k)
       ledger.external_work += stored_energy(k, state);

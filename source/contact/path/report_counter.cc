@@ -33,7 +33,8 @@ namespace fuga
     if (++count <= n_heard)
       return;
     report();
-    interruption::check("on the way through the loads");
+    if (!in_step)
+      interruption::check("on the way through the loads");
   }
 
   bool
@@ -81,12 +82,14 @@ namespace fuga
   void
   ReportCounter::began_step(const ContactSystem &system, const LoadHistory &history)
   {
+    in_step = true;
     hand_on([&]() { observer.began_step(system, history); });
   }
 
   void
   ReportCounter::ended_step(const JointState &state)
   {
+    in_step = false;
     hand_on([&]() { observer.ended_step(state); });
   }
 

@@ -10,8 +10,9 @@ namespace fuga
   MonitoredMotion::MonitoredMotion(const std::vector<Monitor> &of_model,
                                    const double length_of_step,
                                    const Vector &mass)
-    : monitors(of_model), step(length_of_step), samples(monitors.size())
+    : monitors(of_model), step(length_of_step)
   {
+    samples.of_monitors.resize(monitors.size());
     Vector massless(mass.size());
     for (std::size_t dof = 0; dof < mass.size(); ++dof)
       massless[dof] = mass[dof] > 0. ? 0. : 1.;
@@ -28,9 +29,9 @@ namespace fuga
                        const std::array<double, 3> &of_frame)
   {
     for (std::size_t i = 0; i < monitors.size(); ++i)
-      samples[i].push_back(
+      samples.of_monitors[i].push_back(
         {monitors[i].value_of(displacement), monitors[i].value_of(acceleration)});
-    frame.push_back(of_frame);
+    samples.of_frame.push_back(of_frame);
   }
 
   // There is no second difference at the first and at the last step: that of their neighbour
@@ -42,8 +43,8 @@ namespace fuga
     for (std::size_t i = 0; i < monitors.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c)
         {
-          const std::vector<Sample> &s = samples[i];
-          const auto second_difference = [&](std::size_t n) {
+          const std::vector<MotionSample> &s = samples.of_monitors[i];
+          const auto second_difference       = [&](std::size_t n) {
             if (s.size() < 3)
               return 0.;
             n = std::clamp(n, std::size_t{1}, s.size() - 2);
@@ -54,7 +55,8 @@ namespace fuga
           result[i][c].step = step;
           for (std::size_t n = 0; n < s.size(); ++n)
             result[i][c].accelerations.push_back(
-              frame[n][c] + (is_massless[i][c] ? second_difference(n) : s[n].acceleration[c]));
+              samples.of_frame[n][c] +
+              (is_massless[i][c] ? second_difference(n) : s[n].acceleration[c]));
         }
     return result;
   }

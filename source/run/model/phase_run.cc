@@ -119,8 +119,6 @@ namespace fuga
   void
   PhaseRun<dim>::began_step(const ContactSystem &system, const LoadHistory &history_of_step)
   {
-    if (!energies_at_rest)
-      energies_at_rest = judge.energies();
     judge.begin_step(system, history_of_step);
   }
 
@@ -132,10 +130,10 @@ namespace fuga
   }
 
   template <int dim>
-  const DynamicPath &
+  DynamicPath &
   PhaseRun<dim>::dynamic_path() const
   {
-    return static_cast<const DynamicPath &>(*path);
+    return static_cast<DynamicPath &>(*path);
   }
 
   // What the judge calls the energy of moving bodies is the work on the stiffness of the steps. The
@@ -145,12 +143,13 @@ namespace fuga
   PhaseRun<dim>::energies() const
   {
     EnergyLedger result = judge.energies();
-    if (energies_at_rest)
+    if (judge.memory().in_motion)
       {
+        const EnergyLedger &at_rest   = judge.memory().at_rest;
         const MotionLedger &of_motion = dynamic_path().energies();
         result.external_work =
-          energies_at_rest->external_work + of_motion.work - of_motion.kinetic - of_motion.damping;
-        result.bodies = energies_at_rest->bodies + of_motion.bodies;
+          at_rest.external_work + of_motion.work - of_motion.kinetic - of_motion.damping;
+        result.bodies = at_rest.bodies + of_motion.bodies;
       }
     return result;
   }

@@ -156,7 +156,8 @@ namespace fuga
         state.t, "event", phase.monitored(state), model.loads.history.factors(state.t));
     log.events(events, certificate.worst());
     publish(false);
-    checkpoint_at_event();
+    if (!motion)
+      checkpoint_at_event();
   }
 
   // A requested load level: the only place where the full field is recovered, and only if it is
@@ -170,7 +171,10 @@ namespace fuga
                          (parameters.output.fields == FieldOutput::end && last);
     write_state(state, written);
     levels_written = index + 1;
-    write_checkpoint();
+    if (motion)
+      level_is_due = true;
+    else
+      write_checkpoint();
   }
 
   template <int dim>

@@ -25,8 +25,9 @@ namespace fuga
   bool
   Simulation<dim>::keeps_checkpoints() const
   {
-    // The fields of bodies in motion are not kept: a restart repeats the stage.
-    return parameters.output.checkpoint != CheckpointOutput::never && !motion;
+    // When bodies have come to rest is found from all of the motion: a restart repeats it.
+    return parameters.output.checkpoint != CheckpointOutput::never &&
+           !model.construction.until_rest;
   }
 
   template <int dim>
@@ -82,6 +83,10 @@ namespace fuga
     model.timer.finish("path");
     const auto begin = std::chrono::steady_clock::now();
     fill(checkpoint);
+    if (motion)
+      checkpoint.motion = phase.dynamic_path().last_motion_cut();
+    if (monitored_motion)
+      checkpoint.samples = monitored_motion->memory();
     fuga::write_checkpoint(parameters.output.directory, checkpoint);
     last_checkpoint    = std::chrono::steady_clock::now();
     cost_of_checkpoint = std::chrono::duration<double>(last_checkpoint - begin).count();
@@ -137,7 +142,10 @@ namespace fuga
                          fraction,
                          model.stage_names[stage],
                          last_state.t));
-    return follow([&]() { return path->resume(checkpoint.cut, model.loads.levels, *this); });
+    return follow([&]() {
+      return motion ? resume_motion(checkpoint)
+                    : path->resume(checkpoint.cut, model.loads.levels, *this);
+    });
   }
 
   // At every moment the directory holds what the checkpoint refers to, which remains valid until

@@ -21,10 +21,25 @@ namespace fuga
   void
   Simulation<dim>::began_motion()
   {
+    n_intervals = 0.;
     if (!parameters.output.spectra.wanted || model.construction.until_rest)
       return;
     monitored_motion.emplace(model.monitors, motion->time_grid().step, motion->mass());
     note_accelerations();
+  }
+
+  // What a finished motion has to say of the monitors stands in the tables.
+  template <int dim>
+  PathResult
+  Simulation<dim>::resume_motion(const Checkpoint &checkpoint)
+  {
+    if (parameters.output.spectra.wanted && !checkpoint.finished)
+      {
+        monitored_motion.emplace(model.monitors, motion->time_grid().step, motion->mass());
+        monitored_motion->restore(checkpoint.samples);
+      }
+    return phase.dynamic_path().resume_motion(
+      checkpoint.cut, checkpoint.motion, model.loads.levels, *this);
   }
 
   template <int dim>
@@ -90,6 +105,10 @@ namespace fuga
           write_frame();
         }
     publish(false);
+    if (std::exchange(level_is_due, false))
+      write_checkpoint();
+    else
+      checkpoint_at_event();
   }
 
   template <int dim>

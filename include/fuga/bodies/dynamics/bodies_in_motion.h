@@ -60,6 +60,10 @@ namespace fuga
 
     void
     finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger) override;
+    MotionMemory
+    memory() const override;
+    void
+    restore(const MotionMemory &memory) override;
 
     const TimeGrid &
     time_grid() const

@@ -70,6 +70,16 @@ namespace fuga
     void
     finish_step();
 
+    /** Goes on from what integration() was between two steps, with the present @p drive. */
+    void
+    restore(const IntegrationMemory &memory, const Drive &drive);
+
+    const IntegrationMemory &
+    integration() const
+    {
+      return now->memory();
+    }
+
     /** u + β v and v at the end of the step that was tried last. */
     Vector
     strained() const;

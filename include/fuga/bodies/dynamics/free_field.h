@@ -42,6 +42,14 @@ namespace fuga
     void
     finish_step();
 
+    /** Appends those of all sides to @p integrations. */
+    void
+    remember(std::vector<IntegrationMemory> &integrations) const;
+
+    /** Takes them, behind that of the bodies, and goes on at this time. */
+    void
+    restore(const std::vector<IntegrationMemory> &integrations, const double time);
+
   private:
     using Face = typename Discretization<dim>::BoundaryFace;
 

@@ -4,10 +4,12 @@
 #ifndef fuga_contact_dynamics_dynamic_path_h
 #define fuga_contact_dynamics_dynamic_path_h
 
-#include <fuga/contact/dynamics/moving_bodies.h>
+#include <fuga/contact/dynamics/motion_cut.h>
 #include <fuga/contact/dynamics/step_record.h>
 #include <fuga/contact/dynamics/step_system.h>
 #include <fuga/contact/path/event_path.h>
+
+#include <optional>
 
 namespace fuga
 {
@@ -37,6 +39,20 @@ namespace fuga
 
     SchemeWork
     work() const override;
+
+    /** As resume(), from a cut between two whole steps. A motion until rest has none. */
+    PathResult
+    resume_motion(const PathCut &cut,
+                  const MotionCut &motion,
+                  const std::vector<double> &levels,
+                  PathObserver &observer);
+
+    /** What belongs to last_cut(). */
+    const MotionCut &
+    last_motion_cut() const
+    {
+      return motion_cut;
+    }
 
     /** Since the motion began. */
     const MotionLedger &
@@ -72,6 +88,15 @@ namespace fuga
 
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
+
+    void
+    begin(const JointState &state);
+
+    MotionCut
+    memory() const;
+
+    void
+    restore(const MotionCut &motion);
 
     /** From the present time by one step of a rung, or by two of the next one. */
     void
@@ -125,6 +150,9 @@ namespace fuga
     double length_before = 0.;
     /** Largest mean rate of a jump in any step so far [m/s]. */
     double largest_rate = 0.;
+    MotionCut motion_cut;
+    /** Where follow() goes on instead of beginning. */
+    std::optional<MotionCut> restart;
   };
 } // namespace fuga
 

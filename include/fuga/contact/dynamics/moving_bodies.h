@@ -83,6 +83,57 @@ namespace fuga
     visit("largest", largest);
   }
 
+  /** What a TimeIntegration remembers of the steps so far. */
+  struct IntegrationMemory
+  {
+    /** Displacement since the beginning [m], velocity and acceleration. */
+    Vector u, v, a;
+    /** See TimeIntegration::inertia(). */
+    Vector out_of_balance;
+    /** See TimeIntegration::steady_velocity(). */
+    Vector steady_v;
+    /** See TimeIntegration::damping_forces(): the product is needed more than once. */
+    Vector damped;
+    /** What is out of balance besides. */
+    Vector defect;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, IntegrationMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[u, v, a, out_of_balance, steady_v, damped, defect] = memory;
+    visit("u", u);
+    visit("v", v);
+    visit("a", a);
+    visit("out_of_balance", out_of_balance);
+    visit("steady_v", steady_v);
+    visit("damped", damped);
+    visit("defect", defect);
+  }
+
+  /** What MovingBodies remember between two steps. */
+  struct MotionMemory
+  {
+    /** Since the motion began [s]. */
+    double time = 0.;
+    /** Of the bars when it began, and on the bodies now. */
+    Vector first_forces, forces;
+    /** Of the bodies, and of what moves beside them. */
+    std::vector<IntegrationMemory> integrations;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, MotionMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[time, first_forces, forces, integrations] = memory;
+    visit("time", time);
+    visit("first_forces", first_forces);
+    visit("forces", forces);
+    visit("integrations", integrations);
+  }
+
   /**
    * Bodies with inertia between joints, integrated in time by steps of the length h/2^k, k the
    * number of a *rung*. What the contact layer sees of a step is a small linear system in the
@@ -119,6 +170,13 @@ namespace fuga
      * carry @p forces. Brings @p ledger up to date, but for the work on the joints. */
     virtual void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) = 0;
+
+    /** From which restore() goes on, bit for bit. */
+    virtual MotionMemory
+    memory() const = 0;
+
+    virtual void
+    restore(const MotionMemory &memory) = 0;
   };
 } // namespace fuga
 

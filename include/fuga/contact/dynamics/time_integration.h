@@ -23,7 +23,7 @@ namespace fuga
    * With the spectral radius 1 it is the trapezoidal rule, which keeps the energy. Degrees of
    * freedom without mass are in equilibrium at all times.
    */
-  class TimeIntegration
+  class TimeIntegration : private IntegrationMemory
   {
   public:
     /** C times a velocity. */
@@ -107,19 +107,22 @@ namespace fuga
     double
     kinetic_energy() const;
 
+    const IntegrationMemory &
+    memory() const
+    {
+      return *this;
+    }
+
+    void
+    restore(const IntegrationMemory &memory)
+    {
+      static_cast<IntegrationMemory &>(*this) = memory;
+    }
+
   private:
     const Vector m;
     const Damping damping;
     const double alpha_m, alpha_f, gamma, beta;
-    /** Since the beginning. */
-    Vector u;
-    Vector v, a, out_of_balance;
-    /** See steady_velocity(). */
-    Vector steady_v;
-    /** See damping_forces(): the product is needed more than once. */
-    Vector damped;
-    /** What is out of balance besides. */
-    Vector defect;
   };
 } // namespace fuga
 

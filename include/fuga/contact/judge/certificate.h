@@ -314,8 +314,6 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LoadHistory *history;
     RigidBasis rigid_motions;
-    /** Steps of time are judged. */
-    bool in_motion = false;
     /** Gives coordinates from jumps if there are more bars than coordinates. */
     DenseMatrix inverse_jump_operator;
     /** 2-norms of the rows of S. */

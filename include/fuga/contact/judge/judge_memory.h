@@ -45,6 +45,9 @@ namespace fuga
     double wrong_rise        = 0.;
     /** Of earlier phases of construction. */
     double energy_of_bodies_before = 0.;
+    /** Steps of time are judged; energies when they began. */
+    bool in_motion = false;
+    EnergyLedger at_rest;
   };
 
   template <typename Memory, typename Visitor, only_for<Memory, JudgeMemory> = 0>
@@ -61,7 +64,9 @@ namespace fuga
            wrong_slip_work,
            largest_slip_work,
            wrong_rise,
-           energy_of_bodies_before] = memory;
+           energy_of_bodies_before,
+           in_motion,
+           at_rest] = memory;
     visit("ledger", ledger);
     visit("on_track", on_track);
     visit("element_dissipation", element_dissipation);
@@ -73,6 +78,8 @@ namespace fuga
     visit("largest_slip_work", largest_slip_work);
     visit("wrong_rise", wrong_rise);
     visit("energy_of_bodies_before", energy_of_bodies_before);
+    visit("in_motion", in_motion);
+    visit("at_rest", at_rest);
   }
 } // namespace fuga
 

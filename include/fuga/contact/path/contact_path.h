@@ -59,6 +59,17 @@ namespace fuga
       return cut;
     }
 
+    /** What the working schemes have to remember in a cut. */
+    virtual void
+    remember_schemes(PathCut & /*of_cut*/) const
+    {
+    }
+
+    virtual void
+    restore_schemes(const PathCut & /*from*/)
+    {
+    }
+
     /** Work of the steps along curves so far. */
     IterationCount
     iterations() const
@@ -82,17 +93,6 @@ namespace fuga
     /** The loop over the events, from the last cut on. */
     virtual PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) = 0;
-
-    /** What the working schemes have to remember in a cut. */
-    virtual void
-    remember_schemes(PathCut & /*of_cut*/) const
-    {
-    }
-
-    virtual void
-    restore_schemes(const PathCut & /*from*/)
-    {
-    }
 
     /** Keeps a place from which the path can be followed again, if the observer wants it. */
     void

@@ -45,6 +45,8 @@ namespace fuga
     went_beyond(const double length, const JointState &state) override;
 
   private:
+    /** A step of time is being reported, which is not interrupted. */
+    bool in_step = false;
     /** Makes the report unless it was heard before. @throws Interrupted after it. */
     template <typename Report>
     void

@@ -5,10 +5,12 @@
 #define fuga_output_restart_checkpoint_h
 
 #include <fuga/bodies/construction.h>
+#include <fuga/contact/dynamics/motion_cut.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/parameters.h>
 #include <fuga/output/fields/field_writer.h>
+#include <fuga/output/results/monitored_motion.h>
 #include <fuga/output/results/motion_beyond_limit.h>
 #include <fuga/output/tables/history_writer.h>
 #include <fuga/output/tables/run_log.h>
@@ -29,6 +31,8 @@ namespace fuga
     /** Of the last dynamic stage: energies at its end, and numbers of steps by halvings. */
     MotionLedger motion_energies;
     std::vector<std::size_t> motion_steps;
+    /** How many times Output/Field interval has passed in it. */
+    double n_intervals = 0.;
     /** Motions behind the loss of an equilibrium; the last one may be under way. */
     std::vector<MotionBeyondLimit> continuations;
     ModelRange::Record excesses;
@@ -45,6 +49,7 @@ namespace fuga
            n_events,
            motion_energies,
            motion_steps,
+           n_intervals,
            continuations,
            excesses] = record;
     visit("last_state", last_state);
@@ -54,6 +59,7 @@ namespace fuga
     visit("n_events", n_events);
     visit("motion_energies", motion_energies);
     visit("motion_steps", motion_steps);
+    visit("n_intervals", n_intervals);
     visit("continuations", continuations);
     visit("excesses", excesses);
   }
@@ -75,6 +81,9 @@ namespace fuga
 
     ConstructionState construction;
     PathCut cut;
+    /** Of bodies in motion: what belongs to the cut, and what monitors felt. */
+    MotionCut motion;
+    MotionSamples samples;
     JudgeMemory judge;
     RunRecord record;
     HistoryMemory tables;
@@ -93,6 +102,8 @@ namespace fuga
            exit_code,
            construction,
            cut,
+           motion,
+           samples,
            judge,
            record,
            tables,
@@ -105,6 +116,8 @@ namespace fuga
     visit("exit_code", exit_code);
     visit("construction", construction);
     visit("cut", cut);
+    visit("motion", motion);
+    visit("samples", samples);
     visit("judge", judge);
     visit("record", record);
     visit("tables", tables);

@@ -4,11 +4,36 @@
 #ifndef fuga_output_results_monitored_motion_h
 #define fuga_output_results_monitored_motion_h
 
+#include <fuga/base/fields.h>
 #include <fuga/bodies/dynamics_definition.h>
 #include <fuga/bodies/program/monitor.h>
 
 namespace fuga
 {
+  /** Of the monitors at the end of a whole step, by axes. */
+  struct MotionSample
+  {
+    std::array<double, 3> displacement, acceleration;
+  };
+
+  /** All samples of a motion. */
+  struct MotionSamples
+  {
+    /** By monitors. */
+    std::vector<std::vector<MotionSample>> of_monitors;
+    /** Acceleration of the frame. */
+    std::vector<std::array<double, 3>> of_frame;
+  };
+
+  template <typename Samples, typename Visitor, only_for<Samples, MotionSamples> = 0>
+  void
+  for_each_field(Samples &samples, Visitor &&visit)
+  {
+    auto &[of_monitors, of_frame] = samples;
+    visit("of_monitors", of_monitors);
+    visit("of_frame", of_frame);
+  }
+
   /**
    * Collects the absolute accelerations of the monitors at the ends of whole steps of time.
    *
@@ -34,19 +59,24 @@ namespace fuga
     std::vector<std::array<GroundMotion, 3>>
     accelerations() const;
 
-  private:
-    struct Sample
+    const MotionSamples &
+    memory() const
     {
-      std::array<double, 3> displacement, acceleration;
-    };
+      return samples;
+    }
 
+    void
+    restore(const MotionSamples &memory)
+    {
+      samples = memory;
+    }
+
+  private:
     const std::vector<Monitor> &monitors;
     const double step;
     /** By monitors and axes: whether any node that counts has no mass. */
     std::vector<std::array<bool, 3>> is_massless;
-    /** By monitors. */
-    std::vector<std::vector<Sample>> samples;
-    std::vector<std::array<double, 3>> frame;
+    MotionSamples samples;
   };
 } // namespace fuga
 

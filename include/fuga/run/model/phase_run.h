@@ -12,8 +12,6 @@
 #include <fuga/run/model/model.h>
 #include <fuga/run/model/safety_search.h>
 
-#include <optional>
-
 namespace fuga
 {
   /**
@@ -57,7 +55,7 @@ namespace fuga
     ended_step(const JointState &state);
 
     /** The path of a dynamic stage. */
-    const DynamicPath &
+    DynamicPath &
     dynamic_path() const;
 
     /** Energies for the tables. */
@@ -95,9 +93,6 @@ namespace fuga
     make_motion(const std::shared_ptr<StepSolvers> &steps) const;
     std::unique_ptr<ContactPath>
     make_path() const;
-
-    /** When the motion of a dynamic stage began. */
-    std::optional<EnergyLedger> energies_at_rest;
   };
 } // namespace fuga
 

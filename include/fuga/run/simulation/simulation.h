@@ -170,6 +170,8 @@ namespace fuga
                 const double energy);
     void
     note_accelerations();
+    PathResult
+    resume_motion(const Checkpoint &checkpoint);
     /** The path of a phase has come to its end. */
     void
     end_motion();
@@ -252,8 +254,8 @@ namespace fuga
     bool from_the_beginning = false;
     /** A search for safety is under way: checkpoints are those of the path. */
     bool searching = false;
-    /** How many times Output/Field interval has passed in this motion. */
-    double n_intervals = 0.;
+    /** A level of bodies in motion was reached: the checkpoint waits for the end of the step. */
+    bool level_is_due = false;
     /** Only if response spectra of a dynamic stage are asked for. */
     std::optional<MonitoredMotion> monitored_motion;
     FileIdentity mesh_identity;

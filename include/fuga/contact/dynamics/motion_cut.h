@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_dynamics_motion_cut_h
+#define fuga_contact_dynamics_motion_cut_h
+
+#include <fuga/contact/dynamics/moving_bodies.h>
+#include <fuga/contact/path/path_result.h>
+#include <fuga/contact/tangent_vector.h>
+
+namespace fuga
+{
+  /** A place between two steps of time from which a motion can be followed again, bit for bit: what
+   * a PathCut does not know. */
+  struct MotionCut
+  {
+    /** Shortest steps so far. */
+    std::size_t tick = 0;
+    MotionMemory bodies;
+    MotionLedger ledger;
+    /** Steps by rung. */
+    std::vector<std::size_t> steps_of_rung;
+    /** By element: mean slip rate in the step before. */
+    std::vector<TangentVector> slip_rates;
+    /** Of the step before [s]. */
+    double length_before = 0.;
+    /** Largest mean rate of a jump in any step so far [m/s]. */
+    double largest_rate = 0.;
+    /** By rung, of those that have been needed: its number, working scheme and background. */
+    std::vector<std::pair<unsigned int, std::pair<SchemeMemory, SchemeMemory>>> schemes;
+  };
+
+  template <typename Cut, typename Visitor, only_for<Cut, MotionCut> = 0>
+  void
+  for_each_field(Cut &cut, Visitor &&visit)
+  {
+    auto &[tick, bodies, ledger, steps_of_rung, slip_rates, length_before, largest_rate, schemes] =
+      cut;
+    visit("tick", tick);
+    visit("bodies", bodies);
+    visit("ledger", ledger);
+    visit("steps_of_rung", steps_of_rung);
+    visit("slip_rates", slip_rates);
+    visit("length_before", length_before);
+    visit("largest_rate", largest_rate);
+    visit("schemes", schemes);
+  }
+} // namespace fuga
+
+#endif
