@@ -123,7 +123,7 @@ def _shares(mesh, group):
 
 
 def run_fuga(program, scene, step, folder, **dynamics):
-    """(errors, CPU seconds, certificate, energy that is not accounted for, over the largest, the same as it is)."""
+    """(errors, CPU seconds, certificate, energy that the integration in time takes, over the largest, the same as it is)."""
     folder = pathlib.Path(folder)
     scene.mesh.write(folder / "scene.msh")
     model = scene.fuga()
@@ -149,7 +149,7 @@ def run_fuga(program, scene, step, folder, **dynamics):
         ways.append(way_at[row["t"]])
     motion = summary["motion"]
     return (scene.errors(times, forces, ways), process.cpu, summary["certificate"]["worst"],
-            abs(motion["not_accounted_for"]) / motion["largest_energy"], motion["not_accounted_for"])
+            abs(motion["numerical"]) / motion["largest_energy"], motion["numerical"])
 
 
 def peer_deck(scene, step, stiffness):

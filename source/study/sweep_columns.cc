@@ -59,6 +59,7 @@ namespace fuga
               {"energy_bodies", u.energy(), energy(&MotionLedger::bodies)},
               {"damping", u.energy(), energy(&MotionLedger::damping)},
               {"joint_work", u.energy(), energy(&MotionLedger::joints)},
+              {"numerical", u.energy(), energy(&MotionLedger::numerical)},
               {"largest_energy", u.energy(), energy(&MotionLedger::largest)}};
     }
 

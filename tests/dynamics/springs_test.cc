@@ -84,8 +84,29 @@ namespace fuga::tests
                   1e-3 * U0)
         << "turning point " << n;
     EXPECT_NEAR(U0 + motion.displacements.back()[1], 0.05e-3, 1e-3 * U0);
-    EXPECT_LT(std::abs(motion.ledgers.back().defect()), 1e-6 * motion.ledgers.back().largest);
+    const MotionLedger &ledger = motion.ledgers.back();
+    EXPECT_LT(std::abs(ledger.numerical), 1e-6 * ledger.largest);
+    EXPECT_LT(std::abs(ledger.defect()), 1e-11 * ledger.largest);
     EXPECT_LT(motion.worst.worst(), 1e-9);
+  }
+
+  // What a spectral radius below 1 damps is known to the last digit: the terms of the ledger are
+  // computed independently of each other.
+  TEST(Springs, DampingOfTheMethodIsInTheLedger)
+  {
+    for (const double radius : {0., 0.5, 0.8})
+      {
+        const double k = 1e4;
+        Slider slider(1., k, 10., coulomb(0.01));
+        slider.springs.spectral_radius = radius;
+        slider.springs.damping         = DenseMatrix(2, 2);
+        slider.springs.damping(1, 1)   = 2.; // of the critical damping 0.01
+        SpringMotion motion =
+          slider.move(pi / 100. / 20., 200, [&](const double t) { return t < 0.1 ? 10. : -5.; });
+        const MotionLedger &ledger = motion.ledgers.back();
+        EXPECT_GT(ledger.numerical, 1e-5 * ledger.largest);
+        EXPECT_LT(std::abs(ledger.defect()), 1e-11 * ledger.largest);
+      }
   }
 
   // A pad on a spring and a frictional base under a sudden force (Code_Aster, SDNV104B):
@@ -155,7 +176,9 @@ namespace fuga::tests
                   1e-3 * 0.92);
     EXPECT_NEAR(at(motion, A * T / yield), motion.displacements.back()[1], 1e-4);
     EXPECT_GT(std::abs(at(motion, A * T / yield - 0.05) - motion.displacements.back()[1]), 1e-3);
-    EXPECT_LT(std::abs(motion.ledgers.back().defect()), 1e-5 * motion.ledgers.back().largest);
+    const MotionLedger &ledger = motion.ledgers.back();
+    EXPECT_LT(std::abs(ledger.numerical), 1e-5 * ledger.largest);
+    EXPECT_LT(std::abs(ledger.defect()), 1e-11 * ledger.largest);
     EXPECT_LT(motion.worst.worst(), 1e-9);
   }
 

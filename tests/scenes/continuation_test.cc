@@ -92,13 +92,14 @@ namespace fuga::tests
       return x;
     }
 
-    /** Its own terms, each computed independently of the others, leave this share of the largest.
-     */
+    /** Its own terms, each computed independently of the others, leave nothing but rounding, and
+     * the integration in time takes no more than this share of the largest. */
     void
     expect_closed_ledger(const nlohmann::json &motion, const double tolerance)
     {
-      EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()),
-                tolerance * motion.at("largest_energy").get<double>());
+      const double largest = motion.at("largest_energy");
+      EXPECT_LT(std::abs(motion.at("numerical").get<double>()), tolerance * largest);
+      EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()), 1e-9 * largest);
     }
 
     double

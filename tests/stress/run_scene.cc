@@ -97,7 +97,8 @@ namespace fuga::stress
       const double largest = motion.at("largest_energy");
       const auto steps     = motion.at("steps_by_halvings").get<std::vector<double>>();
       const double n_steps = std::accumulate(steps.begin(), steps.end(), 0.);
-      const double lacking = std::abs(motion.at("not_accounted_for").get<double>());
+      const double lacking = std::abs(motion.at("not_accounted_for").get<double>() +
+                                      motion.at("numerical").get<double>());
       const double share   = largest > 0. ? lacking / largest : 0.;
       tell(write, "energy_lacking", share);
       if (steps.back() == 0. && share > 2. * tolerance * n_steps)

@@ -283,6 +283,7 @@ namespace fuga
       end.forces,
       ledger);
     ledger.joints += attempt.record.joint_work();
+    ledger.numerical += attempt.record.work_of_means() - attempt.record.joint_work();
     ledger.note_largest();
 
     observer.began_step(of_step, history_of_step);

@@ -95,6 +95,16 @@ namespace fuga
   }
 
   double
+  StepRecord::work_of_means() const
+  {
+    const Vector changes = change_of_jumps(first, last);
+    double result        = 0.;
+    for (std::size_t bar = 0; bar < changes.size(); ++bar)
+      result += 0.5 * (first.forces[bar] + last.forces[bar]) * changes[bar];
+    return result;
+  }
+
+  double
   StepRecord::cost_of_events(const double length, const double rate) const
   {
     const Vector changes = change_of_jumps(first, last);

@@ -70,22 +70,33 @@ namespace fuga
                            MotionLedger &ledger)
   {
     const Vector v_at_begin = v, damped_at_begin = damped;
+    const double kinetic_at_begin = kinetic_energy();
+    double of_inertia             = 0.;
     for (std::size_t i = 0; i < m.size(); ++i)
       {
         const double a_before = a[i], v_before = v_at_begin[i];
         u[i] += du[i];
-        a[i]        = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
-        v[i]        = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
-        steady_v[i] = m[i] > 0. ? v[i] : du[i] / h;
+        a[i]                  = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
+        v[i]                  = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
+        steady_v[i]           = m[i] > 0. ? v[i] : du[i] / h;
+        const double q_before = out_of_balance[i], known_at_begin = q_before + defect[i];
         out_of_balance[i] =
-          (m[i] * ((1. - alpha_m) * a[i] + alpha_m * a_before) - alpha_f * out_of_balance[i]) /
+          (m[i] * ((1. - alpha_m) * a[i] + alpha_m * a_before) - alpha_f * q_before) /
           (1. - alpha_f);
+        of_inertia += 0.5 * (known_at_begin + out_of_balance[i]) * du[i];
         defect[i] = 0.;
       }
     damped = damping(v);
     ledger.work += dot(mean, du);
+    // Of mean forces that are out of balance, what does not go into the kinetic energy.
+    ledger.numerical += of_inertia - (kinetic_energy() - kinetic_at_begin);
     for (std::size_t i = 0; i < damped.size(); ++i)
-      ledger.damping += 0.25 * h * (damped_at_begin[i] + damped[i]) * (v_at_begin[i] + v[i]);
+      {
+        const double mean_damped = 0.5 * (damped_at_begin[i] + damped[i]);
+        const double way         = 0.5 * h * (v_at_begin[i] + v[i]);
+        ledger.damping += mean_damped * way;
+        ledger.numerical += mean_damped * (du[i] - way);
+      }
     ledger.kinetic = kinetic_energy();
   }
 

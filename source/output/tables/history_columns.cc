@@ -325,7 +325,8 @@ namespace fuga
       {"kinetic_energy", u.energy(), of_motion<&MotionLedger::kinetic>},
       {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
       {"damping", u.energy(), of_motion<&MotionLedger::damping>},
-      {"joint_work", u.energy(), of_motion<&MotionLedger::joints>}};
+      {"joint_work", u.energy(), of_motion<&MotionLedger::joints>},
+      {"numerical", u.energy(), of_motion<&MotionLedger::numerical>}};
     if (in_space)
       append(columns,
              {{"T2", u.force, of_joint<&JointResultant::T2>},

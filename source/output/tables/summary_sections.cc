@@ -17,6 +17,7 @@ namespace fuga
       json["energy_of_bodies"]  = energies.bodies;
       json["damping"]           = energies.damping;
       json["joint_work"]        = energies.joints;
+      json["numerical"]         = energies.numerical;
       json["largest_energy"]    = energies.largest;
       json["not_accounted_for"] = energies.defect();
     }

@@ -13,7 +13,7 @@ namespace fuga
 {
   namespace
   {
-    /** Share of the largest energy that a motion should not lack. */
+    /** Share of the largest energy that the integration in time should not take. */
     constexpr double much_energy = 0.01;
   } // namespace
 
@@ -153,13 +153,16 @@ namespace fuga
     std::size_t n_halved = 0;
     for (std::size_t i = 1; i < motion_steps.size(); ++i)
       n_halved += motion_steps[i];
-    const MotionLedger &e   = motion_energies;
-    const double lacking    = e.largest > 0. ? std::abs(e.defect()) / e.largest : 0.;
+    const MotionLedger &e = motion_energies;
+    const auto share_of   = [&e](const double energy) {
+      return e.largest > 0. ? std::abs(energy) / e.largest : 0.;
+    };
+    const double numerical  = share_of(e.numerical);
     const std::string &unit = parameters.output.units.energy();
     log.line(
       fmt::format("Motion      {} steps and {} shorter ones; work {:.6g} {}: kinetic {:.6g}, "
-                  "bodies {:.6g}, damping {:.6g}, joints {:.6g}; not accounted for {:.1e} of "
-                  "the largest",
+                  "bodies {:.6g}, damping {:.6g}, joints {:.6g}, integration in time {:.3g} "
+                  "({:.1e} of the largest); not accounted for {:.1e} of the largest",
                   motion_steps[0],
                   n_halved,
                   e.work,
@@ -168,13 +171,15 @@ namespace fuga
                   e.bodies,
                   e.damping,
                   e.joints,
-                  lacking));
-    if (lacking > much_energy)
+                  e.numerical,
+                  numerical,
+                  share_of(e.defect())));
+    if (numerical > much_energy)
       log.warning(
-        fmt::format("{:.2g} of the largest energy of the motion is not accounted for; usual is "
-                    "less than {:.2g}. "
+        fmt::format("The integration in time takes or gives {:.2g} of the largest energy of the "
+                    "motion; usual is less than {:.2g}. "
                     "{}Give a smaller Dynamics/Time step or Event tolerance.",
-                    lacking,
+                    numerical,
                     much_energy,
                     motion_steps.back() == 0
                       ? ""

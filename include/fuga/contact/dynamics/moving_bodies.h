@@ -41,7 +41,7 @@ namespace fuga
    * Energies of bodies in motion since it began [MNm], without what the bodies store because they
    * were loaded before. Nothing is lost if
    *
-   *     work = kinetic + bodies + damping + joints.              (doc/theory.md, section 19)
+   *     work = kinetic + bodies + damping + joints + numerical.  (doc/theory.md, section 19)
    */
   struct MotionLedger
   {
@@ -54,6 +54,9 @@ namespace fuga
     double damping = 0.;
     /** ∫ p·dδ: what the layers have stored and friction has taken. */
     double joints = 0.;
+    /** What the integration in time takes: by its own damping, and because its forces of the joints
+     * are linear within a step, where those of a path with events are not. */
+    double numerical = 0.;
     /** The largest of them so far. */
     double largest = 0.;
 
@@ -66,7 +69,7 @@ namespace fuga
     double
     defect() const
     {
-      return work - kinetic - bodies - damping - joints;
+      return work - kinetic - bodies - damping - joints - numerical;
     }
   };
 
@@ -74,12 +77,13 @@ namespace fuga
   void
   for_each_field(Ledger &ledger, Visitor &&visit)
   {
-    auto &[work, kinetic, bodies, damping, joints, largest] = ledger;
+    auto &[work, kinetic, bodies, damping, joints, numerical, largest] = ledger;
     visit("work", work);
     visit("kinetic", kinetic);
     visit("bodies", bodies);
     visit("damping", damping);
     visit("joints", joints);
+    visit("numerical", numerical);
     visit("largest", largest);
   }
 
@@ -167,7 +171,7 @@ namespace fuga
     begin_step(const unsigned int rung) = 0;
 
     /** The step begun last goes to its end, where the coordinates have changed by @p x and the bars
-     * carry @p forces. Brings @p ledger up to date, but for the work on the joints. */
+     * carry @p forces. Brings @p ledger up to date, but for what depends on the path of the joints. */
     virtual void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) = 0;
 

@@ -64,6 +64,10 @@ namespace fuga
     double
     joint_work() const;
 
+    /** (p_n + p)/2 · Δδ: what the time integration takes for it. */
+    double
+    work_of_means() const;
+
     /**
      * What events within the step cost [MNm]: the time integration knows of (p_n + p)/2 only. Sum
      * over the elements of the difference between the work of this mean on the jump and

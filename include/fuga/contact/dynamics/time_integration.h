@@ -47,7 +47,7 @@ namespace fuga
     push(const double h, const Vector &growth) const;
 
     /** Goes on by a step with the solution @p du, and over which the loads were @p mean in the
-     * mean. Counts work, kinetic energy and damping. */
+     * mean. Counts work, kinetic energy, damping, and what the method takes by itself. */
     void
     advance(const double h, const Vector &du, const Vector &mean, MotionLedger &ledger);
 
