@@ -8,6 +8,7 @@
 #include <fuga/contact/path/slow_motion.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
+#include <fuga/contact/segments/layer_work.h>
 #include <fuga/contact/segments/turning_segment.h>
 
 namespace fuga
@@ -99,7 +100,9 @@ namespace fuga
         const std::unique_ptr<PathSegment> segment =
           make_segment(course, {state, continuation.rates});
         const double length = find_end(*segment, course, levels, observer);
-        state               = report_piecewise(*segment, course, levels, next_level, observer);
+        if (scheme.is_nonlinear())
+          note_energy_lost({elements, system, boundary, scheme}, course, *segment, iteration_count);
+        state = report_piecewise(*segment, course, levels, next_level, observer);
         note_step(*segment, course, length, state, result);
         if (segment->ends_at_turning_point())
           {

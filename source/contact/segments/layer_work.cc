@@ -13,8 +13,11 @@ namespace fuga
 {
   namespace
   {
-    /** Energy that one step may lose by interpolation, relative to the work of the bars. */
-    constexpr double largest_defect = 3e-12;
+    /** Energy that a path may lose by interpolation, relative to the work of the bars; the share of
+     * what is left of it that one step may lose, and what rounding leaves it in any case. */
+    constexpr double largest_loss  = 3e-10;
+    constexpr double share_of_step = 1e-2;
+    constexpr double least_of_step = 1e-12;
     /** Rounding error of a jump relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
@@ -54,19 +57,45 @@ namespace fuga
       return {elastic_shear(element, point.state, k)[a - 1], rate};
     }
 
-    /** Square of the growth of the loads from @p tau to the end of @p course, by the reactions of the
-     * closed joints. */
+    /** The loads at the place @p tau of @p course, by the reactions of the closed joints. */
     double
-    growth_of_energy(const PathContext &context, const Course &course, const double tau)
+    size_of_loads(const PathContext &context, const Course &course, const double tau)
     {
-      const auto size = [&](const double at) {
-        return max_abs(multiply(context.system.reactions(), course.factors_at(at)));
-      };
-      const double now = size(tau);
-      const double growth =
-        now > 0. ? size(course.length) / now : std::numeric_limits<double>::infinity();
+      return max_abs(multiply(context.system.reactions(), course.factors_at(tau)));
+    }
+
+    /** By how much the loads of @p course can make the energies larger than the largest loads so far
+     * have made them: the square of their growth. */
+    double
+    growth_of_energy(const PathContext &context,
+                     const Course &course,
+                     const double tau,
+                     IterationCount &count)
+    {
+      count.largest_load  = std::max(count.largest_load, size_of_loads(context, course, tau));
+      const double growth = count.largest_load > 0.
+                              ? size_of_loads(context, course, course.length) / count.largest_load
+                              : std::numeric_limits<double>::infinity();
       return std::max(1., growth * growth);
     }
+
+    /** What a layer whose shear stiffness depends on its closure stores under given forces. */
+    template <typename ForceOfBar>
+    double
+    coupled_energy(const ContactElement &element, const ForceOfBar &force)
+    {
+      double shear = 0.;
+      for (std::size_t a = 1; a < element.n_bars(); ++a)
+        shear = std::hypot(shear, force(element.bar(a)));
+      const auto [closure, jump] = element.coupling->deformation(
+        std::abs(force(element.normal_bar)) / element.area, shear / element.area);
+      return element.area * element.coupling->energy(closure, jump);
+    }
+
+    struct StepEnergy
+    {
+      double lost = 0., scale = 0.;
+    };
 
     /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
      */
@@ -89,15 +118,87 @@ namespace fuga
     return length(T) > 0. ? dot(T, rate) / length(T) : length(rate);
   }
 
-  // What the judge will find missing in the balance of energy after this step: the work of the
-  // interpolated force of every nonlinear bar against the energy its layer has stored. It measures
-  // how well the cubics between solved points stand for the curve. Relative to the largest energy
-  // that the layers have stored or will have stored when the course ends: loads may fall to zero.
-  // What is to come is foreseen with the present rates; a layer that is soft at first would promise
-  // too much of it, and what its law stores under the force at the end bounds it. So do, near a
-  // limit load, where rates grow without bound, the energies known and the growth of the loads.
-  // Jumps are known but for rounding errors of the largest one; what these make no shorter step
-  // could mend.
+  namespace
+  {
+    // What the judge will find missing in the balance of energy after this step: the work of the
+    // interpolated force of every nonlinear bar against the energy its layer has stored. It
+    // measures how well the cubics between solved points stand for the curve. Relative to the
+    // largest energy that the layers have stored or will have stored when the course ends: loads
+    // may fall to zero. What is to come is foreseen with the present rates; a layer that is soft at
+    // first would promise too much of it, and what its law stores under the force at the end bounds
+    // it. So do, near a limit load, where rates grow without bound, the energies known and the
+    // growth of the loads. Jumps are known but for rounding errors of the largest one; what these
+    // make no shorter step could mend.
+    StepEnergy
+    energy_of_step(const PathContext &context,
+                   const Course &course,
+                   const PathPoint &from,
+                   const PathPoint &to,
+                   const double length,
+                   const double tau,
+                   IterationCount &count)
+    {
+      const double rest       = course.length - tau;
+      const Vector jumps      = context.system.jumps(to.state.dislocations, to.state.forces);
+      const double jump_noise = jump_rounding * max_abs(jumps);
+      const auto force_at_end = [&](const std::size_t bar) {
+        return to.state.forces[bar] + rest * to.rates.forces[bar];
+      };
+      double defect = 0., work = 0., stored = 0., known = 0.;
+      for (std::size_t i = 0; i < jumps.size(); ++i)
+        known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        {
+          const ContactElement &element = context.elements[k];
+          const bool open               = to.state.states[k] == ContactState::open;
+          if (open ? !unloads_in_shear(element, from.state)
+                   : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
+            continue;
+          double element_work = 0., noise = 0., foreseen = 0.;
+          const auto work_of_bar = [&](const std::size_t bar,
+                                       const ComplianceLaw &law,
+                                       const LayerMotion &a,
+                                       const LayerMotion &b) {
+            const CubicOnUnitInterval force(from.state.forces[bar],
+                                            from.rates.forces[bar] * length,
+                                            to.state.forces[bar],
+                                            to.rates.forces[bar] * length);
+            element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
+            const double of_rates = 0.5 * std::abs(force_at_end(bar) * (b.value + rest * b.rate));
+            const double stress   = std::abs(force_at_end(bar)) / element.area;
+            foreseen += element.coupling != nullptr
+                          ? of_rates
+                          : std::min(of_rates, element.area * law.energy(law.deformation(stress)));
+            noise += jump_noise * std::abs(to.state.forces[bar]);
+          };
+          if (has_nonlinear_closure(element) && !open)
+            work_of_bar(element.normal_bar,
+                        *element.normal_law,
+                        closing(context, k, from),
+                        closing(context, k, to));
+          for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
+            work_of_bar(element.bar(a),
+                        *element.shear_law,
+                        shearing(context, k, a, from),
+                        shearing(context, k, a, to));
+          work += element.coupling != nullptr
+                    ? std::min(foreseen, coupled_energy(element, force_at_end))
+                    : foreseen;
+          const double stored_before = nonlinear_energy(element, from.state, k);
+          const double mismatch =
+            std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
+          defect += std::max(mismatch - noise, 0.);
+          stored += stored_before;
+        }
+      count.largest_energy = std::max(count.largest_energy, stored);
+      known                = std::max(known, count.largest_energy);
+      if (work > known) // the growth is 1 at least, and costs two products
+        work = std::min(work, known * growth_of_energy(context, course, tau, count));
+      work = std::max(work, count.largest_energy);
+      return {defect, work};
+    }
+  } // namespace
+
   double
   energy_defect(const PathContext &context,
                 const Course &course,
@@ -107,59 +208,27 @@ namespace fuga
                 const double tau,
                 IterationCount &count)
   {
-    const double rest       = course.length - tau;
-    const Vector jumps      = context.system.jumps(to.state.dislocations, to.state.forces);
-    const double jump_noise = jump_rounding * max_abs(jumps);
-    double defect = 0., work = 0., stored = 0., known = 0.;
-    for (std::size_t i = 0; i < jumps.size(); ++i)
-      known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
+    const auto [lost, scale] = energy_of_step(context, course, from, to, length, tau, count);
+    const double allowed =
+      std::max(least_of_step * scale, share_of_step * (largest_loss * scale - count.energy_lost));
+    return scale > 0. ? lost / allowed : 0.;
+  }
+
+  void
+  note_energy_lost(const PathContext &context,
+                   const Course &course,
+                   PathSegment &segment,
+                   IterationCount &count)
+  {
+    const std::vector<double> taus = segment.stations();
+    PathPoint from                 = segment.at(taus.front());
+    for (std::size_t i = 1; i < taus.size(); ++i)
       {
-        const ContactElement &element = context.elements[k];
-        const bool open               = to.state.states[k] == ContactState::open;
-        if (open ? !unloads_in_shear(element, from.state)
-                 : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
-          continue;
-        double element_work = 0., noise = 0.;
-        const auto work_of_bar = [&](const std::size_t bar,
-                                     const ComplianceLaw &law,
-                                     const LayerMotion &a,
-                                     const LayerMotion &b) {
-          const CubicOnUnitInterval force(from.state.forces[bar],
-                                          from.rates.forces[bar] * length,
-                                          to.state.forces[bar],
-                                          to.rates.forces[bar] * length);
-          element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
-          const double force_at_end = std::abs(to.state.forces[bar] + rest * to.rates.forces[bar]);
-          const double foreseen     = 0.5 * force_at_end * std::abs(b.value + rest * b.rate);
-          work +=
-            element.coupling != nullptr
-              ? foreseen
-              : std::min(foreseen,
-                         element.area * law.energy(law.deformation(force_at_end / element.area)));
-          noise += jump_noise * std::abs(to.state.forces[bar]);
-        };
-        if (has_nonlinear_closure(element) && !open)
-          work_of_bar(element.normal_bar,
-                      *element.normal_law,
-                      closing(context, k, from),
-                      closing(context, k, to));
-        for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
-          work_of_bar(element.bar(a),
-                      *element.shear_law,
-                      shearing(context, k, a, from),
-                      shearing(context, k, a, to));
-        const double stored_before = nonlinear_energy(element, from.state, k);
-        const double mismatch =
-          std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
-        defect += std::max(mismatch - noise, 0.);
-        stored += stored_before;
+        PathPoint to = segment.at(taus[i]);
+        count.energy_lost +=
+          energy_of_step(context, course, from, to, taus[i] - taus[i - 1], taus[i], count).lost;
+        from = std::move(to);
       }
-    count.largest_energy = std::max(count.largest_energy, stored);
-    known                = std::max(known, count.largest_energy);
-    if (work > known) // the growth is 1 at least, and costs two products
-      work = std::min(work, known * growth_of_energy(context, course, tau));
-    work = std::max(work, count.largest_energy);
-    return work > 0. ? defect / (largest_defect * work) : 0.;
+    count.largest_load = std::max(count.largest_load, size_of_loads(context, course, taus.back()));
   }
 } // namespace fuga

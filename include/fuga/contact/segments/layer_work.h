@@ -23,6 +23,14 @@ namespace fuga
                 const double tau,
                 IterationCount &count);
 
+  /** Adds to the count what the cubics between the points of @p segment miss: the steps to come may
+   * miss so much less. */
+  void
+  note_energy_lost(const PathContext &context,
+                   const Course &course,
+                   PathSegment &segment,
+                   IterationCount &count);
+
   /** Speed of slip of an element that slips, in the direction in which its strength acts [m per
    * unit of the path]; negative if the slip turns back. */
   double

@@ -65,17 +65,24 @@ namespace fuga
     std::size_t max_in_one   = 0;
     /** Largest energy the nonlinear layers stored: the scale of what a step may lose of it. */
     double largest_energy = 0.;
+    /** The largest loads then, by the reactions of the closed joints. */
+    double largest_load = 0.;
+    /** Energy the steps have lost by interpolation [MN m]. */
+    double energy_lost = 0.;
   };
 
   template <typename Count, typename Visitor, only_for<Count, IterationCount> = 0>
   void
   for_each_field(Count &count, Visitor &&visit)
   {
-    auto &[n_solutions, n_iterations, max_in_one, largest_energy] = count;
+    auto &[n_solutions, n_iterations, max_in_one, largest_energy, largest_load, energy_lost] =
+      count;
     visit("n_solutions", n_solutions);
     visit("n_iterations", n_iterations);
     visit("max_in_one", max_in_one);
     visit("largest_energy", largest_energy);
+    visit("largest_load", largest_load);
+    visit("energy_lost", energy_lost);
   }
 } // namespace fuga
 
