@@ -15,6 +15,8 @@ namespace fuga
   {
     /** Share of the largest energy that the integration in time should not take. */
     constexpr double much_energy = 0.01;
+    /** Share that its terms should not leave unexplained: they are exact but for rounding. */
+    constexpr double much_lacking = 1e-8;
   } // namespace
 
   template <int dim>
@@ -158,6 +160,7 @@ namespace fuga
       return e.largest > 0. ? std::abs(energy) / e.largest : 0.;
     };
     const double numerical  = share_of(e.numerical);
+    const double lacking    = share_of(e.defect());
     const std::string &unit = parameters.output.units.energy();
     log.line(
       fmt::format("Motion      {} steps and {} shorter ones; work {:.6g} {}: kinetic {:.6g}, "
@@ -173,7 +176,12 @@ namespace fuga
                   e.joints,
                   e.numerical,
                   numerical,
-                  share_of(e.defect())));
+                  lacking));
+    if (lacking > much_lacking)
+      log.warning(fmt::format("The ledger of energy lacks {:.2g} of the largest energy of the "
+                              "motion; usual is less than {:.2g}. Do not trust this motion.",
+                              lacking,
+                              much_lacking));
     if (numerical > much_energy)
       log.warning(
         fmt::format("The integration in time takes or gives {:.2g} of the largest energy of the "
