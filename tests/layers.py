@@ -4,7 +4,8 @@
 """The program is a house of layers, a layer one of rooms: a file includes only its own room and rooms before it.
 
 What stands at the door of a layer (folder without a room) is common to all its rooms. Laws, contact and mesh do not know
-deal.II. A room has at most a dozen sources and a dozen headers.
+deal.II. A room has at most a dozen sources and a dozen headers. The rooms of the report are likewise, of scripts; what stands at
+its door puts together what they make.
 
 usage: layers.py REPOSITORY
 """
@@ -38,6 +39,9 @@ ROOMS = {
 }
 WITHOUT_DEALII = ["base", "laws", "contact", "mesh"]
 MOST_FILES = 12
+# The rooms of the report, in the order in which they may import each other.
+SCRIPTS = ["text", "drawings", ""]
+IMPORT = re.compile(r"^\s*(?:from|import) report\.?(\w*)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -56,9 +60,22 @@ def complaint(root, layer, room, name):
     return None if rooms.index("/".join(inner)) <= rooms.index(room) else "a room that is not before it"
 
 
+def complaints_of_scripts(root):
+    """Imports that lead up, and rooms with too many scripts."""
+    scripts = root / "source/python"
+    for path in sorted((scripts / "report").rglob("*.py")):
+        room = "/".join(path.relative_to(scripts / "report").parts[:-1])
+        for name in IMPORT.findall(path.read_text()):
+            if SCRIPTS.index(name if name in SCRIPTS else "") > SCRIPTS.index(room):
+                yield f"{path.relative_to(root)} imports report.{name}, a room that is not before it"
+    for folder in {path.parent for path in scripts.rglob("*.py")}:
+        if (n := len(list(folder.glob("*.py")))) > MOST_FILES:
+            yield f"{folder.relative_to(root)}: {n} files in one room"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    complaints, n_files = [], 0
+    complaints, n_files = list(complaints_of_scripts(root)), 0
     for folder in ("include/fuga", "source"):
         count = {}
         for path in sorted((root / folder).rglob("*.[hc]*")):

@@ -68,8 +68,9 @@ def run_pages(directory):
 
 def sweep_pages(directory, summary):
     from fuga_results import Table
-    from report import sections, sweep
-    from report.page import Page
+    from report import sweep
+    from report.text import sections
+    from report.text.page import Page
 
     progress("Report: drawing the sweep ...")
     results = Table(os.path.join(directory, "sweep.csv"))
@@ -92,7 +93,7 @@ def main(arguments):
     check_packages()
     summary = finished_summary(directory)
     progress("Report: starting ...")
-    from report import figures
+    from report.drawings import figures
     figures.style()
     is_sweep = os.path.exists(os.path.join(directory, "sweep.csv"))
     pages = sweep_pages(directory, summary) if is_sweep else run_pages(directory)

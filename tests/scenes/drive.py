@@ -21,7 +21,7 @@ FUGA = pathlib.Path(sys.argv[1]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "source/python"))
 from fuga_results import Results  # noqa: E402
-from report.load_states import describe  # noqa: E402
+from report.text.words import describe  # noqa: E402
 
 FRICTION, LEVEL = 0.7, 28.0
 SHEAR = 9.81 * LEVEL ** 2 / 2

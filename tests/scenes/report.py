@@ -304,8 +304,8 @@ def boundaries(directory):
 def words():
     """Numbers as an engineer writes them, by hand; levels to which arrows are drawn out of the entries."""
     sys.path.insert(0, str(ROOT / "source/python"))
-    from report.load_arrows import level_of  # pylint: disable=import-outside-toplevel
-    from report.numbers import rounded  # pylint: disable=import-outside-toplevel
+    from report.drawings.load_arrows import level_of  # pylint: disable=import-outside-toplevel
+    from report.text.words import rounded  # pylint: disable=import-outside-toplevel
 
     for value, digits, text in ((7920.0000000000027, 4, "7920"), (-6353.3066, 4, "\u22126353"), (123456., 4, "123500"),
                                 (0.99996, 4, "1.000"), (1.51e-14, 2, "1.5\u00b710\u207b\u00b9\u2074"), (0., 4, "0"),

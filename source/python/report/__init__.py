@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Parts of the report of a run: make_report.py puts them together."""
+"""The reports of a run and of a sweep. They put together what the rooms make: `text` first, then `drawings`, which know the text."""

@@ -4,10 +4,11 @@
 
 import functools
 
-from report import joint_diagrams, load_diagrams, motion_diagrams, sections, sketch, stress_diagram
-from report.page import Page, Text
-from report.pictures import Fields, NoPictures, plane_pictures
-from report.space_pictures import joint_maps, space_pictures
+from report.drawings import joint_diagrams, load_diagrams, motion_diagrams, sketch, stress_diagram
+from report.drawings.pictures import Fields, NoPictures, plane_pictures
+from report.drawings.space_pictures import joint_maps, space_pictures
+from report.text import sections
+from report.text.page import Page, Text
 
 # Detailed diagrams are drawn of so many joints, the least safe first; the short version has the first figure of
 DRAWN_JOINTS, SHORT_JOINTS = 4, 2

@@ -4,10 +4,9 @@
 
 import pandas
 
-from report.figures import legend_on_top, level_styles, new_figure, set_margins, short, to_figure
-from report.numbers import rounded
-from report.page import Table as PageTable
-from report.page import Verdict
+from report.drawings.figures import legend_on_top, level_styles, new_figure, set_margins, short, to_figure
+from report.text.page import Table, Verdict
+from report.text.words import rounded
 
 CURVES = 6
 CARRIED = "done"
@@ -92,4 +91,4 @@ def verdict(table):
 def variants(table):
     rows = [[value.item() if hasattr(value, "item") else value for value in row]
             for row in table.frame.itertuples(index=False)]
-    return PageTable(rows, [table.label(name) for name in table.frame.columns], "variants-table")
+    return Table(rows, [table.label(name) for name in table.frame.columns], "variants-table")

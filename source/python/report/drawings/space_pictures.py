@@ -10,10 +10,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 
 from fuga_results import STATE_COLOURS, STATE_OF_CODE
-from report.boundaries import Boundaries, supports
-from report.figures import WIDTH, new_figure, to_figure
-from report.load_states import describe
-from report.numbers import Length
+from report.drawings.boundaries import Boundaries, supports
+from report.drawings.figures import WIDTH, new_figure, to_figure
+from report.text.words import Length, describe
 
 
 def _standing(results, bodies):

@@ -11,8 +11,8 @@ import numpy
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as MatplotlibFigure
 
-from report.load_states import describe
-from report.page import Figure
+from report.text.page import Figure
+from report.text.words import describe
 
 WIDTH = 7.2  # inches; the print of an A4 page
 GREY = "#555555"

@@ -7,9 +7,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from fuga_results import OPEN, STATE_COLOURS, STATE_MARKERS, STATES
-from report.figures import (GREY, MARKED_ELEMENTS, legend_on_top, level_label, level_styles, mark_every, new_figure,
-                            to_figure)
-from report.numbers import Length
+from report.drawings.figures import (GREY, MARKED_ELEMENTS, legend_on_top, level_label, level_styles, mark_every,
+                                     new_figure, to_figure)
+from report.text.words import Length
 
 # A reversal counts if the jump goes back by more than this share of its range.
 REVERSAL = 0.02

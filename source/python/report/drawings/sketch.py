@@ -2,6 +2,7 @@
 # Copyright (C) 2026 by the Fuga authors
 """A sketch of the model: bodies, supports, joints, loads with arrows, levels of the water."""
 
+import itertools
 import os
 import textwrap
 
@@ -11,12 +12,12 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from report.boundaries import Boundaries, centre_of, supports
-from report.figures import WIDTH, new_figure, short, to_figure
-from report.load_arrows import LONGEST, LoadArrows
-from report.load_states import describe, end_of_loads
-from report.page import Text
-from report.stress_diagram import WATER
+from report.drawings.boundaries import Boundaries, centre_of, supports
+from report.drawings.figures import WIDTH, new_figure, short, to_figure
+from report.drawings.load_arrows import LONGEST, LoadArrows
+from report.drawings.stress_diagram import WATER, water_pressure
+from report.text.page import Text
+from report.text.words import describe, end_of_loads
 
 BODIES = ("#dfe3e8", "#ece4d6", "#dcead9", "#ead9e3", "#d8e7ea", "#eee9c8")
 LOADS = ("#b00020", "#1f6fb2", "#6a3d9a", "#2e7d32", "#b25d00", "#444444")
@@ -168,7 +169,7 @@ class _Sketch:
         """The pressure of the water in the joints, below them."""
         for name in self.results.joints:
             profile = self.results.profile(name, end_of_loads(self.results))
-            water = profile["water_pressure"] if "water_pressure" in profile else numpy.zeros(len(profile))
+            water = water_pressure(profile)
             if not water.any():
                 continue
             line = numpy.column_stack([profile["x"], profile["y"]])
@@ -179,7 +180,7 @@ class _Sketch:
                                                     edgecolor="#1f6fb2", linewidth=0.8, zorder=5))
 
     def draw_loads(self):
-        for load, colour in zip(self.loads.all(), [LOADS[k % len(LOADS)] for k in range(1000)]):
+        for load, colour in zip(self.loads.all(), itertools.cycle(LOADS)):
             if load.level is not None and not self.faces.in_space:
                 self.draw_water(load)
             words = textwrap.fill(load.words, 34)

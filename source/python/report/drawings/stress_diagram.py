@@ -7,16 +7,15 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from fuga_results import OPEN, STATE_COLOURS, STATES
-from report.figures import legend_on_top, new_figure, short, to_figure
-from report.load_states import describe, end_of_loads
-from report.numbers import rounded
+from report.drawings.figures import legend_on_top, new_figure, short, to_figure
+from report.text.words import describe, end_of_loads, rounded
 
 SMALL_PANELS = 3  # ends of stages below the last state
 WATER = "#9ecae1"
 STRIP = 0.045  # height of the strip of states, in axes
 
 
-def _water(profile):
+def water_pressure(profile):
     """Pressure of the water in the joint [stress]; 0 without."""
     return profile["water_pressure"] if "water_pressure" in profile else numpy.zeros(len(profile))
 
@@ -34,7 +33,7 @@ def panel_times(results, joint):
 
 def _draw(axes, profile):
     along, edges = profile["along"], profile.edges()
-    effective, water = profile["pressure"], _water(profile)
+    effective, water = profile["pressure"], water_pressure(profile)
     axes.axhline(0.0, color="black", linewidth=0.8)
     axes.fill_between(along, water, color=WATER, linewidth=0)
     axes.plot(along, effective, color="black", linewidth=1.5)
@@ -83,7 +82,7 @@ def joint_stresses(results, joint):
         axes.set_xlabel(f"distance{' along the joint' if axes is panels[0] else ''} [{results.unit('x')}]")
     there = set().union(*(profile["state"] for profile in profiles))
     handles = [Line2D([], [], color="black", linewidth=1.5, label="effective stress")]
-    if any(_water(profile).any() for profile in profiles):
+    if any(water_pressure(profile).any() for profile in profiles):
         handles += [Patch(facecolor=WATER, label="uplift (water in the joint)"),
                     Line2D([], [], color="#b00020", linewidth=1.2, linestyle=(0, (5, 2)), label="total = effective + uplift")]
     handles += [Patch(facecolor=STATE_COLOURS[state], label=state) for state in STATES if state in there]

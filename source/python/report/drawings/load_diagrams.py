@@ -10,9 +10,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 
 from fuga_results import BONDED, HATCHES, OPEN, SLIP, STATE_COLOURS, STATE_MARKERS, STATES, STICK
-from report.figures import (MANY_MARKS, legend_on_top, level_styles, load_time_axis, mark_every, new_figure, set_margins,
-                            to_figure)
-from report.numbers import Length, rounded
+from report.drawings.figures import (MANY_MARKS, legend_on_top, level_styles, load_time_axis, mark_every, new_figure,
+                                     set_margins, to_figure)
+from report.text.words import Length, rounded
 
 SAFETY_DRAWN = 10.0
 CURVES = 6

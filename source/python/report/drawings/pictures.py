@@ -9,8 +9,8 @@ import numpy
 from matplotlib.lines import Line2D
 
 from fuga_results import STATE_COLOURS, STATE_MARKERS, STATE_OF_CODE
-from report.figures import MARKED_ELEMENTS, WIDTH, mark_every, new_figure, to_figure
-from report.load_states import describe, end_of_loads
+from report.drawings.figures import MARKED_ELEMENTS, WIDTH, mark_every, new_figure, to_figure
+from report.text.words import describe, end_of_loads
 
 TALLEST, LOWEST = 3.1, 1.7  # inches: two on a printed page; room for a scale of colours
 SHOWN_DISPLACEMENT = 0.06  # largest drawn displacement, as share of the size of the model

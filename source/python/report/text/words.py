@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Numbers as an engineer writes them: few significant digits. The exact ones are in the CSV files."""
+"""Numbers and load times in words. Numbers have few significant digits; the exact ones are in the CSV files. A load time is
+told by its stage and the share of it that is done, by the factor of a search for safety, or by the level of the water where that
+moves: factors and levels are those of the columns `driven_by` and `drive` of the tables."""
 
 import math
 
 DIGITS = 4
+# What drives the searches for safety.
+_SEARCHES = ("F", "load factor")
 _EXPONENT = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 
 
@@ -34,3 +38,17 @@ class Length:
 
     def __init__(self, unit):
         self.factor, self.unit = {"m": (1e3, "mm")}.get(unit, (1.0, unit))
+
+
+def end_of_loads(results):
+    """The last level that is not part of a search for safety."""
+    return max((t for t in results.levels if t <= len(results.stages) + 1e-9), default=results.levels[-1])
+
+
+def describe(results, t):
+    """A load time in words: "end of 'weight'", "50 % of 'reservoir', level of water 14.0 m", "F = 1.156"."""
+    name, value = results.drive(t)
+    if name in _SEARCHES:
+        return f"{name} = {rounded(value)}"
+    words = results.describe_time(t).replace("stage ", "")
+    return f"{words}, {name} {rounded(value)} {results.unit('x')}" if name.startswith("level of ") else words

@@ -8,8 +8,8 @@ import re
 
 import numpy
 
-from report.boundaries import centre_of
-from report.numbers import rounded
+from report.drawings.boundaries import centre_of
+from report.text.words import rounded
 
 ARROWS = 12  # on a boundary
 LONGEST = 0.09  # arrow, as share of the size of the model
@@ -138,8 +138,9 @@ class LoadArrows:
             drawn.level, drawn.wet = level, self._faces(load)
         return drawn
 
-    def _faces(self, load):
-        faces = [self._boundaries.boundary(name) for name in _names(load.get("Boundaries", ""))]
+    def _faces(self, load, chosen=lambda faces: faces):
+        """Those that are chosen of each of its boundaries."""
+        faces = [chosen(self._boundaries.boundary(name)) for name in _names(load.get("Boundaries", ""))]
         return numpy.concatenate(faces) if faces else self._boundaries.outer[:0]
 
     def _scaled(self, places, vectors, normals, towards=True):
@@ -154,8 +155,7 @@ class LoadArrows:
 
     def _pressures(self, load, factor):
         pressures = _Pressures(load, self._constants, self._t, self._vertical)
-        faces = [_thinned(self._boundaries.boundary(name)) for name in _names(load.get("Boundaries", ""))]
-        faces = numpy.concatenate(faces) if faces else self._boundaries.outer[:0]
+        faces = self._faces(load, _thinned)
         centres, normals = faces.mean(axis=1), self._boundaries.normals(faces)
         sizes = factor * numpy.array([pressures.at(place) for place in centres])
         return self._scaled(centres, -normals * sizes[:, None], normals)

@@ -5,8 +5,8 @@
 import matplotlib.ticker
 import numpy
 
-from report.figures import new_figure, set_margins, to_figure
-from report.numbers import rounded
+from report.drawings.figures import new_figure, set_margins, to_figure
+from report.text.words import rounded
 
 SHOWN_JOINTS = 4
 SHOWN_MONITORS = 4

@@ -7,9 +7,8 @@ import os
 
 import numpy
 
-from report.load_states import describe, end_of_loads
-from report.numbers import DIGITS, Length, rounded
-from report.page import Fold, Heading, Number, Table, Text, Verdict
+from report.text.page import Fold, Heading, Number, Table, Text, Verdict
+from report.text.words import DIGITS, Length, describe, end_of_loads, rounded
 
 # The list of events is cut in the middle of a longer one.
 LISTED_EVENTS = 400

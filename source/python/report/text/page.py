@@ -9,7 +9,7 @@ import os
 import jinja2
 import markupsafe
 
-from report.numbers import DIGITS, rounded
+from report.text.words import DIGITS, rounded
 
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
 

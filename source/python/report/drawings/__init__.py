@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Fuga authors
+"""Diagrams, pictures and the sketch of the model."""
