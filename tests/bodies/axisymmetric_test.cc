@@ -15,18 +15,6 @@ using namespace fuga::test;
 
 namespace
 {
-  struct Kind
-  {
-    bool triangles;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Kind &kind)
-  {
-    return out << (kind.triangles ? "P" : "Q") << kind.degree;
-  }
-
   class Axisymmetric : public testing::TestWithParam<Kind>
   {
   protected:

@@ -175,6 +175,19 @@ namespace fuga::test
     system.set_load_patterns(std::move(patterns));
   }
 
+  /** The elements of a parametrised test. */
+  struct Kind
+  {
+    bool triangles;
+    unsigned int degree;
+  };
+
+  inline std::ostream &
+  operator<<(std::ostream &out, const Kind &kind)
+  {
+    return out << (kind.triangles ? "P" : "Q") << kind.degree;
+  }
+
   struct Solution
   {
     Vector x, jumps, p;

@@ -65,18 +65,6 @@ namespace
     return sum;
   }
 
-  struct Kind
-  {
-    bool triangles;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Kind &kind)
-  {
-    return out << (kind.triangles ? "P" : "Q") << kind.degree;
-  }
-
   class WaterOnSlope : public testing::TestWithParam<Kind>
   {
   protected:

@@ -15,18 +15,6 @@ using namespace fuga::test;
 
 namespace
 {
-  struct Kind
-  {
-    bool triangles;
-    unsigned int degree;
-  };
-
-  std::ostream &
-  operator<<(std::ostream &out, const Kind &kind)
-  {
-    return out << (kind.triangles ? "P" : "Q") << kind.degree;
-  }
-
   /** A block on a rigid plane that falls from (0, 2) to (6, 0.5); five faces of different lengths.
    */
   class WaterInJoint : public testing::TestWithParam<Kind>

@@ -20,7 +20,7 @@ namespace
 {
   constexpr double E = 30000., nu = 0.2, alpha = 1e-5, dT = 25.;
 
-  struct Kind
+  struct Case
   {
     bool triangles;
     unsigned int degree;
@@ -28,13 +28,13 @@ namespace
   };
 
   std::ostream &
-  operator<<(std::ostream &out, const Kind &kind)
+  operator<<(std::ostream &out, const Case &kind)
   {
     return out << (kind.triangles ? "P" : "Q") << kind.degree
                << (kind.assumption == PlaneAssumption::plane_strain ? "Strain" : "Stress");
   }
 
-  class ThermalStress : public testing::TestWithParam<Kind>
+  class ThermalStress : public testing::TestWithParam<Case>
   {
   protected:
     const bool is_plane_stress = GetParam().assumption == PlaneAssumption::plane_stress;
@@ -160,11 +160,11 @@ TEST_P(ThermalStress, bending_without_stress)
 
 INSTANTIATE_TEST_SUITE_P(Elements,
                          ThermalStress,
-                         testing::Values(Kind{false, 1, PlaneAssumption::plane_strain},
-                                         Kind{false, 1, PlaneAssumption::plane_stress},
-                                         Kind{false, 2, PlaneAssumption::plane_strain},
-                                         Kind{true, 1, PlaneAssumption::plane_strain},
-                                         Kind{true, 2, PlaneAssumption::plane_stress}),
+                         testing::Values(Case{false, 1, PlaneAssumption::plane_strain},
+                                         Case{false, 1, PlaneAssumption::plane_stress},
+                                         Case{false, 2, PlaneAssumption::plane_strain},
+                                         Case{true, 1, PlaneAssumption::plane_strain},
+                                         Case{true, 2, PlaneAssumption::plane_stress}),
                          testing::PrintToStringParamName());
 
 

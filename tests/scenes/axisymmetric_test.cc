@@ -43,27 +43,17 @@ namespace
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i)
         mesh.vertices.push_back({{coordinate(i), coordinate(j), 0.}});
-    const auto add = [](std::vector<MeshEntity> &list,
-                        const CellShape shape,
-                        const int tag,
-                        const std::array<unsigned int, 8> &vertices) {
-      MeshEntity entity;
-      entity.shape        = shape;
-      entity.physical_tag = tag;
-      entity.vertices     = vertices;
-      list.push_back(entity);
-    };
     for (int j = 0; j < n; ++j)
       {
-        add(mesh.faces, CellShape::line, 2, {{vertex(j, 0), vertex(j + 1, 0)}});
-        add(mesh.faces, CellShape::line, 3, {{vertex(j, n), vertex(j + 1, n)}});
-        add(mesh.faces, CellShape::line, 4, {{vertex(0, j), vertex(0, j + 1)}});
-        add(mesh.faces, CellShape::line, 5, {{vertex(n, j), vertex(n, j + 1)}});
+        mesh.faces.push_back({CellShape::line, {{vertex(j, 0), vertex(j + 1, 0)}}, 2});
+        mesh.faces.push_back({CellShape::line, {{vertex(j, n), vertex(j + 1, n)}}, 3});
+        mesh.faces.push_back({CellShape::line, {{vertex(0, j), vertex(0, j + 1)}}, 4});
+        mesh.faces.push_back({CellShape::line, {{vertex(n, j), vertex(n, j + 1)}}, 5});
         for (int i = 0; i < n; ++i)
-          add(mesh.cells,
-              CellShape::quadrilateral,
-              1,
-              {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
+          mesh.cells.push_back(
+            {CellShape::quadrilateral,
+             {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}},
+             1});
       }
     return write_mesh(mesh);
   }

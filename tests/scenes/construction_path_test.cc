@@ -4,6 +4,7 @@
 // Paths through phases of construction: levels, restarts, mistakes in the input.
 
 #include "scenes/blocks_mesh.h"
+#include "scenes/construction_data.h"
 #include "scenes/restarts.h"
 #include "scenes/scene_run.h"
 
@@ -11,44 +12,9 @@
 
 using namespace fuga;
 using namespace fuga::tests;
-using Json = nlohmann::ordered_json;
 
 namespace
 {
-  constexpr double E = 1000., weight = 2., rho = 1e-3;
-
-  Json
-  body(const char *stage = nullptr, const double nu = 0.)
-  {
-    Json result = {{"Young modulus", E}, {"Poisson ratio", nu}, {"Weight density", weight}};
-    if (stage)
-      result["Built at stage"] = stage;
-    return result;
-  }
-
-  Json
-  joint(const char *name, const char *plus, const char *minus, const double f = 0.5)
-  {
-    return {{"Line", name},
-            {"Plus body", plus},
-            {"Minus body", minus},
-            {"Normal compliance", rho},
-            {"Shear compliance", rho},
-            {"Friction coefficient", f}};
-  }
-
-  Json
-  common()
-  {
-    Json p;
-    p["Boundaries"]["bottom"] = {{"Fixed", "all"}};
-    for (const char *name : {"top", "left", "right"})
-      p["Boundaries"][name] = {{"Fixed", "free"}};
-    p["Loads"]["weight"] = {{"Type", "weight"}};
-    p["Output"]          = {{"Log", "quiet"}, {"Fields", "never"}};
-    return p;
-  }
-
   /** A wall that is built upon rock and pushed, and on which a second block is built, joints with
    * friction that open and slip, then grouting, more push, and removal. */
   std::string

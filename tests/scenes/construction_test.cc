@@ -4,6 +4,7 @@
 // Bodies that are built and removed in stages, joints that are grouted: against columns by hand.
 
 #include "scenes/blocks_mesh.h"
+#include "scenes/construction_data.h"
 #include "scenes/scene_run.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +13,9 @@
 
 using namespace fuga;
 using namespace fuga::tests;
-using Json = nlohmann::ordered_json;
 
 namespace
 {
-  constexpr double E = 1000., weight = 2., rho = 1e-3;
-
   /** Displacement (or another column) of a monitor at the end of stage t. */
   double
   displacement(const SceneRun &run,
@@ -49,38 +47,6 @@ namespace
     for (const double value : values)
       result += value;
     return result;
-  }
-
-  Json
-  body(const char *stage = nullptr, const double nu = 0.)
-  {
-    Json result = {{"Young modulus", E}, {"Poisson ratio", nu}, {"Weight density", weight}};
-    if (stage)
-      result["Built at stage"] = stage;
-    return result;
-  }
-
-  Json
-  joint(const char *name, const char *plus, const char *minus, const double f = 0.5)
-  {
-    return {{"Line", name},
-            {"Plus body", plus},
-            {"Minus body", minus},
-            {"Normal compliance", rho},
-            {"Shear compliance", rho},
-            {"Friction coefficient", f}};
-  }
-
-  Json
-  common()
-  {
-    Json p;
-    p["Boundaries"]["bottom"] = {{"Fixed", "all"}};
-    for (const char *name : {"top", "left", "right"})
-      p["Boundaries"][name] = {{"Fixed", "free"}};
-    p["Loads"]["weight"] = {{"Type", "weight"}};
-    p["Output"]          = {{"Log", "quiet"}, {"Fields", "never"}};
-    return p;
   }
 
   /** The same, one element and 1 m deep between free faces; y remains vertical. */

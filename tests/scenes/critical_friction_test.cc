@@ -31,26 +31,16 @@ namespace
       for (const auto &corner :
            {std::array<double, 2>{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}})
         mesh.vertices.push_back({{x + corner[0], corner[1], 0.}});
-    const auto add = [](std::vector<MeshEntity> &list,
-                        const CellShape shape,
-                        const int tag,
-                        const std::array<unsigned int, 8> &vertices) {
-      MeshEntity entity;
-      entity.shape        = shape;
-      entity.physical_tag = tag;
-      entity.vertices     = vertices;
-      list.push_back(entity);
-    };
-    add(mesh.cells, CellShape::quadrilateral, 1, {{0, 1, 2, 3}});
-    add(mesh.cells, CellShape::quadrilateral, 1, {{4, 5, 6, 7}});
-    add(mesh.faces, CellShape::line, 2, {{0, 1}});
-    add(mesh.faces, CellShape::line, 3, {{7, 4}});
-    add(mesh.faces, CellShape::line, 5, {{4, 5}});
-    add(mesh.faces, CellShape::line, 5, {{5, 6}});
-    add(mesh.faces, CellShape::line, 5, {{6, 7}});
-    add(mesh.faces, CellShape::line, 3, {{3, 0}});
-    add(mesh.faces, CellShape::line, 3, {{2, 3}});
-    add(mesh.faces, CellShape::line, 4, {{1, 2}});
+    mesh.cells.push_back({CellShape::quadrilateral, {{0, 1, 2, 3}}, 1});
+    mesh.cells.push_back({CellShape::quadrilateral, {{4, 5, 6, 7}}, 1});
+    mesh.faces.push_back({CellShape::line, {{0, 1}}, 2});
+    mesh.faces.push_back({CellShape::line, {{7, 4}}, 3});
+    mesh.faces.push_back({CellShape::line, {{4, 5}}, 5});
+    mesh.faces.push_back({CellShape::line, {{5, 6}}, 5});
+    mesh.faces.push_back({CellShape::line, {{6, 7}}, 5});
+    mesh.faces.push_back({CellShape::line, {{3, 0}}, 3});
+    mesh.faces.push_back({CellShape::line, {{2, 3}}, 3});
+    mesh.faces.push_back({CellShape::line, {{1, 2}}, 4});
     return write_mesh(mesh);
   }
 

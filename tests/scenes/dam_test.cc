@@ -48,30 +48,20 @@ namespace
           const double y = height * j / n_y, s = double(i) / n_x;
           mesh.vertices.push_back({{(1. - s) * upstream(y) + s * downstream(y), y, 0.}});
         }
-    const auto add = [](std::vector<MeshEntity> &list,
-                        const CellShape shape,
-                        const int tag,
-                        const std::array<unsigned int, 8> &vertices) {
-      MeshEntity entity;
-      entity.shape        = shape;
-      entity.physical_tag = tag;
-      entity.vertices     = vertices;
-      list.push_back(entity);
-    };
     for (int j = 0; j < n_y; ++j)
       {
-        add(mesh.faces, CellShape::line, 4, {{vertex(0, j), vertex(0, j + 1)}});
-        add(mesh.faces, CellShape::line, 5, {{vertex(n_x, j), vertex(n_x, j + 1)}});
+        mesh.faces.push_back({CellShape::line, {{vertex(0, j), vertex(0, j + 1)}}, 4});
+        mesh.faces.push_back({CellShape::line, {{vertex(n_x, j), vertex(n_x, j + 1)}}, 5});
         for (int i = 0; i < n_x; ++i)
-          add(mesh.cells,
-              CellShape::quadrilateral,
-              1,
-              {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
+          mesh.cells.push_back(
+            {CellShape::quadrilateral,
+             {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}},
+             1});
       }
     for (int i = 0; i < n_x; ++i)
       {
-        add(mesh.faces, CellShape::line, 2, {{vertex(i, 0), vertex(i + 1, 0)}});
-        add(mesh.faces, CellShape::line, 3, {{vertex(i, n_y), vertex(i + 1, n_y)}});
+        mesh.faces.push_back({CellShape::line, {{vertex(i, 0), vertex(i + 1, 0)}}, 2});
+        mesh.faces.push_back({CellShape::line, {{vertex(i, n_y), vertex(i + 1, n_y)}}, 3});
       }
     return write_mesh(mesh);
   }

@@ -25,22 +25,12 @@ namespace
       {{2, 1}, "block"}, {{1, 2}, "base"}, {{1, 3}, "top"}, {{1, 4}, "sides"}, {{0, 5}, "corner"}};
     for (const auto &corner : {std::array<double, 2>{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}})
       mesh.vertices.push_back({{corner[0], corner[1], 0.}});
-    const auto add = [](std::vector<MeshEntity> &list,
-                        const CellShape shape,
-                        const int tag,
-                        const std::array<unsigned int, 8> &vertices) {
-      MeshEntity entity;
-      entity.shape        = shape;
-      entity.physical_tag = tag;
-      entity.vertices     = vertices;
-      list.push_back(entity);
-    };
-    add(mesh.cells, CellShape::quadrilateral, 1, {{0, 1, 2, 3}});
-    add(mesh.faces, CellShape::line, 2, {{0, 1}});
-    add(mesh.faces, CellShape::line, 3, {{2, 3}});
-    add(mesh.faces, CellShape::line, 4, {{1, 2}});
-    add(mesh.faces, CellShape::line, 4, {{3, 0}});
-    add(mesh.points, CellShape::point, 5, {{0}});
+    mesh.cells.push_back({CellShape::quadrilateral, {{0, 1, 2, 3}}, 1});
+    mesh.faces.push_back({CellShape::line, {{0, 1}}, 2});
+    mesh.faces.push_back({CellShape::line, {{2, 3}}, 3});
+    mesh.faces.push_back({CellShape::line, {{1, 2}}, 4});
+    mesh.faces.push_back({CellShape::line, {{3, 0}}, 4});
+    mesh.points.push_back({CellShape::point, {{0}}, 5});
     return write_mesh(mesh);
   }
 } // namespace

@@ -32,28 +32,18 @@ namespace
     for (int j = 0; j <= n_y; ++j)
       for (int i = 0; i <= n; ++i)
         mesh.vertices.push_back({{double(i) / n - 0.5, double(j) / n, 0.}});
-    const auto add = [](std::vector<MeshEntity> &list,
-                        const CellShape shape,
-                        const int tag,
-                        const std::array<unsigned int, 8> &vertices) {
-      MeshEntity entity;
-      entity.shape        = shape;
-      entity.physical_tag = tag;
-      entity.vertices     = vertices;
-      list.push_back(entity);
-    };
     for (int j = 0; j < n_y; ++j)
       for (const int i : {0, n})
-        add(mesh.faces, CellShape::line, 4, {{vertex(i, j), vertex(i, j + 1)}});
+        mesh.faces.push_back({CellShape::line, {{vertex(i, j), vertex(i, j + 1)}}, 4});
     for (int i = 0; i < n; ++i)
       {
         for (int j = 0; j < n_y; ++j)
-          add(mesh.cells,
-              CellShape::quadrilateral,
-              1,
-              {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
-        add(mesh.faces, CellShape::line, 2, {{vertex(i, 0), vertex(i + 1, 0)}});
-        add(mesh.faces, CellShape::line, 3, {{vertex(i, n_y), vertex(i + 1, n_y)}});
+          mesh.cells.push_back(
+            {CellShape::quadrilateral,
+             {{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}},
+             1});
+        mesh.faces.push_back({CellShape::line, {{vertex(i, 0), vertex(i + 1, 0)}}, 2});
+        mesh.faces.push_back({CellShape::line, {{vertex(i, n_y), vertex(i + 1, n_y)}}, 3});
       }
     return write_mesh(mesh);
   }
