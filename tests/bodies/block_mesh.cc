@@ -5,8 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace fuga::test
 {
+  double
+  strain_energy(const CondensedSystem<2> &system, const dealii::Vector<double> &u)
+  {
+    const Vector of_cells = system.cell_energies(system.discretization().by_nodes(u));
+    return std::accumulate(of_cells.begin(), of_cells.end(), 0.);
+  }
+
+
   Vector
   apply_jump_operator(const CondensedSystem<2> &system, const Vector &x)
   {

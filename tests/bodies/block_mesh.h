@@ -175,6 +175,10 @@ namespace fuga::test
     system.set_load_patterns(std::move(patterns));
   }
 
+  /** Of all bodies. */
+  double
+  strain_energy(const CondensedSystem<2> &system, const dealii::Vector<double> &u);
+
   /** The elements of a parametrised test. */
   struct Kind
   {

@@ -4,6 +4,7 @@
 #include "block_mesh.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/bodies/loads/uplift_assembly.h>
 #include <fuga/bodies/program/load_program.h>
 #include <gtest/gtest.h>
 
@@ -165,7 +166,7 @@ TEST_P(WaterInJoint, opening)
   EXPECT_GE(sum[0], force * (1. - 1e-12));
   EXPECT_LE(sum[0], force * (1. + excess));
   EXPECT_NEAR(sum[1], force * (length - wet / 3.), excess * force * length);
-  EXPECT_EQ(system.levels_of_kinks(0), (std::vector<double>{bottom, top}));
+  EXPECT_EQ(system.uplift(0).levels_of_kinks(), (std::vector<double>{bottom, top}));
 }
 
 

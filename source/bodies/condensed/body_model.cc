@@ -151,29 +151,13 @@ namespace fuga
     timer.restart();
     const LoadDefinition &load = model.loads.at(number);
     LoadPattern pattern        = load.kind == LoadKind::uplift
-                                   ? assemble_uplift(number, levels_of_water(load, model.constants, t))
+                                   ? uplift(number).assemble(levels_of_water(load, model.constants, t))
                                    : LoadAssembly<dim>(*space, mesh, model, fixed).assemble(load, t);
     pattern.number_of_load     = number;
     if (load.kind == LoadKind::imposed_gap)
       pattern.jumps = imposed_gap<dim>(load, model.constants, t, mesh, *bars);
     timer.finish("loads");
     return pattern;
-  }
-
-
-  template <int dim>
-  LoadPattern
-  BodyModel<dim>::assemble_uplift(const std::size_t number, const WaterLevels &levels) const
-  {
-    return uplift(number).assemble(levels);
-  }
-
-
-  template <int dim>
-  std::vector<double>
-  BodyModel<dim>::levels_of_kinks(const std::size_t number) const
-  {
-    return uplift(number).levels_of_kinks();
   }
 
 
@@ -186,19 +170,6 @@ namespace fuga
       uplifts[number] =
         std::make_unique<UpliftAssembly<dim>>(model.loads[number], *space, *geometry, *bars, mesh);
     return *uplifts[number];
-  }
-
-
-  template <int dim>
-  std::vector<std::string>
-  BodyModel<dim>::ways_of_water() const
-  {
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < model.loads.size(); ++i)
-      if (model.loads[i].kind == LoadKind::uplift)
-        for (const std::string &line : uplift(i).way().report())
-          result.push_back(line);
-    return result;
   }
 
 
@@ -305,25 +276,13 @@ namespace fuga
         std::fill(of_node, of_node + dim, *std::max_element(of_node, of_node + dim));
       }
     loads.resize(space->n_dofs(), 0.);
-    Vector contact(space->n_dofs(), 0.);
-    bars->add_forces(1., p, contact);
     for (Vector *forces : {&elastic, &terms, &loads})
       space->hanging_nodes().move_to_masters(*forces);
 
     const EquilibriumError error =
-      equilibrium_error(elastic, terms, contact, loads, scale, fixed, *pieces);
+      equilibrium_error(elastic, terms, bar_forces(p), loads, scale, fixed, *pieces);
     timer.finish("equilibrium check");
     return error;
-  }
-
-
-  template <int dim>
-  dealii::Vector<double>
-  BodyModel<dim>::nodal_forces(const dealii::Vector<double> &u) const
-  {
-    Vector forces = bodies->forces(space->by_nodes(u));
-    space->hanging_nodes().move_to_masters(forces);
-    return by_degrees_of_freedom(forces);
   }
 
 
@@ -332,14 +291,6 @@ namespace fuga
   BodyModel<dim>::jumps(const dealii::Vector<double> &u) const
   {
     return bars->jumps(space->by_nodes(u));
-  }
-
-
-  template <int dim>
-  double
-  BodyModel<dim>::bulk_energy(const dealii::Vector<double> &u) const
-  {
-    return bodies->energy(space->by_nodes(u));
   }
 
 

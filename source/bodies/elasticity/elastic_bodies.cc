@@ -280,15 +280,6 @@ namespace fuga
 
 
   template <int dim>
-  double
-  ElasticBodies<dim>::energy(const Vector &u) const
-  {
-    const Vector of_cells = cell_energies(u);
-    return std::accumulate(of_cells.begin(), of_cells.end(), 0.);
-  }
-
-
-  template <int dim>
   Vector
   ElasticBodies<dim>::cell_energies(const Vector &u) const
   {

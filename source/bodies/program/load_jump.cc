@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/bodies/loads/level_history.h>
+#include <fuga/bodies/loads/uplift_assembly.h>
 #include <fuga/bodies/program/load_jump.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ namespace fuga
         return {};
       constexpr double nowhere = -1e100;
       const auto acts          = [&](const WaterLevels &alone) {
-        const LoadPattern pattern = system.assemble_uplift(load, alone);
+        const LoadPattern pattern = system.uplift(load).assemble(alone);
         const auto is_any         = [](const Vector &values) {
           return std::any_of(
             values.begin(), values.end(), [](const double value) { return value != 0.; });

@@ -4,6 +4,7 @@
 #include <fuga/base/errors.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/loads/depth_pressure.h>
+#include <fuga/bodies/loads/uplift_assembly.h>
 #include <fuga/bodies/model_names.h>
 #include <fuga/bodies/program/load_jump.h>
 #include <fuga/bodies/program/load_knots.h>
@@ -174,7 +175,7 @@ namespace fuga
       std::vector<std::vector<double>> kinks(model.loads.size());
       for (std::size_t i = 0; i < kinks.size(); ++i)
         if (model.loads[i].kind == LoadKind::uplift)
-          kinks[i] = system.levels_of_kinks(i);
+          kinks[i] = system.uplift(i).levels_of_kinks();
         else if (model.loads[i].kind == LoadKind::depth_pressure)
           kinks[i] =
             levels_of_kinks(system.discretization(),
@@ -199,8 +200,10 @@ namespace fuga
     for (std::size_t s = 0; s < model.stages.size(); ++s)
       for (unsigned int i = 1; i <= model.stages[s].levels; ++i)
         levels.push_back(static_cast<double>(s) + static_cast<double>(i) / model.stages[s].levels);
-    for (const std::string &line : system.ways_of_water())
-      report.push_back(line);
+    for (std::size_t i = 0; i < model.loads.size(); ++i)
+      if (model.loads[i].kind == LoadKind::uplift)
+        for (const std::string &line : system.uplift(i).way().report())
+          report.push_back(line);
     return {std::move(loads.patterns),
             std::move(loads.sources),
             history_of(model, factors.corners, std::move(loads.values)),

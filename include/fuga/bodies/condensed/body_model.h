@@ -52,10 +52,6 @@ namespace fuga
 
     ~BodyModel();
 
-    /** One line per uplift and way of its water. */
-    std::vector<std::string>
-    ways_of_water() const;
-
     /** Contact elements with their geometry; gaps and laws are for others to fill in. */
     const std::vector<ContactElement> &
     elements() const;
@@ -74,10 +70,6 @@ namespace fuga
       return faces;
     }
 
-    /** UpliftAssembly::levels_of_kinks() of load @p number. */
-    std::vector<double>
-    levels_of_kinks(const std::size_t number) const;
-
     const JointGeometry<dim> &
     joint_geometry() const
     {
@@ -88,9 +80,9 @@ namespace fuga
     LoadPattern
     assemble_load(const std::size_t number, const double t) const;
 
-    /** The pattern of load @p number, an uplift, were its levels these. */
-    LoadPattern
-    assemble_uplift(const std::size_t number, const WaterLevels &levels) const;
+    /** The assembly of load @p number, which is an uplift. */
+    const UpliftAssembly<dim> &
+    uplift(const std::size_t number) const;
 
     /** @throws InputError for a settlement that tears the two sides of a joint apart. */
     void
@@ -103,21 +95,11 @@ namespace fuga
     Vector
     bar_forces(const Vector &p) const;
 
-    /** Nodal forces K u, numbered as u: reactions at the supports, minus the bar forces at the
-     * lips.
-     */
-    dealii::Vector<double>
-    nodal_forces(const dealii::Vector<double> &u) const;
-
     /** Jump of every bar. */
     Vector
     jumps(const dealii::Vector<double> &u) const;
 
-    /** Strain energy of the bodies. */
-    double
-    bulk_energy(const dealii::Vector<double> &u) const;
-
-    /** That of every cell; u by nodes, entry node * dim + component. */
+    /** Strain energy of every cell; u by nodes, entry node * dim + component. */
     Vector
     cell_energies(const Vector &u) const;
 
@@ -232,10 +214,6 @@ namespace fuga
 
     void
     check_settlement(const Vector &prescribed) const;
-
-    /** The assembly of load @p number, which is an uplift. */
-    const UpliftAssembly<dim> &
-    uplift(const std::size_t number) const;
 
     const JointedMesh &mesh;
     const ModelDefinition &model;

@@ -51,11 +51,7 @@ namespace fuga
     Vector
     forces(const Vector &u, Vector &terms) const;
 
-    /** ½ uᵀ K u. */
-    double
-    energy(const Vector &u) const;
-
-    /** The same, cell by cell. */
+    /** Strain energy ½ uᵀ K u of every cell. */
     Vector
     cell_energies(const Vector &u) const;
 
