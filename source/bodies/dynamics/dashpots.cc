@@ -37,10 +37,8 @@ namespace fuga
     const std::vector<Impedances> of_bodies = impedances(model);
     const std::vector<bool> selected = selection(model.jointed_mesh().label_names, boundaries);
     Dashpots<dim> result;
-    for (const auto &face : space.boundary_faces())
+    for (const auto &face : space.boundary_faces(selected))
       {
-        if (face.label == JointedMesh::no_label || !selected[face.label])
-          continue;
         const Impedances &of_body = of_bodies[space.cell_body(face.cell)];
         const FaceMap<dim> map(space, face);
         const auto &table = space.reference_element().face(face.number);

@@ -33,19 +33,18 @@ namespace fuga
     const std::vector<bool> selected =
       selection(model.jointed_mesh().label_names, model.definition().dynamics.free_field.names);
     std::vector<std::vector<Face>> faces;
-    for (const Face &face : space.boundary_faces())
-      if (face.label != JointedMesh::no_label && selected[face.label])
-        {
-          const auto is_beside = [&](const std::vector<Face> &others) {
-            return std::abs(space.face_center(face)[0] - space.face_center(others.front())[0]) <
-                   same_place * space.face_length(face);
-          };
-          const auto found = std::find_if(faces.begin(), faces.end(), is_beside);
-          if (found == faces.end())
-            faces.push_back({face});
-          else
-            found->push_back(face);
-        }
+    for (const Face &face : space.boundary_faces(selected))
+      {
+        const auto is_beside = [&](const std::vector<Face> &others) {
+          return std::abs(space.face_center(face)[0] - space.face_center(others.front())[0]) <
+                 same_place * space.face_length(face);
+        };
+        const auto found = std::find_if(faces.begin(), faces.end(), is_beside);
+        if (found == faces.end())
+          faces.push_back({face});
+        else
+          found->push_back(face);
+      }
     for (std::vector<Face> &of_side : faces)
       {
         std::sort(of_side.begin(), of_side.end(), [&](const Face &a, const Face &b) {

@@ -39,14 +39,12 @@ namespace fuga
                         const ModelDefinition &model)
   {
     const DynamicsDefinition &dynamics = model.dynamics;
-    const std::vector<bool> absorbs    = selection(mesh.label_names, dynamics.absorbing.names);
     const std::vector<bool> is_base    = selection(mesh.label_names, dynamics.compliant_base.names);
     const std::vector<bool> is_side    = selection(mesh.label_names, dynamics.free_field.names);
     const Vector density               = mass_densities(mesh, model);
-    for (const auto &face : discretization.boundary_faces())
+    for (const auto &face :
+         discretization.boundary_faces(selection(mesh.label_names, dynamics.absorbing.names)))
       {
-        if (face.label == JointedMesh::no_label || !absorbs[face.label])
-          continue;
         const unsigned int body = discretization.cell_body(face.cell);
         if (density[body] == 0.)
           throw InputError(fmt::format(

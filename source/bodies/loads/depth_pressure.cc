@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -54,10 +55,8 @@ namespace fuga
   {
     const double root =
       pressure.root * std::sqrt(std::max(level - pressure.bottom, 0.)); // r √H, times √d
-    for (const auto &face : space.boundary_faces())
+    for (const auto &face : space.boundary_faces(loaded))
       {
-        if (face.label == JointedMesh::no_label || !loaded[face.label])
-          continue;
         const FaceMap<dim> map(space, face);
         const double length = space.face_length(face);
         const Vector y      = map.heights();
@@ -99,29 +98,30 @@ namespace fuga
 
   template <int dim>
   std::vector<double>
-  levels_of_kinks(const Discretization<dim> &space, const std::vector<bool> &loaded)
+  levels_of_kinks(const Discretization<dim> &space,
+                  const std::vector<typename Discretization<dim>::BoundaryFace> &faces,
+                  std::vector<double> others)
   {
-    std::vector<double> flat, ends;
-    for (const auto &face : space.boundary_faces())
-      if (face.label != JointedMesh::no_label && loaded[face.label])
-        {
-          const Vector y = FaceMap<dim>(space, face).heights();
-          ends.insert(ends.end(), y.begin(), y.end());
-          const auto [least, most] = std::minmax_element(y.begin(), y.end());
-          if (*most - *least <= height_tolerance * space.face_length(face))
-            flat.push_back(y[0]);
-        }
-    if (ends.empty())
+    if (faces.empty())
       return {};
-    const auto [lowest, highest] = std::minmax_element(ends.begin(), ends.end());
-    const double tolerance       = height_tolerance * (*highest - *lowest);
-    flat.insert(flat.end(), {*lowest, *highest});
-    std::sort(flat.begin(), flat.end());
-    flat.erase(std::unique(flat.begin(),
-                           flat.end(),
-                           [&](const double a, const double b) { return b - a <= tolerance; }),
-               flat.end());
-    return flat;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double lowest = infinity, highest = -infinity;
+    for (const auto &face : faces)
+      {
+        const Vector y           = FaceMap<dim>(space, face).heights();
+        const auto [least, most] = std::minmax_element(y.begin(), y.end());
+        if (*most - *least <= height_tolerance * space.face_length(face))
+          others.push_back(*least);
+        lowest  = std::min(lowest, *least);
+        highest = std::max(highest, *most);
+      }
+    others.insert(others.end(), {lowest, highest});
+    std::sort(others.begin(), others.end());
+    const auto are_alike = [&](const double a, const double b) {
+      return b - a <= std::max(height_tolerance * (highest - lowest), 1e-12 * std::abs(b));
+    };
+    others.erase(std::unique(others.begin(), others.end(), are_alike), others.end());
+    return others;
   }
 
 
@@ -132,7 +132,9 @@ namespace fuga
                      const std::vector<bool> &,
                      Vector &);
   template std::vector<double>
-  levels_of_kinks(const Discretization<2> &, const std::vector<bool> &);
+  levels_of_kinks(const Discretization<2> &,
+                  const std::vector<Discretization<2>::BoundaryFace> &,
+                  std::vector<double>);
   template void
   add_depth_pressure(const Discretization<3> &,
                      const DepthPressure &,
@@ -140,5 +142,7 @@ namespace fuga
                      const std::vector<bool> &,
                      Vector &);
   template std::vector<double>
-  levels_of_kinks(const Discretization<3> &, const std::vector<bool> &);
+  levels_of_kinks(const Discretization<3> &,
+                  const std::vector<Discretization<3>::BoundaryFace> &,
+                  std::vector<double>);
 } // namespace fuga

@@ -206,11 +206,9 @@ namespace fuga
                                       const FieldExpression<dim> &intensity,
                                       Vector &forces) const
   {
-    const std::vector<bool> loaded = selection(mesh.label_names, load.targets);
-    for (const auto &face : discretization.boundary_faces())
+    for (const auto &face :
+         discretization.boundary_faces(selection(mesh.label_names, load.targets)))
       {
-        if (face.label == JointedMesh::no_label || !loaded[face.label])
-          continue;
         const auto &table = discretization.reference_element().face(face.number);
         const FaceMap<dim> map(discretization, face);
         for (std::size_t q = 0; q < table.weight.size(); ++q)

@@ -3,11 +3,12 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <fuga/bodies/loads/depth_pressure.h>
 #include <fuga/bodies/loads/uplift_assembly.h>
 #include <fuga/bodies/space/node_cells_on_face.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace fuga
 {
@@ -40,7 +41,9 @@ namespace fuga
   void
   UpliftAssembly<dim>::find_extents()
   {
-    std::vector<std::size_t> number(bars.elements().size(), bars.elements().size());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::size_t none    = bars.elements().size();
+    std::vector<std::size_t> number(none, none);
     const unsigned int degree = discretization.reference_element().scalar_element().degree;
     for (std::size_t f = 0; f < maps.size(); ++f)
       {
@@ -50,33 +53,31 @@ namespace fuga
         for (std::size_t k = 0; k < cells.size(); ++k)
           for (const auto &share : elements[f][k])
             {
-              std::size_t &i   = number[share.first];
-              const bool first = i == number.size();
-              if (first)
+              std::size_t &i = number[share.first];
+              if (i == none)
                 {
                   i = extents.size();
-                  extents.push_back({share.first, face.way, {}, 0., 0.});
+                  extents.push_back(
+                    {share.first, face.way, {infinity, -infinity}, infinity, -infinity});
                 }
               Extent &extent = extents[i];
-              bool any       = !first;
               for (const FacePoint &at : cells[k])
                 {
                   const double s = maps[f].interpolate(face.along, at),
                                c = maps[f].interpolate(face.across, at),
                                y = maps[f].interpolate(heights, at);
-                  if (!any || s < extent.reach.begin)
+                  if (s < extent.reach.begin)
                     {
                       extent.reach.begin           = s;
                       extent.reach.height_at_begin = y;
                     }
-                  if (!any || s > extent.reach.end)
+                  if (s > extent.reach.end)
                     {
                       extent.reach.end           = s;
                       extent.reach.height_at_end = y;
                     }
-                  extent.across_begin = any ? std::min(extent.across_begin, c) : c;
-                  extent.across_end   = any ? std::max(extent.across_end, c) : c;
-                  any                 = true;
+                  extent.across_begin = std::min(extent.across_begin, c);
+                  extent.across_end   = std::max(extent.across_end, c);
                 }
             }
       }
@@ -139,6 +140,14 @@ namespace fuga
           result.back().source = access[extent.element];
         }
     return result;
+  }
+
+
+  template <int dim>
+  WaterLine
+  UpliftAssembly<dim>::water_line(const std::size_t way, std::vector<WaterReach> open) const
+  {
+    return {load.uplift, load.depth.gradient, its_way.ways()[way], std::move(open)};
   }
 
 
@@ -238,13 +247,7 @@ namespace fuga
         const auto key        = std::make_pair(way, access.empty() ? 0. : line.across);
         auto water            = known.find(key);
         if (water == known.end())
-          water = known
-                    .emplace(key,
-                             WaterLine(load.uplift,
-                                       load.depth.gradient,
-                                       its_way.ways()[way],
-                                       reaches(access, way, line.across)))
-                    .first;
+          water = known.emplace(key, water_line(way, reaches(access, way, line.across))).first;
         add_line(line, water->second, levels, result);
       }
     return result;
@@ -261,8 +264,8 @@ namespace fuga
                ? forces_by_elements(access, levels)
                : integrate(plain_lines, access, levels);
     std::vector<double> corners;
-    for (const WayOfWater &way : its_way.ways())
-      for (const double corner : WaterLine(load.uplift, load.depth.gradient, way, {}).corners())
+    for (std::size_t way = 0; way < its_way.ways().size(); ++way)
+      for (const double corner : water_line(way, {}).corners())
         corners.push_back(corner);
     return integrate(make_lines(corners, levels), {}, levels);
   }
@@ -279,10 +282,9 @@ namespace fuga
       of_one_water.push_back({both.*level, both.*level});
     for (const Line &line : make_lines({}, of_one_water))
       {
-        const WayOfWater &way = its_way.ways()[its_way.faces()[line.face].way];
-        const WaterReach whole{0., way.length, 0., 0., WaterAccess::downstream};
-        add_line(
-          line, WaterLine(load.uplift, load.depth.gradient, way, {whole}), of_one_water, result);
+        const std::size_t way = its_way.faces()[line.face].way;
+        const WaterReach whole{0., its_way.ways()[way].length, 0., 0., WaterAccess::downstream};
+        add_line(line, water_line(way, {whole}), of_one_water, result);
       }
     return result;
   }
@@ -332,27 +334,13 @@ namespace fuga
   std::vector<double>
   UpliftAssembly<dim>::levels_of_kinks() const
   {
-    std::vector<double> kinks;
-    double lowest = 0., highest = 0.;
-    for (std::size_t f = 0; f < maps.size(); ++f)
-      {
-        const Vector y         = maps[f].heights();
-        const auto [low, high] = std::minmax_element(y.begin(), y.end());
-        if (*high - *low <= 1e-9 * discretization.face_length(its_way.faces()[f].face->boundary))
-          kinks.push_back(*low);
-        lowest  = f == 0 ? *low : std::min(lowest, *low);
-        highest = f == 0 ? *high : std::max(highest, *high);
-      }
-    kinks.insert(kinks.end(), {lowest, highest});
+    std::vector<typename Discretization<dim>::BoundaryFace> faces;
+    for (const auto &face : its_way.faces())
+      faces.push_back(face.face->boundary);
+    std::vector<double> upstream_heights;
     for (const auto &way : its_way.ways())
-      kinks.push_back(way.upstream_height);
-    std::sort(kinks.begin(), kinks.end());
-    kinks.erase(
-      std::unique(kinks.begin(),
-                  kinks.end(),
-                  [](const double a, const double b) { return b - a <= 1e-12 * std::abs(b); }),
-      kinks.end());
-    return kinks;
+      upstream_heights.push_back(way.upstream_height);
+    return fuga::levels_of_kinks(discretization, faces, std::move(upstream_heights));
   }
 
 

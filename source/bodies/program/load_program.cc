@@ -177,9 +177,9 @@ namespace fuga
         if (model.loads[i].kind == LoadKind::uplift)
           kinks[i] = system.uplift(i).levels_of_kinks();
         else if (model.loads[i].kind == LoadKind::depth_pressure)
-          kinks[i] =
-            levels_of_kinks(system.discretization(),
-                            selection(system.jointed_mesh().label_names, model.loads[i].targets));
+          kinks[i] = levels_of_kinks(system.discretization(),
+                                     system.discretization().boundary_faces(selection(
+                                       system.jointed_mesh().label_names, model.loads[i].targets)));
       return {model, std::move(kinks)};
     }
   } // namespace

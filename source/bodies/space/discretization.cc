@@ -102,6 +102,19 @@ namespace fuga
 
 
   template <int dim>
+  auto
+  Discretization<dim>::boundary_faces(const std::vector<bool> &marked) const
+    -> std::vector<BoundaryFace>
+  {
+    std::vector<BoundaryFace> result;
+    for (const BoundaryFace &face : outer_faces)
+      if (face.label != JointedMesh::no_label && marked[face.label])
+        result.push_back(face);
+    return result;
+  }
+
+
+  template <int dim>
   double
   Discretization<dim>::face_length(const BoundaryFace &face) const
   {

@@ -25,13 +25,16 @@ namespace fuga
                      Vector &forces);
 
   /**
-   * The levels at which the nodal forces change otherwise than smoothly with the level, in
-   * increasing order: the lowest and the highest place of the marked boundaries, and every
-   * horizontal face, which gets wet at once.
+   * The levels at which the nodal forces of water on these faces change otherwise than smoothly
+   * with the level, in increasing order: the lowest and the highest place of the faces, every
+   * horizontal
+   * one, which gets wet at once, and the @p others. Without faces there are none.
    */
   template <int dim>
   std::vector<double>
-  levels_of_kinks(const Discretization<dim> &discretization, const std::vector<bool> &loaded);
+  levels_of_kinks(const Discretization<dim> &discretization,
+                  const std::vector<typename Discretization<dim>::BoundaryFace> &faces,
+                  std::vector<double> others = {});
 } // namespace fuga
 
 #endif

@@ -102,6 +102,10 @@ namespace fuga
             const std::size_t way,
             const double across) const;
 
+    /** Pressures on a way in which these reaches are open. */
+    WaterLine
+    water_line(const std::size_t way, std::vector<WaterReach> open) const;
+
     /** Adds ∫ N u dA along one line. */
     void
     add_line(const Line &line,

@@ -233,6 +233,10 @@ namespace fuga
       return outer_faces;
     }
 
+    /** Those whose label is @p marked, see fuga::selection(). */
+    std::vector<BoundaryFace>
+    boundary_faces(const std::vector<bool> &marked) const;
+
     /** Node @p k of a boundary face, in the order of ReferenceElement::Face. */
     unsigned int
     face_node(const BoundaryFace &face, const std::size_t k) const
