@@ -57,7 +57,6 @@ namespace
     bool restart           = false;
     bool quiet             = false;
     bool print_parameters  = false;
-    bool print_version     = false;
   };
 
   /** A line on a terminal that is gone when this object ends. */
@@ -76,8 +75,6 @@ namespace
     }
 
     PassingLine(const PassingLine &) = delete;
-    PassingLine &
-    operator=(const PassingLine &) = delete;
 
   private:
     void
@@ -122,16 +119,16 @@ namespace
     app.add_flag("--print-parameters",
                  line.print_parameters,
                  "Print every entry with its meaning and default");
-    app.add_flag("--version", line.print_version, "Print versions");
+    app.set_version_flag("--version",
+                         fmt::format("fuga {} (deal.II {})", version, DEAL_II_PACKAGE_VERSION),
+                         "Print versions");
     app
       .add_subcommand("report", "Makes DIR/report.html and DIR/report_short.html of a finished run")
       ->add_option("DIR", line.reported_directory, "Directory of the results")
       ->required();
-    app.footer(
-      "Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
-      "(results up to there are "
-      "complete), 4 certificate above its bound, 5 a result file cannot be written, 130 or 143 "
-      "interrupted (Ctrl-C, SIGTERM).");
+    app.footer("Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
+               "(results up to there are complete), 4 certificate above its bound, 5 a result file "
+               "cannot be written, 130 or 143 interrupted (Ctrl-C, SIGTERM).");
   }
 
   Checkpoint
@@ -264,11 +261,6 @@ namespace
   int
   execute(const CommandLine &line)
   {
-    if (line.print_version)
-      {
-        fmt::print("fuga {} (deal.II {})\n", version, DEAL_II_PACKAGE_VERSION);
-        return 0;
-      }
     if (line.print_parameters)
       {
         fmt::print("{}", default_parameter_text());
