@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/work_counter.h>
+#include <fuga/output/warnings/motion_warnings.h>
 #include <fuga/run/simulation/simulation.h>
 
 #include <deal.II/lac/vector.h>
@@ -11,14 +12,6 @@
 
 namespace fuga
 {
-  namespace
-  {
-    /** Share of the largest energy that the integration in time should not take. */
-    constexpr double much_energy = 0.01;
-    /** Share that its terms should not leave unexplained: they are exact but for rounding. */
-    constexpr double much_lacking = 1e-8;
-  } // namespace
-
   template <int dim>
   void
   Simulation<dim>::began_motion()
@@ -155,12 +148,7 @@ namespace fuga
     std::size_t n_halved = 0;
     for (std::size_t i = 1; i < motion_steps.size(); ++i)
       n_halved += motion_steps[i];
-    const MotionLedger &e = motion_energies;
-    const auto share_of   = [&e](const double energy) {
-      return e.largest > 0. ? std::abs(energy) / e.largest : 0.;
-    };
-    const double numerical  = share_of(e.numerical);
-    const double lacking    = share_of(e.defect());
+    const MotionLedger &e   = motion_energies;
     const std::string &unit = parameters.output.units.energy();
     log.line(
       fmt::format("Motion      {} steps and {} shorter ones; work {:.6g} {}: kinetic {:.6g}, "
@@ -175,25 +163,10 @@ namespace fuga
                   e.damping,
                   e.joints,
                   e.numerical,
-                  numerical,
-                  lacking));
-    if (lacking > much_lacking)
-      log.warning(fmt::format("The ledger of energy lacks {:.2g} of the largest energy of the "
-                              "motion; usual is less than {:.2g}. Do not trust this motion.",
-                              lacking,
-                              much_lacking));
-    if (numerical > much_energy)
-      log.warning(
-        fmt::format("The integration in time takes or gives {:.2g} of the largest energy of the "
-                    "motion; usual is less than {:.2g}. "
-                    "{}Give a smaller Dynamics/Time step or Event tolerance.",
-                    numerical,
-                    much_energy,
-                    motion_steps.back() == 0
-                      ? ""
-                      : fmt::format("{} steps were as short as they may be, and longer than what "
-                                    "happened in the joints: allow more Dynamics/Halvings. ",
-                                    motion_steps.back())));
+                  e.share(e.numerical),
+                  e.share(e.defect())));
+    for (const std::string &warning : motion_warnings(e, motion_steps))
+      log.warning(warning);
   }
 
   template class Simulation<2>;

@@ -66,6 +66,13 @@ namespace fuga
       largest = std::max({largest, std::abs(work), kinetic, bodies, damping, std::abs(joints)});
     }
 
+    /** Of the largest energy. */
+    double
+    share(const double energy) const
+    {
+      return largest > 0. ? std::abs(energy) / largest : 0.;
+    }
+
     double
     defect() const
     {
