@@ -4,11 +4,15 @@
 #include "contact/toy_system.h"
 #include "known_answer.h"
 
+#include <fuga/base/interruption.h>
 #include <fuga/contact/rates/rate_problem.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
 
 using namespace fuga;
 using namespace fuga::tests;
@@ -62,6 +66,28 @@ namespace
     return counts;
   }
 } // namespace
+
+// The search for the rates of one event may take longer than anybody waits. In a process of its
+// own: a signal stays.
+TEST(RateProblemDeathTest, EndsWhenInterrupted)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const auto interrupted_search         = []() {
+    interruption::listen();
+    std::raise(SIGINT);
+    try
+      {
+        count_continuations(4.);
+      }
+    catch (const Interrupted &end)
+      {
+        std::cerr << end.what();
+        std::_Exit(interruption::exit_code());
+      }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(interrupted_search(), testing::ExitedWithCode(130), "states of the joints");
+}
 
 // Seven faces that open in six nearly parallel ways, the seventh as the first and the second less
 // the third: their equations depend on each other, however the scheme was reached. Exchanged one by

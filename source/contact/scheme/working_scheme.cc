@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/interruption.h>
 #include <fuga/base/numerics/accurate.h>
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/scheme/working_scheme.h>
@@ -234,6 +235,8 @@ namespace fuga
   std::optional<JointRates>
   WorkingScheme::rates(const Drive &drive, const Vector &imposed)
   {
+    // The search for the rates of one event may solve thousands of schemes.
+    interruption::check("while the next states of the joints were looked for");
     if (!bring_up_to_date())
       return {};
     const DenseMatrix &W = system.stiffness();
