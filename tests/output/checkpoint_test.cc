@@ -91,12 +91,12 @@ TEST(Archive, OtherKindsComeBack)
 TEST(Archive, Checkpoint)
 {
   Checkpoint checkpoint;
-  checkpoint.parameters           = {{"Bodies/a/Young modulus", "3060"}, {"Title", "фуга"}};
-  checkpoint.mesh                 = {12345, 0xfedcba98u};
-  checkpoint.cut.state.forces     = awkward_numbers();
-  checkpoint.cut.state.strengths  = {{0.1, 0.2, 0.3, 0.4}, {}};
-  checkpoint.cut.state.states     = {ContactState::stick, ContactState::slip_forward};
-  checkpoint.cut.scheme.exchanges = {
+  checkpoint.parameters          = {{"Bodies/a/Young modulus", "3060"}, {"Title", "фуга"}};
+  checkpoint.mesh                = {12345, 0xfedcba98u};
+  checkpoint.cut.state.forces    = awkward_numbers();
+  checkpoint.cut.state.strengths = {{0.1, 0.2, 0.3, 0.4}, {}};
+  checkpoint.cut.state.states    = {ContactState::stick, ContactState::slip_forward};
+  checkpoint.cut.memory.scheme.exchanges = {
     {7, {}},
     {RowExchange::none,
      {SchemeRow::Demand::layer, 3, 1, {{2., 0.1, -0.}}, {{1e300, 4., 0.}}, {{1., 0., 0.}}}}};
@@ -110,7 +110,8 @@ TEST(Archive, Checkpoint)
   const Checkpoint read        = stored(checkpoint);
   const archive::Json a = archive::encode(checkpoint), b = archive::encode(read);
   EXPECT_TRUE(archive::Json::to_cbor(a) == archive::Json::to_cbor(b));
-  EXPECT_EQ(read.cut.scheme.exchanges[1].appended, checkpoint.cut.scheme.exchanges[1].appended);
+  EXPECT_EQ(read.cut.memory.scheme.exchanges[1].appended,
+            checkpoint.cut.memory.scheme.exchanges[1].appended);
   EXPECT_EQ(read.cut.n_reports, 17u);
   EXPECT_FALSE(read.judge.on_track);
   EXPECT_EQ(read.log.warnings, checkpoint.log.warnings);

@@ -111,6 +111,17 @@ namespace fuga::tests
       }
   }
 
+  // How long steps along curves may be depends on what the path has stored and lost before.
+  TEST(MotionRestart, NonlinearLayer)
+  {
+    EXPECT_GT(restart_everywhere(block_on_joint(),
+                                 {"Joints/ground/Normal law=cubic root",
+                                  "Joints/ground/Thickness=1e-3",
+                                  "Joints/ground/Normal compliance=1e-3"},
+                                 12),
+              25u);
+  }
+
   // The columns of the free field go on as well.
   TEST(MotionRestart, FreeField)
   {

@@ -180,7 +180,7 @@ TEST(Skip, WhatNeverLeavesItsFirstState)
   path.run(model.loads.levels, watch);
   EXPECT_GE(watch.changing.size(), 3u);
   EXPECT_LT(watch.changing.size(), joint.elements.size());
-  const SchemeMemory &scheme = path.last_cut().scheme;
+  const SchemeMemory &scheme = path.last_cut().memory.scheme;
   EXPECT_FALSE(scheme.rows.empty());
   for (const auto *rows : {&scheme.rows, &scheme.factorised_rows})
     for (const SchemeRow &row : *rows)

@@ -99,20 +99,35 @@ namespace fuga
     return sum;
   }
 
+  IterationCount
+  DynamicPath::iterations() const
+  {
+    IterationCount sum = iteration_count; // before the motion
+    for (const std::unique_ptr<Rung> &one : rungs)
+      if (one)
+        {
+          const IterationCount count = one->path.iterations();
+          sum.n_solutions += count.n_solutions;
+          sum.n_iterations += count.n_iterations;
+          sum.max_in_one = std::max(sum.max_in_one, count.max_in_one);
+        }
+    return sum;
+  }
+
   PathResult
   DynamicPath::follow(const std::vector<double> &levels, ReportCounter &observer)
   {
     JointState state  = cut.state;
     PathResult result = cut.result;
     if (restart)
-      restore(*restart);
+      restore_motion(*restart);
     else
       begin(state);
     restart.reset();
     const auto cut_here = [&]() {
       make_cut(state, result, observer);
       if (observer.wants_cuts())
-        motion_cut = memory();
+        motion_cut = motion_memory();
     };
     RestWatch watch;
     const std::vector<double> reported = grid.until_rest ? std::vector<double>() : levels;
@@ -154,22 +169,18 @@ namespace fuga
   }
 
   MotionCut
-  DynamicPath::memory() const
+  DynamicPath::motion_memory() const
   {
     MotionCut result = {
       tick, bodies.memory(), ledger, steps_of_rung, slip_rates, length_before, largest_rate, {}};
     for (unsigned int number = 0; number < rungs.size(); ++number)
       if (rungs[number])
-        {
-          PathCut of_rung;
-          static_cast<const ContactPath &>(rungs[number]->path).remember_schemes(of_rung);
-          result.schemes.push_back({number, {of_rung.scheme, of_rung.background}});
-        }
+        result.rungs.push_back({number, rungs[number]->path.memory()});
     return result;
   }
 
   void
-  DynamicPath::restore(const MotionCut &motion)
+  DynamicPath::restore_motion(const MotionCut &motion)
   {
     tick = motion.tick;
     bodies.restore(motion.bodies);
@@ -178,13 +189,8 @@ namespace fuga
     slip_rates    = motion.slip_rates;
     length_before = motion.length_before;
     largest_rate  = motion.largest_rate;
-    for (const auto &[number, schemes] : motion.schemes)
-      {
-        PathCut of_rung;
-        of_rung.scheme     = schemes.first;
-        of_rung.background = schemes.second;
-        static_cast<ContactPath &>(rung(number).path).restore_schemes(of_rung);
-      }
+    for (const auto &[number, memory] : motion.rungs)
+      rung(number).path.restore(memory);
   }
 
   void

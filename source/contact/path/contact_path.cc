@@ -41,8 +41,8 @@ namespace fuga
   ContactPath::run(const std::vector<double> &levels, PathObserver &observer)
   {
     PathCut start;
-    start.state = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
-    remember_schemes(start);
+    start.state  = virgin_state(elements, system.n_bars(), system.water_in_joints() != nullptr);
+    start.memory = memory();
     return resume(start, levels, observer);
   }
 
@@ -53,8 +53,7 @@ namespace fuga
   {
     const work::Scope phase(work::Phase::path);
     cut = from;
-    restore_schemes(cut);
-    iteration_count = cut.iterations;
+    restore(cut.memory);
     return follow_from_cut(levels, observer);
   }
 
@@ -71,10 +70,11 @@ namespace fuga
   PathResult
   ContactPath::go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer)
   {
-    PathCut start = end;
-    remember_schemes(start);
-    start.resticking = {};
-    start.n_reports  = 0;
+    PathCut start           = end;
+    start.memory            = memory();
+    start.memory.iterations = end.memory.iterations;
+    start.resticking        = {};
+    start.n_reports         = 0;
     return resume(start, levels, observer);
   }
 
@@ -99,8 +99,7 @@ namespace fuga
       return;
     cut.state      = state;
     cut.result     = result;
-    cut.iterations = iteration_count;
-    remember_schemes(cut);
+    cut.memory     = memory();
     cut.next_level = next_level;
     cut.resticking = resticking;
   }

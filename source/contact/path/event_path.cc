@@ -38,20 +38,21 @@ namespace fuga
     return work;
   }
 
-  void
-  EventPath::remember_schemes(PathCut &of_cut) const
+  PathMemory
+  EventPath::memory() const
   {
-    of_cut.scheme = scheme.memory();
-    if (has_cones)
-      of_cut.background = rate_problem.background().memory();
+    return {iteration_count,
+            scheme.memory(),
+            has_cones ? rate_problem.background().memory() : SchemeMemory()};
   }
 
   void
-  EventPath::restore_schemes(const PathCut &from)
+  EventPath::restore(const PathMemory &memory)
   {
-    scheme.restore(from.scheme);
+    iteration_count = memory.iterations;
+    scheme.restore(memory.scheme);
     if (has_cones)
-      rate_problem.background().restore(from.background);
+      rate_problem.background().restore(memory.background);
   }
 
   PathResult
@@ -101,7 +102,7 @@ namespace fuga
           make_segment(course, {state, continuation.rates});
         const double length = find_end(*segment, course, levels, observer);
         if (scheme.is_nonlinear())
-          note_energy_lost({elements, system, boundary, scheme}, course, *segment, iteration_count);
+          note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
         state = report_piecewise(*segment, course, levels, next_level, observer);
         note_step(*segment, course, length, state, result);
         if (segment->ends_at_turning_point())

@@ -6,7 +6,6 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/layer_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +37,7 @@ namespace fuga
     , equilibrium(context, course, options, count)
     , taus{0.}
     , points{start}
+    , losses{0.}
     , functions{event_functions(0., start)}
     , largest_jump(jump_of(start))
     , determinant_sign(is_reduction() ? context.scheme.determinant_sign() : 0)
@@ -60,14 +60,16 @@ namespace fuga
     while (taus.back() < course.length)
       {
         const std::size_t a = taus.size() - 1;
-        const double tau    = course.length - taus[a] < 1.5 * step ? course.length : taus[a] + step;
-        Vector predicted    = points[a].state.dislocations;
+        check_number_of_steps(a, points[a].state.t);
+        const double tau = course.length - taus[a] < 1.5 * step ? course.length : taus[a] + step;
+        Vector predicted = points[a].state.dislocations;
         for (std::size_t i = 0; i < predicted.size(); ++i)
           predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
 
         std::optional<PathPoint> next = solve(tau, predicted);
+        double lost                   = 0.;
         const double defect           = next && !slips_back(points[a].state, next->state)
-                                          ? step_defect(points[a], *next, tau - taus[a])
+                                          ? step_defect(a, *next, tau - taus[a], lost)
                                           : no_boundary;
         if (defect > 1. && tau - taus[a] > shortest)
           {
@@ -81,7 +83,7 @@ namespace fuga
           }
         if (!next)
           give_up();
-        const std::size_t b = insert(tau, std::move(*next));
+        const std::size_t b = insert(tau, std::move(*next), lost);
         if (first_root(a, b) < no_boundary)
           {
             locate_end(a, b);
@@ -170,12 +172,12 @@ namespace fuga
     constexpr int max_divisions = 40;
     for (int i = 0; i < max_divisions && a + 1 < taus.size();)
       {
-        const double length = taus[a + 1] - taus[a];
-        const double defect =
-          energy_defect(context, course, points[a], points[a + 1], length, taus[a + 1], count);
-        const double middle = taus[a] + 0.5 * length;
+        const double length     = taus[a + 1] - taus[a];
+        const double middle     = taus[a] + 0.5 * length;
+        const StepEnergy energy = energy_behind(a);
+        losses[a + 1]           = energy.lost;
         std::optional<PathPoint> point;
-        if (defect > 1. && length > shortest)
+        if (energy_defect(energy, count) > 1. && length > shortest)
           {
             point = solve(middle, interpolate(a, middle));
             ++i;
@@ -202,16 +204,20 @@ namespace fuga
     taus.resize(a + 1);
     points.resize(a + 1);
     functions.resize(a + 1);
+    losses.resize(a + 1);
   }
 
   std::size_t
-  CurvedSegment::insert(const double tau, PathPoint &&point)
+  CurvedSegment::insert(const double tau, PathPoint &&point, const std::optional<double> &lost)
   {
     const auto place = std::upper_bound(taus.begin(), taus.end(), tau) - taus.begin();
     largest_jump     = std::max(largest_jump, jump_of(point));
     functions.insert(functions.begin() + place, event_functions(tau, point));
     points.insert(points.begin() + place, std::move(point));
     taus.insert(taus.begin() + place, tau);
+    losses.insert(losses.begin() + place, lost);
+    if (const auto behind = losses.begin() + place + 1; behind != losses.end())
+      behind->reset();
     return static_cast<std::size_t>(place);
   }
 
@@ -248,6 +254,22 @@ namespace fuga
   CurvedSegment::stations() const
   {
     return taus;
+  }
+
+  StepEnergy
+  CurvedSegment::energy_behind(const std::size_t a) const
+  {
+    return energy_of_step(
+      context, course, points[a], points[a + 1], taus[a + 1] - taus[a], taus[a + 1], count);
+  }
+
+  double
+  CurvedSegment::energy_lost()
+  {
+    double sum = 0.;
+    for (std::size_t a = 0; a + 1 < points.size(); ++a)
+      sum += losses[a + 1] ? *losses[a + 1] : energy_behind(a).lost;
+    return sum;
   }
 
   std::vector<std::size_t>

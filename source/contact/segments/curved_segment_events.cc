@@ -93,8 +93,9 @@ namespace fuga
           return f.value < -f.tolerance;
         }))
       return;
-    taus[b]      = tau;
-    points[b]    = std::move(*point);
+    taus[b]   = tau;
+    points[b] = std::move(*point);
+    losses[b].reset();
     functions[b] = std::move(there);
   }
 

@@ -4,7 +4,6 @@
 #include <fuga/base/numerics/cubic.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/layer_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +28,16 @@ namespace fuga
 
   // At most 1 for a step that is short enough.
   double
-  CurvedSegment::step_defect(const PathPoint &from, const PathPoint &to, const double length) const
+  CurvedSegment::step_defect(const std::size_t a,
+                             const PathPoint &to,
+                             const double length,
+                             double &lost) const
   {
-    const double defect =
-      energy_defect(context, course, from, to, length, taus.back() + length, count);
+    const PathPoint &from = points[a];
+    const StepEnergy energy =
+      energy_of_step(context, course, from, to, length, taus[a] + length, count);
+    lost                = energy.lost;
+    const double defect = energy_defect(energy, count);
     return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
   }
 

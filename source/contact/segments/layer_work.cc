@@ -92,11 +92,6 @@ namespace fuga
       return element.area * element.coupling->energy(closure, jump);
     }
 
-    struct StepEnergy
-    {
-      double lost = 0., scale = 0.;
-    };
-
     /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
      */
     bool
@@ -118,117 +113,101 @@ namespace fuga
     return length(T) > 0. ? dot(T, rate) / length(T) : length(rate);
   }
 
-  namespace
+  // What the judge will find missing in the balance of energy after this step: the work of the
+  // interpolated force of every nonlinear bar against the energy its layer has stored. It
+  // measures how well the cubics between solved points stand for the curve. Relative to the
+  // largest energy that the layers have stored or will have stored when the course ends: loads
+  // may fall to zero. What is to come is foreseen with the present rates; a layer that is soft at
+  // first would promise too much of it, and what its law stores under the force at the end bounds
+  // it. So do, near a limit load, where rates grow without bound, the energies known and the
+  // growth of the loads. Jumps are known but for rounding errors of the largest one; what these
+  // make no shorter step could mend.
+  StepEnergy
+  energy_of_step(const PathContext &context,
+                 const Course &course,
+                 const PathPoint &from,
+                 const PathPoint &to,
+                 const double length,
+                 const double tau,
+                 IterationCount &count)
   {
-    // What the judge will find missing in the balance of energy after this step: the work of the
-    // interpolated force of every nonlinear bar against the energy its layer has stored. It
-    // measures how well the cubics between solved points stand for the curve. Relative to the
-    // largest energy that the layers have stored or will have stored when the course ends: loads
-    // may fall to zero. What is to come is foreseen with the present rates; a layer that is soft at
-    // first would promise too much of it, and what its law stores under the force at the end bounds
-    // it. So do, near a limit load, where rates grow without bound, the energies known and the
-    // growth of the loads. Jumps are known but for rounding errors of the largest one; what these
-    // make no shorter step could mend.
-    StepEnergy
-    energy_of_step(const PathContext &context,
-                   const Course &course,
-                   const PathPoint &from,
-                   const PathPoint &to,
-                   const double length,
-                   const double tau,
-                   IterationCount &count)
-    {
-      const double rest       = course.length - tau;
-      const Vector jumps      = context.system.jumps(to.state.dislocations, to.state.forces);
-      const double jump_noise = jump_rounding * max_abs(jumps);
-      const auto force_at_end = [&](const std::size_t bar) {
-        return to.state.forces[bar] + rest * to.rates.forces[bar];
-      };
-      double defect = 0., work = 0., stored = 0., known = 0.;
-      for (std::size_t i = 0; i < jumps.size(); ++i)
-        known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
-      for (std::size_t k = 0; k < context.elements.size(); ++k)
-        {
-          const ContactElement &element = context.elements[k];
-          const bool open               = to.state.states[k] == ContactState::open;
-          if (open ? !unloads_in_shear(element, from.state)
-                   : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
-            continue;
-          double element_work = 0., noise = 0., foreseen = 0.;
-          const auto work_of_bar = [&](const std::size_t bar,
-                                       const ComplianceLaw &law,
-                                       const LayerMotion &a,
-                                       const LayerMotion &b) {
-            const CubicOnUnitInterval force(from.state.forces[bar],
-                                            from.rates.forces[bar] * length,
-                                            to.state.forces[bar],
-                                            to.rates.forces[bar] * length);
-            element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
-            const double of_rates = 0.5 * std::abs(force_at_end(bar) * (b.value + rest * b.rate));
-            const double stress   = std::abs(force_at_end(bar)) / element.area;
-            foreseen += element.coupling != nullptr
-                          ? of_rates
-                          : std::min(of_rates, element.area * law.energy(law.deformation(stress)));
-            noise += jump_noise * std::abs(to.state.forces[bar]);
-          };
-          if (has_nonlinear_closure(element) && !open)
-            work_of_bar(element.normal_bar,
-                        *element.normal_law,
-                        closing(context, k, from),
-                        closing(context, k, to));
-          for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
-            work_of_bar(element.bar(a),
-                        *element.shear_law,
-                        shearing(context, k, a, from),
-                        shearing(context, k, a, to));
-          work += element.coupling != nullptr
-                    ? std::min(foreseen, coupled_energy(element, force_at_end))
-                    : foreseen;
-          const double stored_before = nonlinear_energy(element, from.state, k);
-          const double mismatch =
-            std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
-          defect += std::max(mismatch - noise, 0.);
-          stored += stored_before;
-        }
-      count.largest_energy = std::max(count.largest_energy, stored);
-      known                = std::max(known, count.largest_energy);
-      if (work > known) // the growth is 1 at least, and costs two products
-        work = std::min(work, known * growth_of_energy(context, course, tau, count));
-      work = std::max(work, count.largest_energy);
-      return {defect, work};
-    }
-  } // namespace
+    const double rest       = course.length - tau;
+    const Vector jumps      = context.system.jumps(to.state.dislocations, to.state.forces);
+    const double jump_noise = jump_rounding * max_abs(jumps);
+    const auto force_at_end = [&](const std::size_t bar) {
+      return to.state.forces[bar] + rest * to.rates.forces[bar];
+    };
+    double defect = 0., work = 0., stored = 0., known = 0.;
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        const bool open               = to.state.states[k] == ContactState::open;
+        if (open ? !unloads_in_shear(element, from.state)
+                 : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
+          continue;
+        double element_work = 0., noise = 0., foreseen = 0.;
+        const auto work_of_bar = [&](const std::size_t bar,
+                                     const ComplianceLaw &law,
+                                     const LayerMotion &a,
+                                     const LayerMotion &b) {
+          const CubicOnUnitInterval force(from.state.forces[bar],
+                                          from.rates.forces[bar] * length,
+                                          to.state.forces[bar],
+                                          to.rates.forces[bar] * length);
+          element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
+          const double of_rates = 0.5 * std::abs(force_at_end(bar) * (b.value + rest * b.rate));
+          const double stress   = std::abs(force_at_end(bar)) / element.area;
+          foreseen += element.coupling != nullptr
+                        ? of_rates
+                        : std::min(of_rates, element.area * law.energy(law.deformation(stress)));
+          noise += jump_noise * std::abs(to.state.forces[bar]);
+        };
+        if (has_nonlinear_closure(element) && !open)
+          work_of_bar(element.normal_bar,
+                      *element.normal_law,
+                      closing(context, k, from),
+                      closing(context, k, to));
+        for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
+          work_of_bar(element.bar(a),
+                      *element.shear_law,
+                      shearing(context, k, a, from),
+                      shearing(context, k, a, to));
+        work += element.coupling != nullptr
+                  ? std::min(foreseen, coupled_energy(element, force_at_end))
+                  : foreseen;
+        const double stored_before = nonlinear_energy(element, from.state, k);
+        const double mismatch =
+          std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
+        defect += std::max(mismatch - noise, 0.);
+        stored += stored_before;
+      }
+    count.largest_energy = std::max(count.largest_energy, stored);
+    known                = std::max(known, count.largest_energy);
+    if (work > known) // the growth is 1 at least, and costs two products
+      work = std::min(work, known * growth_of_energy(context, course, tau, count));
+    work = std::max(work, count.largest_energy);
+    return {defect, work};
+  }
 
   double
-  energy_defect(const PathContext &context,
-                const Course &course,
-                const PathPoint &from,
-                const PathPoint &to,
-                const double length,
-                const double tau,
-                IterationCount &count)
+  energy_defect(const StepEnergy &energy, const IterationCount &count)
   {
-    const auto [lost, scale] = energy_of_step(context, course, from, to, length, tau, count);
     const double allowed =
-      std::max(least_of_step * scale, share_of_step * (largest_loss * scale - count.energy_lost));
-    return scale > 0. ? lost / allowed : 0.;
+      std::max(least_of_step * energy.scale,
+               share_of_step * (largest_loss * energy.scale - count.energy_lost));
+    return energy.scale > 0. ? energy.lost / allowed : 0.;
   }
 
   void
-  note_energy_lost(const PathContext &context,
-                   const Course &course,
-                   PathSegment &segment,
-                   IterationCount &count)
+  note_segment(const PathContext &context,
+               const Course &course,
+               PathSegment &segment,
+               IterationCount &count)
   {
-    const std::vector<double> taus = segment.stations();
-    PathPoint from                 = segment.at(taus.front());
-    for (std::size_t i = 1; i < taus.size(); ++i)
-      {
-        PathPoint to = segment.at(taus[i]);
-        count.energy_lost +=
-          energy_of_step(context, course, from, to, taus[i] - taus[i - 1], taus[i], count).lost;
-        from = std::move(to);
-      }
-    count.largest_load = std::max(count.largest_load, size_of_loads(context, course, taus.back()));
+    count.energy_lost += segment.energy_lost();
+    count.largest_load =
+      std::max(count.largest_load, size_of_loads(context, course, segment.stations().back()));
   }
 } // namespace fuga

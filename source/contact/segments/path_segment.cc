@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace fuga
@@ -31,6 +32,18 @@ namespace fuga
       return result;
     }
   } // namespace
+
+  void
+  check_number_of_steps(const std::size_t n_steps, const double t)
+  {
+    constexpr std::size_t largest_number = 10000;
+    if (n_steps > largest_number)
+      throw NumericalFailure(fmt::format(
+        "The steps along a curve have become too short at load time {:.12g}: {} of them "
+        "lead to no event.",
+        t,
+        largest_number));
+  }
 
   void
   release(const Drive &drive, const double tau, JointState &state)

@@ -153,4 +153,13 @@ namespace fuga
   {
     return lost_slip;
   }
+
+  double
+  TurningSegment::energy_lost()
+  {
+    double sum = 0.;
+    for (const Station &station : curve)
+      sum += station.energy_lost;
+    return sum;
+  }
 } // namespace fuga

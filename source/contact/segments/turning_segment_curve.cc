@@ -190,8 +190,12 @@ namespace fuga
                        (turning_step_tolerance * force_scale + force_noise(to.point.state)));
     error = std::max({error, work_defect(from, to, length, work), rise_defect(from, to, length)});
     if (context.scheme.is_nonlinear())
-      error = std::max(error,
-                       energy_defect(context, course, from.point, to.point, length, to.tau, count));
+      {
+        const StepEnergy energy =
+          energy_of_step(context, course, from.point, to.point, length, to.tau, count);
+        to.energy_lost = energy.lost;
+        error          = std::max(error, energy_defect(energy, count));
+      }
     return std::isfinite(error);
   }
 
@@ -283,7 +287,8 @@ namespace fuga
     bool is_known  = course.length <= 2. * shortest;
     while (curve.back().tau < course.length)
       {
-        Station from     = curve.back();
+        Station from = curve.back();
+        check_number_of_steps(curve.size(), from.point.state.t);
         length           = std::min(length, course.length - from.tau);
         at_limit         = !course.yielding && grows_beyond_bounds();
         at_turning_point = !course.yielding && !at_limit && turns_back();

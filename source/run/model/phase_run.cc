@@ -231,11 +231,11 @@ namespace fuga
       for (unsigned int c = 0; c < dim; ++c)
         end.was_there[space.dof(node, c)] = true;
 
-    end.checkpoint.record.last_state = last_state;
-    end.checkpoint.judge             = judge.memory();
-    end.checkpoint.cut.result        = without_loss(result);
-    end.checkpoint.cut.iterations    = path->iterations();
-    end.checkpoint.cut.next_level    = next_level;
+    end.checkpoint.record.last_state     = last_state;
+    end.checkpoint.judge                 = judge.memory();
+    end.checkpoint.cut.result            = without_loss(result);
+    end.checkpoint.cut.memory.iterations = path->iterations();
+    end.checkpoint.cut.next_level        = next_level;
     return end;
   }
 

@@ -40,6 +40,10 @@ namespace fuga
     SchemeWork
     work() const override;
 
+    /** Of the energies, those before the motion: each length of steps has its own. */
+    IterationCount
+    iterations() const override;
+
     /** As resume(), from a cut between two whole steps. A motion until rest has none. */
     PathResult
     resume_motion(const PathCut &cut,
@@ -93,10 +97,10 @@ namespace fuga
     begin(const JointState &state);
 
     MotionCut
-    memory() const;
+    motion_memory() const;
 
     void
-    restore(const MotionCut &motion);
+    restore_motion(const MotionCut &motion);
 
     /** From the present time by one step of a rung, or by two of the next one. */
     void

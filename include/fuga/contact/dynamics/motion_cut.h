@@ -26,15 +26,16 @@ namespace fuga
     double length_before = 0.;
     /** Largest mean rate of a jump in any step so far [m/s]. */
     double largest_rate = 0.;
-    /** By rung, of those that have been needed: its number, working scheme and background. */
-    std::vector<std::pair<unsigned int, std::pair<SchemeMemory, SchemeMemory>>> schemes;
+    /** Of the rungs that have been needed: their numbers, and what the paths through them hand on
+     * from step to step. */
+    std::vector<std::pair<unsigned int, PathMemory>> rungs;
   };
 
   template <typename Cut, typename Visitor, only_for<Cut, MotionCut> = 0>
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[tick, bodies, ledger, steps_of_rung, slip_rates, length_before, largest_rate, schemes] =
+    auto &[tick, bodies, ledger, steps_of_rung, slip_rates, length_before, largest_rate, rungs] =
       cut;
     visit("tick", tick);
     visit("bodies", bodies);
@@ -43,7 +44,7 @@ namespace fuga
     visit("slip_rates", slip_rates);
     visit("length_before", length_before);
     visit("largest_rate", largest_rate);
-    visit("schemes", schemes);
+    visit("rungs", rungs);
   }
 } // namespace fuga
 

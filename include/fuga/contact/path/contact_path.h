@@ -59,19 +59,21 @@ namespace fuga
       return cut;
     }
 
-    /** What the working schemes have to remember in a cut. */
-    virtual void
-    remember_schemes(PathCut & /*of_cut*/) const
+    /** What a cut keeps besides the state. */
+    virtual PathMemory
+    memory() const
     {
+      return {iteration_count, {}, {}};
     }
 
     virtual void
-    restore_schemes(const PathCut & /*from*/)
+    restore(const PathMemory &memory)
     {
+      iteration_count = memory.iterations;
     }
 
     /** Work of the steps along curves so far. */
-    IterationCount
+    virtual IterationCount
     iterations() const
     {
       return iteration_count;
@@ -86,7 +88,7 @@ namespace fuga
                 const LayeredSystem &system,
                 const LoadHistory &history);
 
-    /** follow() with all that a cut knows but the schemes. */
+    /** follow() with all that a cut knows but its memory. */
     PathResult
     follow_from_cut(const std::vector<double> &levels, PathObserver &observer);
 

@@ -27,14 +27,14 @@ namespace fuga
 
     SchemeWork
     work() const override;
+    PathMemory
+    memory() const override;
+    void
+    restore(const PathMemory &memory) override;
 
   private:
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
-    void
-    remember_schemes(PathCut &of_cut) const override;
-    void
-    restore_schemes(const PathCut &from) override;
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,

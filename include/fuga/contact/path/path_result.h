@@ -176,6 +176,25 @@ namespace fuga
     visit("tried", tried);
   }
 
+  /** What a path takes along from segment to segment besides its state. */
+  struct PathMemory
+  {
+    IterationCount iterations;
+    SchemeMemory scheme;
+    /** Of the elements off their boundaries, where some have two tangential bars. */
+    SchemeMemory background;
+  };
+
+  template <typename Memory, typename Visitor, only_for<Memory, PathMemory> = 0>
+  void
+  for_each_field(Memory &memory, Visitor &&visit)
+  {
+    auto &[iterations, scheme, background] = memory;
+    visit("iterations", iterations);
+    visit("scheme", scheme);
+    visit("background", background);
+  }
+
   /**
    * A place between two segments, where the load goes on, from which a path can be followed again,
    * bit for bit. Segments are
@@ -187,10 +206,7 @@ namespace fuga
     JointState state;
     /** What was found so far. */
     PathResult result;
-    IterationCount iterations;
-    SchemeMemory scheme;
-    /** Of the elements off their boundaries, where some have two tangential bars. */
-    SchemeMemory background;
+    PathMemory memory;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
@@ -202,12 +218,10 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[state, result, iterations, scheme, background, next_level, resticking, n_reports] = cut;
+    auto &[state, result, memory, next_level, resticking, n_reports] = cut;
     visit("state", state);
     visit("result", result);
-    visit("iterations", iterations);
-    visit("scheme", scheme);
-    visit("background", background);
+    visit("memory", memory);
     visit("next_level", next_level);
     visit("resticking", resticking);
     visit("n_reports", n_reports);

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_segments_curved_segment_h
 #define fuga_contact_segments_curved_segment_h
 
+#include <fuga/contact/segments/layer_work.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 
 namespace fuga
@@ -41,6 +42,8 @@ namespace fuga
     }
     std::vector<std::size_t>
     resticking() const override;
+    double
+    energy_lost() override;
 
   private:
     /** Something that must stay positive: value and derivative along the path. */
@@ -78,12 +81,16 @@ namespace fuga
     }
     bool
     is_behind_pole() const;
+    /** Of the step from point @p a to a next one; notes its energy in @p lost. */
     double
-    step_defect(const PathPoint &from, const PathPoint &to, const double length) const;
+    step_defect(const std::size_t a, const PathPoint &to, const double length, double &lost) const;
+    /** Of the step between points a and a + 1. */
+    StepEnergy
+    energy_behind(const std::size_t a) const;
     double
     reduction_defect(const PathPoint &from, const PathPoint &to, const double length) const;
     std::size_t
-    insert(const double tau, PathPoint &&point);
+    insert(const double tau, PathPoint &&point, const std::optional<double> &lost = {});
     double
     jump_of(const PathPoint &point) const;
     ContactBoundary
@@ -102,6 +109,8 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
+    /** Energy lost by the step to each point, where that is known [MN m]. */
+    std::vector<std::optional<double>> losses;
     std::vector<std::vector<EventFunction>> functions;
     /** Of any bar at the points so far: the scale of the iteration. All jumps may vanish at once,
      * where all elements lift off or come down together, and would be no scale for themselves. */

@@ -9,27 +9,37 @@
 
 namespace fuga
 {
+  /** Energy that a step along a curve loses by interpolation, and the energy of the path beside
+   * which it is small or large [MN m]. */
+  struct StepEnergy
+  {
+    double lost = 0., scale = 0.;
+  };
+
   /**
    * What the cubics between two points of a path, @p length apart, miss of the energy that the
-   * nonlinear layers store on the way; at most 1 for a step that is short enough. It ends at the
-   * place @p tau of @p course.
+   * nonlinear layers store on the way. The step ends at the place @p tau of @p course.
    */
-  double
-  energy_defect(const PathContext &context,
-                const Course &course,
-                const PathPoint &from,
-                const PathPoint &to,
-                const double length,
-                const double tau,
-                IterationCount &count);
+  StepEnergy
+  energy_of_step(const PathContext &context,
+                 const Course &course,
+                 const PathPoint &from,
+                 const PathPoint &to,
+                 const double length,
+                 const double tau,
+                 IterationCount &count);
 
-  /** Adds to the count what the cubics between the points of @p segment miss: the steps to come may
-   * miss so much less. */
+  /** The energy that a step loses, relative to what it may lose of that which the path has left; at
+   * most 1 for a step that is short enough. */
+  double
+  energy_defect(const StepEnergy &energy, const IterationCount &count);
+
+  /** Counts what the steps of @p segment have lost: the steps to come may lose so much less. */
   void
-  note_energy_lost(const PathContext &context,
-                   const Course &course,
-                   PathSegment &segment,
-                   IterationCount &count);
+  note_segment(const PathContext &context,
+               const Course &course,
+               PathSegment &segment,
+               IterationCount &count);
 
   /** Speed of slip of an element that slips, in the direction in which its strength acts [m per
    * unit of the path]; negative if the slip turns back. */

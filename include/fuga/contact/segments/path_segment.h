@@ -67,6 +67,14 @@ namespace fuga
       return false;
     }
 
+    /** Energy that nonlinear layers store between the stations unseen by the cubics between them
+     * [MN m]. */
+    virtual double
+    energy_lost()
+    {
+      return 0.;
+    }
+
     /** Slipping elements whose slip comes to rest at the end; the rates alone cannot tell (they
      * vanish). */
     virtual std::vector<std::size_t>
@@ -112,6 +120,11 @@ namespace fuga
     /** The point at the end, once it has been found. */
     std::optional<PathPoint> end_point;
   };
+
+  /** @throws NumericalFailure if @p n_steps along one curve are more than any needs, at load time
+   * @p t. */
+  void
+  check_number_of_steps(const std::size_t n_steps, const double t);
 
   /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
   void

@@ -67,6 +67,8 @@ namespace fuga
     motion_at_limit() override;
     std::vector<std::size_t>
     resticking() const override;
+    double
+    energy_lost() override;
 
   private:
     /** A point of the curve with all that steps and events need. */
@@ -79,6 +81,8 @@ namespace fuga
        * one tangent. */
       Vector slip_rates;
       std::vector<Reserve> reserves;
+      /** By the step to this point [MN m]. */
+      double energy_lost = 0.;
     };
 
     TurningStage
