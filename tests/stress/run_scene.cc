@@ -90,16 +90,18 @@ namespace fuga::stress
     }
 
     // Every step but the shortest ones may lack the tolerance of the largest energy. What the
-    // shortest ones lack the program tells its user.
+    // shortest ones lack the program tells its user. A spectral radius below one takes what it
+    // likes.
     void
     tell_energies(const Writer &write, const nlohmann::json &motion, const double tolerance)
     {
-      const double largest = motion.at("largest_energy");
-      const auto steps     = motion.at("steps_by_halvings").get<std::vector<double>>();
-      const double n_steps = std::accumulate(steps.begin(), steps.end(), 0.);
-      const double lacking = std::abs(motion.at("not_accounted_for").get<double>() +
+      const double largest  = motion.at("largest_energy");
+      const auto steps      = motion.at("steps_by_halvings").get<std::vector<double>>();
+      const double n_steps  = std::accumulate(steps.begin(), steps.end(), 0.);
+      const double lacking  = std::abs(motion.at("not_accounted_for").get<double>() +
                                       motion.at("numerical").get<double>());
-      const double share   = largest > 0. ? lacking / largest : 0.;
+      const double rounding = motion.at("rounding");
+      const double share    = lacking > rounding ? lacking / largest : 0.;
       tell(write, "energy_lacking", share);
       if (steps.back() == 0. && share > 2. * tolerance * n_steps)
         tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
@@ -273,8 +275,12 @@ namespace fuga::stress
       tell(write,
            "seconds",
            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      const DynamicsDefinition &dynamics = parameters.model.dynamics;
       const std::string verdict =
-        tell_summary(write, directory, parameters.model.dynamics.event_tolerance);
+        tell_summary(write,
+                     directory,
+                     dynamics.spectral_radius < 1. ? std::numeric_limits<double>::infinity()
+                                                   : dynamics.event_tolerance);
       if (scene.is_in_motion())
         tell_confirmation(write, confirm_motion<dim>(parameters, verdict, confirmation_time));
       else

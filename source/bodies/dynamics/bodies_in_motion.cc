@@ -332,12 +332,11 @@ namespace fuga
       add_multiple(-1., product(geometric, integration->displacement()), loads);
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
-    // Where a body falls freely inertia leaves nothing of the forces.
-    return model.equilibrium_error_under(loads,
-                                         model.by_degrees_of_freedom(integration->displacement()),
-                                         changes,
-                                         {},
-                                         max_abs(forces));
+    // Where a body falls freely inertia leaves nothing of the forces, and where it rests they have
+    // not changed: those of the joints have the digits of what they carried before.
+    const double largest = std::max(max_abs(forces), max_abs(first_forces_at_nodes));
+    return model.equilibrium_error_under(
+      loads, model.by_degrees_of_freedom(integration->displacement()), changes, {}, largest);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/dynamics/dynamic_path.h>
+#include <fuga/contact/dynamics/rest_watch.h>
 #include <fuga/contact/path/verdict_name.h>
 
 #include <algorithm>
@@ -14,33 +15,6 @@ namespace fuga
 {
   namespace
   {
-    /** Tells when bodies have come to rest: their kinetic energy stays below a small share of the
-     * largest it had for half of the time that they have moved. Where they only turn back it is as
-     * small for thousandths of that time. */
-    class RestWatch
-    {
-    public:
-      /** Behind a step, all of which are equally long. */
-      void
-      note(const double kinetic_energy)
-      {
-        ++n_steps;
-        largest = std::max(largest, kinetic_energy);
-        if (kinetic_energy > TimeGrid::at_rest * largest)
-          last_motion = n_steps;
-      }
-
-      bool
-      has_come_to_rest() const
-      {
-        return n_steps > last_motion + last_motion / 2;
-      }
-
-    private:
-      double largest      = 0.;
-      std::size_t n_steps = 0, last_motion = 0;
-    };
-
     /** Lips without mass may have no continuous way on, where friction is large: they jump to where
      * they are in equilibrium again. */
     PathOptions
@@ -166,6 +140,21 @@ namespace fuga
     length_before = largest_rate = 0.;
     bodies.begin(state.forces, ledger);
     ledger.note_largest();
+    ledger.rounding = rounding_of_work(state);
+  }
+
+  // The forces have the digits of the largest one, and so have the jumps that they make.
+  double
+  DynamicPath::rounding_of_work(const JointState &state) const
+  {
+    const double digits = 16. * std::numeric_limits<double>::epsilon();
+    const double jump =
+      std::max(max_abs(system.jumps(state.dislocations, state.forces)),
+               max_abs(state.forces) / largest_diagonal(system.contact_system().stiffness()));
+    double sum = 0.;
+    for (const double force : state.forces)
+      sum += std::abs(force);
+    return digits * sum * jump;
   }
 
   MotionCut
@@ -248,7 +237,12 @@ namespace fuga
       {
         attempt.failure = failure.what();
       }
-    return attempt;
+    if (attempt.failure.empty() || number < grid.halvings)
+      return attempt;
+    // No shorter step will help. At its end there may be an equilibrium, whatever lies before it.
+    Attempt jump{result, StepRecord(state, end, elements, step.system.layered()), {}};
+    return step.path.jump_over_course(start, jump.record, jump.result) ? std::move(jump)
+                                                                       : std::move(attempt);
   }
 
   // In the shortest steps events may cost what they cost.
@@ -264,7 +258,7 @@ namespace fuga
     const double cost =
       attempt.record.cost_of_events(length, rate) + cost_of_rest(attempt.record, length);
     const double scale = std::max(ledger.largest, std::abs(attempt.record.joint_work()));
-    return cost <= grid.event_tolerance * scale;
+    return cost <= grid.event_tolerance * scale + ledger.rounding;
   }
 
   void

@@ -184,11 +184,22 @@ namespace fuga
     result.jump = end ? end->jump : Jump();
     if (!end || !options.follow_jumps)
       return false;
+    jump_to(end->state, state, observer, result);
+    reach_levels(levels, state, observer);
+    return true;
+  }
+
+  void
+  EventPath::jump_to(const JointState &end,
+                     JointState &state,
+                     PathObserver &observer,
+                     PathResult &result)
+  {
     std::vector<ContactEvent> events;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      if (state.states[k] != end->state.states[k])
-        events.push_back({end->state.t, k, state.states[k], end->state.states[k]});
-    state           = end->state;
+      if (state.states[k] != end.states[k])
+        events.push_back({end.t, k, state.states[k], end.states[k]});
+    state           = end;
     result.verdict  = Verdict::done;
     result.critical = {};
     result.tried.clear();
@@ -198,7 +209,28 @@ namespace fuga
     resticking.clear();
     observer.jumped(state);
     report(events, state, observer, result);
-    reach_levels(levels, state, observer);
+  }
+
+  bool
+  EventPath::jump_over_course(const JointState &from, PathObserver &observer, PathResult &result)
+  {
+    const Course course = next_course(from);
+    std::optional<JointState> end;
+    try
+      {
+        end = ImplicitStep({elements, system, boundary, scheme}, course).solve(from);
+        if (!end)
+          if (std::optional<JumpEnd> far = find_equilibrium_nearby(elements, system, course, from))
+            end = std::move(far->state);
+      }
+    catch (const NumericalFailure &)
+      {
+        // then none was found
+      }
+    if (!end)
+      return false;
+    JointState state = from;
+    jump_to(*end, state, observer, result);
     return true;
   }
 

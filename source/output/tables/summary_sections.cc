@@ -20,6 +20,7 @@ namespace fuga
       json["numerical"]         = energies.numerical;
       json["largest_energy"]    = energies.largest;
       json["not_accounted_for"] = energies.defect();
+      json["rounding"]          = energies.rounding;
     }
   } // namespace
 

@@ -95,6 +95,9 @@ namespace fuga
 
     void
     begin(const JointState &state);
+    /** The energy that is rounding of what the joints carry in @p state. */
+    double
+    rounding_of_work(const JointState &state) const;
 
     MotionCut
     motion_memory() const;

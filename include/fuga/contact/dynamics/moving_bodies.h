@@ -59,6 +59,8 @@ namespace fuga
     double numerical = 0.;
     /** The largest of them so far. */
     double largest = 0.;
+    /** Less than this is rounding of what the joints carried before the motion. */
+    double rounding = 0.;
 
     void
     note_largest()
@@ -66,11 +68,11 @@ namespace fuga
       largest = std::max({largest, std::abs(work), kinetic, bodies, damping, std::abs(joints)});
     }
 
-    /** Of the largest energy. */
+    /** Of the largest energy, without rounding. */
     double
     share(const double energy) const
     {
-      return largest > 0. ? std::abs(energy) / largest : 0.;
+      return largest > 0. ? std::max(std::abs(energy) - rounding, 0.) / largest : 0.;
     }
 
     double
@@ -84,7 +86,7 @@ namespace fuga
   void
   for_each_field(Ledger &ledger, Visitor &&visit)
   {
-    auto &[work, kinetic, bodies, damping, joints, numerical, largest] = ledger;
+    auto &[work, kinetic, bodies, damping, joints, numerical, largest, rounding] = ledger;
     visit("work", work);
     visit("kinetic", kinetic);
     visit("bodies", bodies);
@@ -92,6 +94,7 @@ namespace fuga
     visit("joints", joints);
     visit("numerical", numerical);
     visit("largest", largest);
+    visit("rounding", rounding);
   }
 
   /** What a TimeIntegration remembers of the steps so far. */

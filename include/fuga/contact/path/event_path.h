@@ -32,9 +32,18 @@ namespace fuga
     void
     restore(const PathMemory &memory) override;
 
+    /** From @p from, a settled state, to the end of the present course at once, where the events on
+     * the way lead nowhere: as Follow::stage_ends does, or else as a jump. Whether there is an
+     * equilibrium to jump to. */
+    bool
+    jump_over_course(const JointState &from, PathObserver &observer, PathResult &result);
+
   private:
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
+    /** Takes @p end for the state, with its events. */
+    void
+    jump_to(const JointState &end, JointState &state, PathObserver &observer, PathResult &result);
     bool
     jump_to_corner(JointState &state,
                    const std::vector<double> &levels,
