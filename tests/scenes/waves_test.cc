@@ -5,12 +5,11 @@
 
 #include "known_answer.h"
 #include "scenes/grid_mesh.h"
-#include "scenes/scene_run.h"
+#include "scenes/incoming_wave.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 namespace fuga::tests
 {
@@ -19,61 +18,6 @@ namespace fuga::tests
     using Json = nlohmann::ordered_json;
 
     constexpr double pi = 3.14159265358979323846;
-
-    /** Rock with ρ = 0.002 MN s²/m⁴, c_s = 100 m/s and c_p = 100 √3 m/s. */
-    constexpr double density = 0.002, shear_speed = 100., impedance = density * shear_speed;
-
-    Json
-    rock()
-    {
-      return {{"Young modulus", 50.}, {"Poisson ratio", 0.25}, {"Weight density", 10. * density}};
-    }
-
-    /** A record of an acceleration a(t) [m/s²] up to the time @p end. Returns its name. */
-    std::string
-    write_record(const std::function<double(double)> &acceleration,
-                 const double step,
-                 const double end)
-    {
-      const std::string name = temporary_directory() + "/record.txt";
-      std::ofstream file(name);
-      for (std::size_t i = 0; static_cast<double>(i) * step <= end; ++i)
-        file << fmt::format("{} {:.17g}\n",
-                            static_cast<double>(i) * step,
-                            acceleration(static_cast<double>(i) * step));
-      return name;
-    }
-
-    /** Ricker's wavelet as a displacement of the size one at the time @p middle. */
-    double
-    ricker(const double t, const double frequency, const double middle)
-    {
-      const double x = pi * frequency * (t - middle);
-      return (1. - 2. * x * x) * std::exp(-x * x);
-    }
-
-    double
-    ricker_acceleration(const double t, const double frequency, const double middle)
-    {
-      const double w = pi * frequency, x = w * (t - middle);
-      return w * w * (-6. + 24. * x * x - 8. * x * x * x * x) * std::exp(-x * x);
-    }
-
-    /** Rows of a monitor within the steps: time and displacement. */
-    std::vector<std::array<double, 2>>
-    steps_of_monitor(const SceneRun &run,
-                     const std::string &monitor,
-                     const std::string &component,
-                     const double duration)
-    {
-      std::vector<std::array<double, 2>> result;
-      for (std::size_t row = 0; row < run.monitors.rows.size(); ++row)
-        if (run.monitors.text(row, "monitor") == monitor &&
-            run.monitors.text(row, "occasion") == "step")
-          result.push_back(
-            {{run.monitors.number(row, "t") * duration, run.monitors.number(row, component)}});
-      return result;
-    }
 
     /**
      * A column, one cell wide and cut by the line `joint` at y = 0, which is between the bodies
@@ -301,60 +245,5 @@ namespace fuga::tests
                   shares.through,
                   1e-3);
     EXPECT_NEAR(shares.back, x * x / (1. + x * x), 1e-3);
-  }
-
-  // The ground beside a block moves as the block would if it went on for ever: the surface has
-  // twice the wave everywhere. Before, the sides are held and carry what the weight presses on
-  // them.
-  TEST(Waves, FreeField)
-  {
-    constexpr double height = 40., middle = 0.3, duration = 1.2;
-    const std::string record = write_record(
-      [](const double t) { return ricker_acceleration(t, frequency, middle); }, 0.0005, 1.);
-    Json scene;
-    scene["Bodies"]["block"]                = rock();
-    scene["Boundaries"]["left"]["Fixed"]    = "x";
-    scene["Boundaries"]["right"]["Fixed"]   = "x";
-    scene["Boundaries"]["contact"]["Fixed"] = "all";
-    scene["Boundaries"]["top"]["Fixed"]     = "free";
-    scene["Boundaries"]["corner"]["Fixed"]  = "free";
-    scene["Mesh"]["Polynomial degree"]      = 2;
-    scene["Loads"]["weight"]                = {{"Type", "weight"}};
-    scene["Stages"]["weight"]               = {{"Loads", "weight: t"}};
-    scene["Stages"]["quake"]                = {{"Loads", "weight: 1"}, {"Duration", duration}};
-    scene["Stages"]["rest"]                 = {{"Loads", "weight: 1"}};
-    scene["Dynamics"]                       = {{"Time step", 0.0005}, {"Gravity", 10.}};
-    scene["Earthquake"]                     = {{"Record x", record},
-                                               {"Record y", record},
-                                               {"Record unit", "length/s^2"},
-                                               {"Record motion", "upward wave"},
-                                               {"Compliant base", "contact"},
-                                               {"Free field", "left, right"}};
-    scene["Monitors"]["side"]["Point"]      = fmt::format("0, {}", height);
-    scene["Monitors"]["middle"]["Point"]    = fmt::format("5, {}", height);
-    const SceneRun run =
-      run_scene(write_scene(block_mesh(uniform(0., 10., 4), uniform(0., height, 40), 10.), scene));
-    ASSERT_EQ(run.exit_code, 0);
-    EXPECT_LE(run.certificate(), 1e-9);
-    for (const char *monitor : {"side", "middle"})
-      for (const bool shear : {true, false})
-        {
-          const double c          = shear_speed * (shear ? 1. : std::sqrt(3.));
-          const double modulus    = density * c * c;
-          const double settlement = shear ? 0. : -10. * density * height * height / 2. / modulus;
-          double worst            = 0.;
-          for (const auto &[t, u] : steps_of_monitor(run, monitor, shear ? "ux" : "uy", duration))
-            worst = std::max(
-              worst,
-              std::abs(u - settlement - 2. * ricker(t - duration, frequency, middle + height / c)));
-          expect_answer({"free field",
-                         fmt::format("largest error of the {} wave at the surface, {} of the model",
-                                     shear ? "shear" : "pressure",
-                                     monitor),
-                         0.,
-                         "closed form (d'Alembert)"},
-                        worst,
-                        2e-3);
-        }
   }
 } // namespace fuga::tests

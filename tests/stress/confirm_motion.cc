@@ -12,19 +12,28 @@
 #include <fuga/contact/dynamics/step_system.h>
 #include <fuga/run/model/phase_run.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace fuga::stress
 {
   namespace
   {
-    /** Elements and a state of theirs as a step of time sees them: jumps count from its beginning.
+    /**
+     * Elements and a state of theirs as a step of time sees them: jumps count from its beginning.
+     * What is left of the @p largest jumps that there have been is rounding, and no measure of
+     * lengths: where a joint sticks nothing moves.
      */
     class StepView
     {
     public:
-      StepView(const StepSystem &step, const LoadHistory &history, const double part)
+      StepView(const StepSystem &step,
+               const LoadHistory &history,
+               const double part,
+               const double largest)
         : jumps_before(multiply(step.imposed_jumps(), history.factors(part)))
+        , rounding(1e-13 * largest)
       {
       }
 
@@ -32,7 +41,7 @@ namespace fuga::stress
       elements(std::vector<ContactElement> result) const
       {
         for (ContactElement &element : result)
-          element.initial_gap += jumps_before[element.normal_bar];
+          element.initial_gap = moved(element.initial_gap + jumps_before[element.normal_bar]);
         return result;
       }
 
@@ -40,15 +49,23 @@ namespace fuga::stress
       state(const std::vector<ContactElement> &elements, JointState result) const
       {
         for (std::size_t bar = 0; bar < jumps_before.size(); ++bar)
-          result.dislocations[bar] -= jumps_before[bar];
+          result.dislocations[bar] = moved(result.dislocations[bar] - jumps_before[bar]);
         for (std::size_t k = 0; k < elements.size(); ++k)
           if (elements[k].has_tangential_bar())
-            result.slips[k][0] -= jumps_before[elements[k].tangential_bar];
+            result.slips[k][0] =
+              moved(result.slips[k][0] - jumps_before[elements[k].tangential_bar]);
         return result;
+      }
+
+      double
+      moved(const double way) const
+      {
+        return std::abs(way) <= rounding ? 0. : way;
       }
 
     private:
       const Vector jumps_before;
+      const double rounding;
     };
 
     struct Piece
@@ -57,16 +74,26 @@ namespace fuga::stress
       const StepSystem &step;
       const LoadHistory &history;
       const JointState &from, &to;
+      /** Of the jumps in the motion so far. */
+      double largest_jump;
     };
 
     /** x with B x = jumps, counted from the beginning of the step, or of S x + Bᵀ p = f; nothing if
      * that has no digits. */
     std::optional<Vector>
-    coordinates(const judges::JudgeProblem &at, const Piece &piece, Vector load)
+    coordinates(const judges::JudgeProblem &at,
+                const StepView &view,
+                const Piece &piece,
+                Vector load)
     {
       if (at.B.empty())
-        return piece.step.coordinates(
-          piece.step.layered().jumps(piece.to.dislocations, piece.to.forces), piece.to.forces);
+        {
+          Vector x = piece.step.coordinates(
+            piece.step.layered().jumps(piece.to.dislocations, piece.to.forces), piece.to.forces);
+          for (double &entry : x)
+            entry = view.moved(entry);
+          return x;
+        }
       for (std::size_t i = 0; i < load.size(); ++i)
         for (std::size_t bar = 0; bar < piece.to.forces.size(); ++bar)
           load[i] -= at.jump_operator(bar, i) * piece.to.forces[bar];
@@ -80,14 +107,14 @@ namespace fuga::stress
     std::optional<StepReport>
     examine_in_the_plane(const Piece &piece)
     {
-      const StepView view(piece.step, piece.history, piece.to.part_of_step);
+      const StepView view(piece.step, piece.history, piece.to.part_of_step, piece.largest_jump);
       const auto elements   = view.elements(piece.elements);
       const JointState from = view.state(elements, piece.from), to = view.state(elements, piece.to);
       const judges::JudgeProblem at = problem_in(judges::judge_problem(piece.step, elements), from);
       const auto load               = [&](const double t) {
         return judges::judge_load(piece.step, piece.history.factors(t));
       };
-      const auto x = coordinates(at, piece, load(to.part_of_step));
+      const auto x = coordinates(at, view, piece, load(to.part_of_step));
       if (!x)
         return {};
       judges::StepSolution ours;
@@ -107,7 +134,7 @@ namespace fuga::stress
     StepReport
     examine_in_space(const Piece &piece)
     {
-      const StepView view(piece.step, piece.history, piece.to.part_of_step);
+      const StepView view(piece.step, piece.history, piece.to.part_of_step, piece.largest_jump);
       const auto elements = view.elements(piece.elements);
       const judges::ConeNewton newton(piece.step.stiffness(),
                                       piece.step.jump_operator(),
@@ -147,10 +174,11 @@ namespace fuga::stress
       advanced(const PathPoint &from, const PathPoint &to, const double length) override
       {
         phase->judge.follow(from, to, length);
-        last_state = to.state;
+        last_state   = to.state;
+        largest_jump = std::max(largest_jump, max_abs(to.state.dislocations));
         if (step != nullptr && can_solve && Clock::now() < end &&
             judges_know_strengths(phase->joint.elements, from.state))
-          examine({phase->joint.elements, *step, *history, from.state, to.state});
+          examine({phase->joint.elements, *step, *history, from.state, to.state, largest_jump});
       }
 
       void
@@ -221,6 +249,7 @@ namespace fuga::stress
       const LoadHistory *history = nullptr;
       bool can_solve             = false;
       std::size_t n_seen         = 0;
+      double largest_jump        = 0.;
     };
   } // namespace
 

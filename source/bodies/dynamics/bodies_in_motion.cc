@@ -111,7 +111,9 @@ namespace fuga
       }
     driving.emplace(model, dynamics, load_history, begin, integration->mass());
     if (!dynamics.free_field.names.empty())
-      free_field.emplace(model, *driving, FreeColumn::Damping{mass_damping, stiffness_damping});
+      free_field.emplace(model,
+                         *driving,
+                         typename FreeColumn<dim>::Damping{mass_damping, stiffness_damping});
   }
 
 

@@ -1,56 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <fuga/bodies/dynamics/free_column.h>
 
+#include <numeric>
+
 namespace fuga
 {
-  LineIntegrals::LineIntegrals(const Vector &points)
-    : values(points.size(), points.size())
-    , slopes_by_values(points.size(), points.size())
-    , slopes(points.size(), points.size())
+  namespace
   {
-    std::vector<dealii::Point<1>> nodes;
-    for (const double point : points)
-      nodes.emplace_back(point);
-    const auto polynomials = dealii::Polynomials::generate_complete_Lagrange_basis(nodes);
-    const dealii::QGauss<1> rule(static_cast<unsigned int>(points.size()));
-    std::vector<std::vector<double>> at(points.size(), std::vector<double>(2));
-    for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        for (std::size_t i = 0; i < points.size(); ++i)
-          polynomials[i].value(rule.point(q)[0], at[i]);
-        for (std::size_t i = 0; i < points.size(); ++i)
-          for (std::size_t j = 0; j < points.size(); ++j)
-            {
-              values(i, j) += rule.weight(q) * at[i][0] * at[j][0];
-              slopes_by_values(i, j) += rule.weight(q) * at[i][0] * at[j][1];
-              slopes(i, j) += rule.weight(q) * at[i][1] * at[j][1];
-            }
-      }
-  }
+    /** Nodes where those of quadrilaterals and hexahedra are. */
+    std::vector<dealii::Polynomials::Polynomial<double>>
+    polynomials_of(const unsigned int degree)
+    {
+      return dealii::Polynomials::generate_complete_Lagrange_basis(
+        dealii::QGaussLobatto<1>(degree + 1).get_points());
+    }
+  } // namespace
 
 
-  FreeColumn::FreeColumn(const std::vector<Cell> &cells,
-                         const Foot &its_foot,
-                         const Damping &its_damping,
-                         const double radius,
-                         const unsigned int n_rungs)
-    : foot(its_foot), damping(its_damping), spectral_radius(radius), factors(n_rungs)
+  template <int dim>
+  FreeColumn<dim>::FreeColumn(const std::vector<Cell> &cells_from_below,
+                              const unsigned int degree_of_cells,
+                              const Foot &its_foot,
+                              const Damping &its_damping,
+                              const double radius,
+                              const unsigned int n_rungs)
+    : cells(cells_from_below)
+    , degree(degree_of_cells)
+    , polynomials(polynomials_of(degree))
+    , foot(its_foot)
+    , damping(its_damping)
+    , spectral_radius(radius)
+    , mass(dim * (cells.size() * degree + 1), 0.)
+    , stiffness(mass.size(), mass.size())
+    , factors(n_rungs)
   {
-    const std::size_t n = 2 * (cells.back().first_node + cells.back().heights.size());
-    mass.assign(n, 0.);
-    stiffness = DenseMatrix(n, n);
-    for (const Cell &cell : cells)
-      add_cell(cell);
-    for (std::size_t c = 0; c < 2; ++c)
+    assemble();
+    for (std::size_t c = 0; c < dim; ++c)
       if (foot.held[c])
         {
           mass[c] = 0.;
-          for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t i = 0; i < mass.size(); ++i)
             stiffness(i, c) = stiffness(c, i) = 0.;
           stiffness(c, c) = 1.;
         }
@@ -58,31 +51,62 @@ namespace fuga
 
 
   // Masses as in lumped_mass().
+  template <int dim>
   void
-  FreeColumn::add_cell(const Cell &cell)
+  FreeColumn<dim>::assemble()
   {
-    const double length = cell.heights.back() - cell.heights.front();
-    Vector points;
-    for (const double height : cell.heights)
-      points.push_back((height - cell.heights.front()) / length);
-    const LineIntegrals integrals(points);
-    double sum = 0.;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      sum += integrals.values(i, i);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t c = 0; c < 2; ++c)
-        {
-          const std::size_t row = 2 * (cell.first_node + i) + c;
-          mass[row] += cell.density * length * integrals.values(i, i) / sum;
-          for (std::size_t j = 0; j < points.size(); ++j)
-            stiffness(row, 2 * (cell.first_node + j) + c) +=
-              cell.moduli[c] / length * integrals.slopes(i, j);
-        }
+    const dealii::QGauss<1> rule(degree + 1);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      {
+        const Cell &cell    = cells[k];
+        const double length = cell.top - cell.foot;
+        Vector squares(degree + 1, 0.);
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            const Place at = place(cell.foot + rule.point(q)[0] * length);
+            for (std::size_t i = 0; i <= degree; ++i)
+              {
+                squares[i] += rule.weight(q) * at.values[i] * at.values[i];
+                for (std::size_t j = 0; j <= degree; ++j)
+                  for (std::size_t c = 0; c < dim; ++c)
+                    stiffness(dim * (k * degree + i) + c, dim * (k * degree + j) + c) +=
+                      (cell.mu + (c == dim - 1 ? cell.lambda + cell.mu : 0.)) * length *
+                      rule.weight(q) * at.slopes[i] * at.slopes[j];
+              }
+          }
+        const double sum = std::accumulate(squares.begin(), squares.end(), 0.);
+        for (std::size_t i = 0; i <= degree; ++i)
+          for (std::size_t c = 0; c < dim; ++c)
+            mass[dim * (k * degree + i) + c] += cell.density * length * squares[i] / sum;
+      }
   }
 
 
+  template <int dim>
+  auto
+  FreeColumn<dim>::place(const double height) const -> Place
+  {
+    std::size_t k = 0;
+    while (k + 1 < cells.size() && height > cells[k].top)
+      ++k;
+    const double length = cells[k].top - cells[k].foot;
+    Place result;
+    result.cell       = &cells[k];
+    result.first_node = k * degree;
+    std::vector<double> value_and_slope(2);
+    for (const auto &polynomial : polynomials)
+      {
+        polynomial.value((height - cells[k].foot) / length, value_and_slope);
+        result.values.push_back(value_and_slope[0]);
+        result.slopes.push_back(value_and_slope[1] / length);
+      }
+    return result;
+  }
+
+
+  template <int dim>
   void
-  FreeColumn::begin(const Drive &drive)
+  FreeColumn<dim>::begin(const Drive &drive)
   {
     forces = forces_of(drive);
     now.emplace(
@@ -92,16 +116,18 @@ namespace fuga
   }
 
 
+  template <int dim>
   void
-  FreeColumn::restore(const IntegrationMemory &memory, const Drive &drive)
+  FreeColumn<dim>::restore(const IntegrationMemory &memory, const Drive &drive)
   {
     begin(drive);
     now->restore(memory);
   }
 
 
+  template <int dim>
   void
-  FreeColumn::try_step(const unsigned int rung, const double h, const Drive &drive)
+  FreeColumn<dim>::try_step(const unsigned int rung, const double h, const Drive &drive)
   {
     if (!factors[rung])
       factors[rung].emplace(stiffness_of_step(h));
@@ -109,7 +135,7 @@ namespace fuga
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
     Vector change = now->push(h, growth);
-    for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t c = 0; c < dim; ++c)
       if (foot.held[c])
         change[c] = 0.;
     factors[rung]->solve(change);
@@ -119,8 +145,9 @@ namespace fuga
   }
 
 
+  template <int dim>
   void
-  FreeColumn::finish_step()
+  FreeColumn<dim>::finish_step()
   {
     now.emplace(*next);
     forces      = forces_at_end;
@@ -130,8 +157,9 @@ namespace fuga
   }
 
 
+  template <int dim>
   Vector
-  FreeColumn::strained() const
+  FreeColumn<dim>::strained() const
   {
     Vector result = next->displacement();
     add_multiple(damping.of_stiffness, next->velocity(), result);
@@ -139,32 +167,35 @@ namespace fuga
   }
 
 
+  template <int dim>
   Vector
-  FreeColumn::forces_of(const Drive &drive) const
+  FreeColumn<dim>::forces_of(const Drive &drive) const
   {
     Vector result(mass.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = -mass[i] * drive.acceleration[i % 2];
-    for (std::size_t c = 0; c < 2; ++c)
+      result[i] = -mass[i] * drive.acceleration[i % dim];
+    for (std::size_t c = 0; c < dim; ++c)
       result[c] += 2. * foot.dashpots[c] * drive.wave[c];
     return result;
   }
 
 
+  template <int dim>
   Vector
-  FreeColumn::damping_times(const Vector &v) const
+  FreeColumn<dim>::damping_times(const Vector &v) const
   {
     Vector result = damping.of_stiffness > 0. ? multiply(stiffness, v) : Vector(v.size(), 0.);
     for (std::size_t i = 0; i < v.size(); ++i)
       result[i] = damping.of_stiffness * result[i] + damping.of_mass * mass[i] * v[i];
-    for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t c = 0; c < dim; ++c)
       result[c] += foot.dashpots[c] * v[c];
     return result;
   }
 
 
+  template <int dim>
   DenseMatrix
-  FreeColumn::stiffness_of_step(const double h) const
+  FreeColumn<dim>::stiffness_of_step(const double h) const
   {
     DenseMatrix result  = stiffness;
     const double damped = now->damping_factor(h);
@@ -173,8 +204,12 @@ namespace fuga
         for (std::size_t i = 0; i < mass.size(); ++i)
           result(i, j) *= 1. + damped * damping.of_stiffness;
         result(j, j) += (now->mass_factor(h) + damped * damping.of_mass) * mass[j] +
-                        (j < 2 ? damped * foot.dashpots[j] : 0.);
+                        (j < dim ? damped * foot.dashpots[j] : 0.);
       }
     return result;
   }
+
+
+  template class FreeColumn<2>;
+  template class FreeColumn<3>;
 } // namespace fuga

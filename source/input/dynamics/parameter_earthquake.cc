@@ -208,10 +208,10 @@ namespace fuga
       const EarthquakeEntries &e = entries_of<EarthquakeEntries>();
       if (!section.given(e.free_field))
         return;
-      if (model.dimension == 3 || model.assumption == PlaneAssumption::axisymmetric)
+      if (model.dimension == 2 && model.assumption == PlaneAssumption::axisymmetric)
         section.fail(e.free_field,
-                     "the ground beside a model is computed for plane problems only. Move the "
-                     "sides away and name them in 'Dynamics/Absorbing boundaries'.");
+                     "the ground beside a model is computed in space and for plane problems without "
+                     "an axis. Move the side away and name it in 'Dynamics/Absorbing boundaries'.");
       dynamics.free_field = read_also_absorbing(section, e.free_field, dynamics.absorbing);
     }
 

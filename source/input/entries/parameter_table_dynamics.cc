@@ -144,9 +144,9 @@ namespace fuga
                "the rock that begins there, which is twice the wave that comes up, or that wave.");
     free_field = optional("Free field",
                           text(),
-                          "List of vertical boundaries, the sides of a plane model, beside which "
-                          "the ground moves as a column without the structure: they are absorbing "
-                          "for what differs from that.");
+                          "List of vertical boundaries, the sides of the model, beside which "
+                          "horizontally layered ground moves as a column without the structure: "
+                          "they are absorbing for what differs from that.");
     added_mass = optional("Added mass boundaries",
                           text(),
                           "List of boundaries with which water moves: 7/8 (Added mass unit "

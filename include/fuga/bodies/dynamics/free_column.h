@@ -4,6 +4,8 @@
 #ifndef fuga_bodies_dynamics_free_column_h
 #define fuga_bodies_dynamics_free_column_h
 
+#include <deal.II/base/polynomial.h>
+
 #include <fuga/contact/dynamics/time_integration.h>
 
 #include <array>
@@ -14,28 +16,28 @@ namespace fuga
   /**
    * A column of ground of unit section whose points move as far as their height says: waves of
    * shear and of pressure between its foot and its free surface, in the steps of the bodies beside
-   * it. Entry 2 node + component: 0 is horizontal, 1 vertical; nodes from below.
+   * it. Entry dim node + component, the last component of which is vertical; nodes from below.
    */
+  template <int dim>
   class FreeColumn
   {
   public:
+    /** A finite element of ground. */
     struct Cell
     {
-      /** Of its lowest node; the others follow. */
-      unsigned int first_node = 0;
-      /** Of the nodes [m]. */
-      Vector heights;
+      /** Heights [m]. */
+      double foot = 0., top = 0.;
       /** [MN s²/m⁴] */
       double density = 0.;
-      /** Of shear and pressure waves: μ and λ + 2μ [MPa]. */
-      std::array<double, 2> moduli = {{0., 0.}};
+      /** Lamé's λ and μ [MPa]. */
+      double lambda = 0., mu = 0.;
     };
 
     /** What is below, by components: a dashpot [MPa s/m], or a support. */
     struct Foot
     {
-      std::array<double, 2> dashpots = {{0., 0.}};
-      std::array<bool, 2> held       = {{false, false}};
+      std::array<double, dim> dashpots = {};
+      std::array<bool, dim> held       = {};
     };
 
     /** αM + βK is the damping of the ground. */
@@ -44,17 +46,33 @@ namespace fuga
       double of_mass = 0., of_stiffness = 0.;
     };
 
+    /** @p cells from below; @p degree of their polynomials; @p radius: spectral, of the integration
+     * in time. */
     FreeColumn(const std::vector<Cell> &cells,
+               const unsigned int degree,
                const Foot &foot,
                const Damping &damping,
-               const double spectral_radius,
+               const double radius,
                const unsigned int n_rungs);
+
+    /** A place of the column: the cell and the functions of its nodes, from its first one on. */
+    struct Place
+    {
+      const Cell *cell       = nullptr;
+      std::size_t first_node = 0;
+      /** The functions and their derivatives [1/m]. */
+      Vector values, slopes;
+    };
+
+    /** Of the cell nearest to @p height. */
+    Place
+    place(const double height) const;
 
     /** What drives it, by components: the ground on which a rigid base moves [m/s²], or the
      * velocity of the wave that comes up [m/s]. */
     struct Drive
     {
-      std::array<double, 2> acceleration = {{0., 0.}}, wave = {{0., 0.}};
+      std::array<double, dim> acceleration = {}, wave = {};
     };
 
     /** At rest. */
@@ -92,7 +110,7 @@ namespace fuga
 
   private:
     void
-    add_cell(const Cell &cell);
+    assemble();
 
     Vector
     forces_of(const Drive &drive) const;
@@ -104,6 +122,10 @@ namespace fuga
     DenseMatrix
     stiffness_of_step(const double h) const;
 
+    const std::vector<Cell> cells;
+    const unsigned int degree;
+    /** Of the nodes of a cell on (0, 1). */
+    const std::vector<dealii::Polynomials::Polynomial<double>> polynomials;
     const Foot foot;
     const Damping damping;
     const double spectral_radius;
@@ -112,14 +134,6 @@ namespace fuga
     std::vector<std::optional<LuFactors>> factors; // by rung
     std::optional<TimeIntegration> now, next;
     Vector forces, forces_at_end;
-  };
-
-  /** ∫ Lᵢ Lⱼ ds, ∫ Lᵢ Lⱼ' ds and ∫ Lᵢ' Lⱼ' ds of the Lagrange polynomials of these @p points of (0, 1). */
-  struct LineIntegrals
-  {
-    explicit LineIntegrals(const Vector &points);
-
-    DenseMatrix values, slopes_by_values, slopes;
   };
 } // namespace fuga
 

@@ -5,14 +5,14 @@
 #define fuga_bodies_dynamics_free_field_h
 
 #include <fuga/bodies/dynamics/driving_forces.h>
-#include <fuga/bodies/dynamics/free_column.h>
+#include <fuga/bodies/dynamics/ground_beside.h>
 
 namespace fuga
 {
   /**
-   * The ground beside a plane model, which moves as if the model were not there: a column on every
-   * side with the nodes of the side, in its steps of time. It acts on the side with its stress σ_f
-   * and, through the dashpots of the absorbing boundary, with its velocity v_f,
+   * The ground beside a model, which moves as if the model were not there: a column on every side,
+   * in the steps of time of the model. It acts on the side with its stress σ_f and, through the
+   * dashpots of the absorbing boundary, with its velocity v_f,
    *
    *     σ_f n + C v_f,
    *
@@ -25,10 +25,10 @@ namespace fuga
   class FreeField
   {
   public:
-    /** @throws InputError for sides that are not of one piece, or that stand on nothing. */
+    /** @throws InputError for sides beside which is no column, or that stand on nothing. */
     FreeField(const BodyModel<dim> &model,
               const DrivingForces<dim> &driving,
-              const FreeColumn::Damping &damping);
+              const typename FreeColumn<dim>::Damping &damping);
 
     /** At rest. */
     void
@@ -51,8 +51,6 @@ namespace fuga
     restore(const std::vector<IntegrationMemory> &integrations, const double time);
 
   private:
-    using Face = typename Discretization<dim>::BoundaryFace;
-
     /** What a displacement of the column does to a side [MN/m]. */
     struct Traction
     {
@@ -62,24 +60,25 @@ namespace fuga
 
     struct Side
     {
-      std::unique_ptr<FreeColumn> column;
+      std::unique_ptr<FreeColumn<dim>> column;
       std::vector<Traction> tractions;
-      /** Node of the column at the height of a node of the side. */
-      std::map<unsigned int, unsigned int> nodes;
+      /** Where in the column a node of the side is. */
+      std::map<unsigned int, typename FreeColumn<dim>::Place> nodes;
     };
 
     Side
-    make_side(const std::vector<Face> &faces, const FreeColumn::Damping &damping) const;
+    make_side(const SideOfGround<dim> &faces,
+              const typename FreeColumn<dim>::Damping &damping) const;
 
-    /** Numbers of the nodes of a face from below. */
-    std::vector<std::size_t>
-    from_below(const Face &face) const;
+    /** Adds what the column does to a face. */
+    void
+    add_tractions(const typename Discretization<dim>::BoundaryFace &face, Side &side) const;
 
-    FreeColumn::Drive
+    typename FreeColumn<dim>::Drive
     drive_at(const double time) const;
 
-    FreeColumn::Foot
-    foot(const Face &lowest) const;
+    typename FreeColumn<dim>::Foot
+    foot(const SideOfGround<dim> &faces) const;
 
     const BodyModel<dim> &model;
     const DrivingForces<dim> &driving;
