@@ -295,7 +295,7 @@ TEST_F(PlantedMechanisms, AVerdictNeedsAProof)
   PathResult unproven = planted;
   EXPECT_THROW(prove_limit(at_limit.judge, joint.elements, layered, below, unproven),
                NumericalFailure);
-  const MechanismCertificate proof =
+  const LimitProof proof =
     prove_limit(at_limit.judge, joint.elements, layered, at_limit.last, planted);
   EXPECT_TRUE(proof.proves());
   EXPECT_EQ(planted.mechanism, MechanismKind::sliding);

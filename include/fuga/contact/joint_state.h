@@ -106,6 +106,15 @@ namespace fuga
     Vector dislocations;
   };
 
+  template <typename Rates, typename Visitor, only_for<Rates, JointRates> = 0>
+  void
+  for_each_field(Rates &rates, Visitor &&visit)
+  {
+    auto &[forces, dislocations] = rates;
+    visit("forces", forces);
+    visit("dislocations", dislocations);
+  }
+
   /**
    * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, to
    * loads and water; the rate of the unreleased forces of broken bonds, which only fall in size;

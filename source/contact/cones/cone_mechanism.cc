@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/cones/cone_barrier.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 #include <fuga/contact/element/mechanism.h>
 
@@ -15,6 +16,14 @@ namespace fuga
   {
     /** Power of loads, relative to the sizes of its terms, that is none. */
     constexpr double no_power = 1e-10;
+
+    Drive
+    at_rest(const LayeredSystem &system)
+    {
+      Drive result;
+      result.reactions.assign(system.n_bars(), 0.);
+      return result;
+    }
   } // namespace
 
   // A scheme without resistance, or what every sweep adds to the rates that grow beyond bounds. It
@@ -23,8 +32,6 @@ namespace fuga
   void
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
-    Drive at_rest;
-    at_rest.reactions.assign(system.n_bars(), 0.);
     for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
       {
         if (motion.empty() || result.has_mechanism)
@@ -34,10 +41,39 @@ namespace fuga
         if (power < 0.)
           for (double &rate : motion)
             rate = -rate;
-        result.mechanism     = full_rates(background, at_rest, motion);
+        result.mechanism     = full_rates(background, at_rest(system), motion);
         result.has_mechanism = is_admissible(motion) && std::abs(power) > no_power * size &&
                                is_free_motion(result.mechanism, system);
       }
+  }
+
+  // What a broken bond gives up, and water that comes in, are not known to those who judge it.
+  std::optional<JointRates>
+  ConeRateProblem::find_barrier(WorkingScheme &background, const Drive &drive) const
+  {
+    if (!drive.release.empty() || !drive.missing_water.empty())
+      return {};
+    std::vector<ConeAnswer> answers;
+    for (const Candidate &candidate : candidates)
+      {
+        using Place = ConeAnswer::Place;
+        ConeAnswer answer;
+        answer.row        = candidate.row;
+        answer.n_tangents = candidate.n_tangents;
+        answer.friction   = candidate.friction;
+        answer.rise       = candidate.rise;
+        answer.direction  = candidate.direction;
+        if (candidate.n_tangents == 0 || (!candidate.at_apex && candidate.grazing))
+          answer.place = Place::parting;
+        else if (candidate.at_apex)
+          answer.place = Place::at_apex;
+        answer.strength_rate =
+          answer.place == Place::on_cone ? candidate.strength_rate : candidate.tension_rate;
+        answers.push_back(answer);
+      }
+    const std::optional<Vector> barrier = fuga::find_barrier(W, r, diagonal, answers);
+    return barrier ? std::optional<JointRates>(full_rates(background, at_rest(system), *barrier))
+                   : std::nullopt;
   }
 
   // Where elements slip apart on both sides of an axis, their friction is in balance, and all of

@@ -59,7 +59,11 @@ namespace fuga
         result.by_search =
           !result.has_mechanism && is_small() && search(result, [] { return true; });
         if (!result.by_search)
-          return result;
+          {
+            if (!result.has_mechanism)
+              result.barrier = find_barrier(background, drive);
+            return result;
+          }
       }
     slip_where_neutral();
     take_solution(result);

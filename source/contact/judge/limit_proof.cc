@@ -22,9 +22,19 @@ namespace fuga
         proof.balance,
         proof.drive);
     }
+
+    std::string
+    figures(const BarrierCertificate &proof)
+    {
+      return fmt::format("equilibrium {:.2g}, inadmissible part {:.2g} (both should vanish), drive "
+                         "{:.2g} (should be positive)",
+                         proof.equilibrium,
+                         proof.inadmissible,
+                         proof.drive);
+    }
   } // namespace
 
-  MechanismCertificate
+  LimitProof
   prove_limit(const Judge &judge,
               const std::vector<ContactElement> &elements,
               const LayeredSystem &system,
@@ -43,7 +53,7 @@ namespace fuga
     if (is_limit)
       of_path = judge.judge_mechanism(state, result.mechanism_jumps);
     if (is_limit && of_path.proves())
-      return of_path;
+      return {of_path, {}};
 
     const std::optional<Vector> motion = judge.mechanism(state);
     const MechanismCertificate of_judge =
@@ -55,18 +65,28 @@ namespace fuga
         result.mechanism       = classify_mechanism(*motion, elements);
         result.critical        = {};
         result.tried.clear();
-        return of_judge;
+        result.barrier = {};
+        return {of_judge, {}};
       }
     if (!is_limit && result.tried.empty())
       return {};
+    const BarrierCertificate barrier = judge.judge_barrier(state, result.barrier);
+    if (!is_limit && barrier.proves())
+      {
+        result.tried.clear();
+        return {{}, barrier};
+      }
     throw NumericalFailure(fmt::format(
       "{} load time {:.12g}, and no motion proves that there is none. "
-      "{}. {}. The structure may stand; try softer joints{}.",
+      "{}. {}{}. The structure may stand; try softer joints{}.",
       result.jump.found ? "No continuous path was found behind" : "No equilibrium was found behind",
       state.t,
       is_limit ? "The motion found: " + figures(of_path) : result.tried,
       motion ? "The rigid motion of the bodies that the load drives most: " + figures(of_judge)
              : "The load drives no rigid motion of the bodies that their joints allow",
+      result.barrier.forces.empty()
+        ? ""
+        : ". The virtual motion on which answers of the joints work least: " + figures(barrier),
       result.jump.found
         ? ", or let it jump to the equilibrium found near by (Solver/No continuation = jump)"
         : ""));

@@ -203,7 +203,8 @@ namespace fuga
     result.verdict  = Verdict::done;
     result.critical = {};
     result.tried.clear();
-    result.t = state.t;
+    result.barrier = {};
+    result.t       = state.t;
     ++result.n_followed_jumps;
     standstill.forget();
     resticking.clear();

@@ -165,6 +165,7 @@ namespace fuga
       {
         find_critical_elements(state, result);
         note_what_was_tried(continuation, boundary.elements_on_boundary(state), result);
+        result.barrier = continuation.barrier.value_or(JointRates());
         return;
       }
     take_limit(state, continuation.mechanism, result);

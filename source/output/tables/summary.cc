@@ -223,11 +223,22 @@ namespace fuga
                             {"mechanism", mechanism_name(summary.path.mechanism)},
                             {"motion", summary.motion},
                             {"proof",
-                             {{"error", summary.proof.error()},
-                              {"resistance", summary.proof.resistance},
-                              {"inadmissible", summary.proof.inadmissible},
-                              {"balance", summary.proof.balance},
-                              {"drive", summary.proof.drive}}}};
+                             {{"error", summary.proof.mechanism.error()},
+                              {"resistance", summary.proof.mechanism.resistance},
+                              {"inadmissible", summary.proof.mechanism.inadmissible},
+                              {"balance", summary.proof.mechanism.balance},
+                              {"drive", summary.proof.mechanism.drive}}}};
+    if (const BarrierCertificate &barrier = summary.proof.barrier; barrier.proves())
+      json["no_continuation"] = {{"t", summary.t},
+                                 {"stage", summary.stage},
+                                 {"stage_fraction", summary.stage_fraction},
+                                 {"load_factors", object(summary.load_factors)},
+                                 {"proof",
+                                  {{"error", barrier.error()},
+                                   {"equilibrium", barrier.equilibrium},
+                                   {"inadmissible", barrier.inadmissible},
+                                   {"drive", barrier.drive},
+                                   {"margin", barrier.margin()}}}};
     if (const BeyondLimit &beyond = summary.path.beyond; beyond.end != BeyondLimit::End::none)
       json["beyond_limit"] = {{"end", beyond_limit_end_name(beyond.end)},
                               {"path_length", beyond.length},

@@ -51,6 +51,7 @@ namespace fuga
       if (result.n_non_unique == 0)
         result.critical = {};
       result.tried.clear();
+      result.barrier = {};
       return result;
     }
   } // namespace

@@ -71,7 +71,7 @@ namespace fuga
         PathResult found = path_to_follow();
         end_motion();
         if (model.construction.until_rest)
-          outcome.mechanism = end_continuation(found);
+          outcome.proof.mechanism = end_continuation(found);
         else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
           write_last_state();
         goes_on_in_motion = model.goes_on_in_motion(found) || still_move(found);
@@ -83,7 +83,7 @@ namespace fuga
             return ExitCode::done;
           }
         if (!model.construction.until_rest)
-          outcome.mechanism = prove_limit(judge, joint.elements, layered, last_state, found);
+          outcome.proof = prove_limit(judge, joint.elements, layered, last_state, found);
         outcome.path    = found;
         outcome.verdict = verdict_name(found.verdict);
         outcome.code =

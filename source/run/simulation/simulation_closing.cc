@@ -134,14 +134,22 @@ namespace fuga
           log.line("            " + context.driving.at(outcome.path.t, stage).text());
           if (const std::string text = model.motion(joint.elements, outcome.path); !text.empty())
             log.line("            " + text);
-          if (outcome.path.verdict == Verdict::limit_load && outcome.mechanism.proves())
+          if (outcome.path.verdict == Verdict::limit_load && outcome.proof.mechanism.proves())
             log.line(fmt::format("            shown by a motion: resistance {:.1e}, inadmissible "
                                  "part {:.1e}, balance of "
                                  "power {:.1e}; the load drives it with {:.3g} of its power",
-                                 outcome.mechanism.resistance,
-                                 outcome.mechanism.inadmissible,
-                                 outcome.mechanism.balance,
-                                 outcome.mechanism.drive));
+                                 outcome.proof.mechanism.resistance,
+                                 outcome.proof.mechanism.inadmissible,
+                                 outcome.proof.mechanism.balance,
+                                 outcome.proof.mechanism.drive));
+          if (const BarrierCertificate &barrier = outcome.proof.barrier; barrier.proves())
+            log.line(fmt::format("            shown by a virtual motion: equilibrium {:.1e}, "
+                                 "inadmissible part {:.1e}; the load works on it with {:.3g} of "
+                                 "its power; margin {:.1e}",
+                                 barrier.equilibrium,
+                                 barrier.inadmissible,
+                                 barrier.drive,
+                                 barrier.margin()));
           break;
         default:
           log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
@@ -240,7 +248,7 @@ namespace fuga
     summary.stage_fraction       = fraction;
     summary.drive                = context.driving.at(summary.t, stage);
     summary.motion               = model.motion(joint.elements, outcome.path);
-    summary.proof                = outcome.mechanism;
+    summary.proof                = outcome.proof;
     summary.path                 = outcome.path;
     for (const std::size_t k : outcome.path.critical.elements)
       {

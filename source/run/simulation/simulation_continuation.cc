@@ -34,7 +34,7 @@ namespace fuga
     MotionBeyondLimit continuation;
     try
       {
-        continuation.proof = prove_limit(judge, joint.elements, layered, last_state, loss);
+        continuation.proof = prove_limit(judge, joint.elements, layered, last_state, loss).mechanism;
       }
     catch (const NumericalFailure &)
       {

@@ -26,6 +26,8 @@ namespace fuga
     /** Set if nothing exists because a motion meets no resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
+    /** Otherwise a virtual motion that may show that no rates exist: find_barrier(). */
+    std::optional<JointRates> barrier;
     /** λ̇, where the load is an unknown. */
     double load_rate = 0.;
     /** Sign of the determinant of the scheme: negative beyond critical friction. */
@@ -221,6 +223,8 @@ namespace fuga
                       Candidate &candidate);
     void
     find_mechanism(WorkingScheme &background, ConeContinuation &result);
+    std::optional<JointRates>
+    find_barrier(WorkingScheme &background, const Drive &drive) const;
     bool
     end_idle_motion();
     bool

@@ -6,6 +6,7 @@
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
+#include <fuga/contact/judge/barrier_certificate.h>
 #include <fuga/contact/judge/judge_memory.h>
 #include <fuga/contact/judge/mechanism_certificate.h>
 #include <fuga/contact/load_history.h>
@@ -124,6 +125,11 @@ namespace fuga
     /** Judges the motion of the joints with which a path ended in @p state. */
     MechanismCertificate
     judge_mechanism(const JointState &state, const Vector &motion) const;
+
+    /** Judges virtual rates that are to show that no rates exist in @p state. Proves nothing while
+     * lost strength is given up, with water in the joints, or in motion. */
+    BarrierCertificate
+    judge_barrier(const JointState &state, const JointRates &barrier) const;
 
     /** Which rigid motions of the bodies are looked for. */
     enum class Motions
@@ -303,6 +309,22 @@ namespace fuga
     layer(const std::size_t k, const JointState &state) const;
     Layer
     layer_rates(const std::size_t k, const PathPoint &point) const;
+    /** Of a bar whose layer has this compliance [MN/m]. */
+    double
+    own_stiffness(const std::size_t bar, const double compliance) const;
+
+    /** Virtual dislocations [m] and forces [MN] on which an answer of an element could work. */
+    struct VirtualError
+    {
+      double normal_jump, shear_jump, pull, shear;
+    };
+
+    /** Of the virtual dislocation @p y and the virtual forces. */
+    VirtualError
+    virtual_error(const Freedom &freedom,
+                  const Layer &y,
+                  const double pull,
+                  const TangentVector &shear) const;
     /** [MNm] */
     double
     stored_energy(const std::size_t k, const JointState &state) const;

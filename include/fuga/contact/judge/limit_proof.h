@@ -10,17 +10,32 @@
 
 namespace fuga
 {
+  /** What proves that a path cannot go on: the one of a limit load, or the other one where that is
+   * all that shows that there is no continuation. */
+  struct LimitProof
+  {
+    MechanismCertificate mechanism;
+    BarrierCertificate barrier;
+
+    bool
+    proves() const
+    {
+      return mechanism.proves() || barrier.proves();
+    }
+  };
+
   /**
    * What makes a limit load a verdict, in the plane and in space: the motion with which the path
    * ended in @p last_state (without states: before its first load) must prove it, see
    * MechanismCertificate::proves(). If it does not, the judge looks for one that does, which then
    * takes its place in @p result. A path that found no continuation has met a limit load all the
-   * same if there is such a motion; if it cannot say that there is no continuation
-   * (PathResult::tried), it needs one. Does nothing for other verdicts, nor where the motion itself
+   * same if there is such a motion; if it has only not found any (PathResult::tried), it needs one,
+   * or a virtual motion that proves that there is none (PathResult::barrier,
+   * BarrierCertificate::proves()). Does nothing for other verdicts, nor where the motion itself
    * was followed beyond the limit.
    * @throws NumericalFailure if no motion proves a limit load, or what was only not found.
    */
-  MechanismCertificate
+  LimitProof
   prove_limit(const Judge &judge,
               const std::vector<ContactElement> &elements,
               const LayeredSystem &system,

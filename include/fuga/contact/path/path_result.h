@@ -136,6 +136,8 @@ namespace fuga
     /** What was tried, where a path ends with `no_continuation` only because no way on was found:
      * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
     std::string tried;
+    /** Virtual rates that may prove it then; empty if there are none. */
+    JointRates barrier;
   };
 
   template <typename Result, typename Visitor, only_for<Result, PathResult> = 0>
@@ -157,7 +159,8 @@ namespace fuga
            beyond,
            jump,
            n_followed_jumps,
-           tried] = result;
+           tried,
+           barrier] = result;
     visit("verdict", verdict);
     visit("t", t);
     visit("mechanism", mechanism);
@@ -174,6 +177,7 @@ namespace fuga
     visit("jump", jump);
     visit("n_followed_jumps", n_followed_jumps);
     visit("tried", tried);
+    visit("barrier", barrier);
   }
 
   /** What a path takes along from segment to segment besides its state. */

@@ -41,6 +41,9 @@ namespace fuga
     /** If none exists: the motion that meets the least resistance, if one was found. */
     bool has_mechanism = false;
     JointRates mechanism;
+    /** In space, if nothing moves freely either: a virtual motion that may show that none exists.
+     */
+    std::optional<JointRates> barrier;
     /** Continuations known. */
     std::size_t n_branches = 1;
     /** Schemes tried. */

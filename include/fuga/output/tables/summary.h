@@ -7,7 +7,7 @@
 #include <fuga/bodies/condensed/condensed_system.h>
 #include <fuga/bodies/program/driving_quantity.h>
 #include <fuga/contact/dynamics/moving_bodies.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/verdict_name.h>
 #include <fuga/input/parameters.h>
@@ -99,8 +99,8 @@ namespace fuga
     DrivingQuantity drive;
     /** The mechanism of a limit load in words: mechanism_text(). */
     std::string motion;
-    /** What proves the limit load. */
-    MechanismCertificate proof;
+    /** What proves the limit load, or that there is no continuation. */
+    LimitProof proof;
     /** Factors of the load patterns at t, by load name. */
     std::map<std::string, double> load_factors;
 

@@ -105,7 +105,7 @@ namespace fuga
       ExitCode code = ExitCode::done;
       std::string message;
       std::vector<SafetyFactor> safety;
-      MechanismCertificate mechanism;
+      LimitProof proof;
     };
 
     ExitCode
