@@ -208,7 +208,7 @@ def write_page(fuga, folder, output):
     finer = float(rows_of(folder / "finer/earthquake.csv")[-1]["mean_slip"])
     pairs = [(float(row["base mean_slip"]), blocks[row[RECORD], float(row[SCALE]), float(row[FRICTION])]) for row in table]
     slid = [(dam, block) for dam, block in pairs if max(dam, block) > 1e-4]
-    defect = lambda row: abs(float(row["work"]) - sum(float(row[name]) for name in ("kinetic_energy", "energy_bodies", "damping", "joint_work", "numerical")))
+    defect = lambda row: abs(float(row["work"]) - sum(float(row[name]) for name in ("kinetic_energy", "energy_bodies", "damping", "joint_work", "numerical", "sudden")))
     verdicts = collections.Counter(row["verdict"] for row in table)
     text += TAIL.format(
         friction=100 * sum(float(row["joint_work"]) for row in table) / sum(float(row["work"]) for row in table),

@@ -60,6 +60,7 @@ namespace fuga
               {"damping", u.energy(), energy(&MotionLedger::damping)},
               {"joint_work", u.energy(), energy(&MotionLedger::joints)},
               {"numerical", u.energy(), energy(&MotionLedger::numerical)},
+              {"sudden", u.energy(), energy(&MotionLedger::sudden)},
               {"largest_energy", u.energy(), energy(&MotionLedger::largest)}};
     }
 

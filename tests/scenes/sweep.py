@@ -82,7 +82,7 @@ def single_run(folder):
         moments = rows(folder / "earthquake.csv")
         result["base largest_opening"] = max(float(row["largest_gap"]) for row in moments)
         result["largest_energy"] = summary["motion"]["largest_energy"]
-        names = ["work", "kinetic_energy", "energy_bodies", "damping", "joint_work", "numerical"]
+        names = ["work", "kinetic_energy", "energy_bodies", "damping", "joint_work", "numerical", "sudden"]
         result.update({name: moments[-1][name] for name in names})
         if float(moments[-1]["t"]) == summary["t"]:
             result.update({f"base {name}": moments[-1][name] for name in ("mean_slip", "largest_slip")})

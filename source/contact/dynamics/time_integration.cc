@@ -83,7 +83,8 @@ namespace fuga
         out_of_balance[i] =
           (m[i] * ((1. - alpha_m) * a[i] + alpha_m * a_before) - alpha_f * q_before) /
           (1. - alpha_f);
-        of_inertia += 0.5 * (known_at_begin + out_of_balance[i]) * du[i];
+        (m[i] > 0. ? of_inertia : ledger.sudden) +=
+          0.5 * (known_at_begin + out_of_balance[i]) * du[i];
         defect[i] = 0.;
       }
     damped = damping(v);

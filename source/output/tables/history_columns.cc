@@ -326,7 +326,8 @@ namespace fuga
       {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
       {"damping", u.energy(), of_motion<&MotionLedger::damping>},
       {"joint_work", u.energy(), of_motion<&MotionLedger::joints>},
-      {"numerical", u.energy(), of_motion<&MotionLedger::numerical>}};
+      {"numerical", u.energy(), of_motion<&MotionLedger::numerical>},
+      {"sudden", u.energy(), of_motion<&MotionLedger::sudden>}};
     if (in_space)
       append(columns,
              {{"T2", u.force, of_joint<&JointResultant::T2>},

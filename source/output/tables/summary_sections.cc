@@ -18,6 +18,7 @@ namespace fuga
       json["damping"]           = energies.damping;
       json["joint_work"]        = energies.joints;
       json["numerical"]         = energies.numerical;
+      json["sudden"]            = energies.sudden;
       json["largest_energy"]    = energies.largest;
       json["not_accounted_for"] = energies.defect();
       json["rounding"]          = energies.rounding;

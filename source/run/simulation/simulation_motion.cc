@@ -153,7 +153,7 @@ namespace fuga
     log.line(
       fmt::format("Motion      {} steps and {} shorter ones; work {:.6g} {}: kinetic {:.6g}, "
                   "bodies {:.6g}, damping {:.6g}, joints {:.6g}, integration in time {:.3g} "
-                  "({:.1e} of the largest); not accounted for {:.1e} of the largest",
+                  "({:.1e} of the largest){}; not accounted for {:.1e} of the largest",
                   motion_steps[0],
                   n_halved,
                   e.work,
@@ -164,6 +164,7 @@ namespace fuga
                   e.joints,
                   e.numerical,
                   e.share(e.numerical),
+                  e.share(e.sudden) > 0. ? fmt::format(", sudden {:.3g}", e.sudden) : "",
                   e.share(e.defect())));
     for (const std::string &warning : motion_warnings(e, motion_steps))
       log.warning(warning);

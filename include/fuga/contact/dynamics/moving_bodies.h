@@ -41,7 +41,8 @@ namespace fuga
    * Energies of bodies in motion since it began [MNm], without what the bodies store because they
    * were loaded before. Nothing is lost if
    *
-   *     work = kinetic + bodies + damping + joints + numerical.  (doc/theory.md, section 19)
+   *     work = kinetic + bodies + damping + joints + numerical + sudden.  (doc/theory.md, section
+   * 19)
    */
   struct MotionLedger
   {
@@ -57,6 +58,9 @@ namespace fuga
     /** What the integration in time takes: by its own damping, and because its forces of the joints
      * are linear within a step, where those of a path with events are not. */
     double numerical = 0.;
+    /** What is lost where nodes without mass are out of balance when the motion begins: they reach
+     * their equilibrium at once, however fast they would have to be. */
+    double sudden = 0.;
     /** The largest of them so far. */
     double largest = 0.;
     /** Less than this is rounding of what the joints carried before the motion. */
@@ -78,7 +82,7 @@ namespace fuga
     double
     defect() const
     {
-      return work - kinetic - bodies - damping - joints - numerical;
+      return work - kinetic - bodies - damping - joints - numerical - sudden;
     }
   };
 
@@ -86,13 +90,14 @@ namespace fuga
   void
   for_each_field(Ledger &ledger, Visitor &&visit)
   {
-    auto &[work, kinetic, bodies, damping, joints, numerical, largest, rounding] = ledger;
+    auto &[work, kinetic, bodies, damping, joints, numerical, sudden, largest, rounding] = ledger;
     visit("work", work);
     visit("kinetic", kinetic);
     visit("bodies", bodies);
     visit("damping", damping);
     visit("joints", joints);
     visit("numerical", numerical);
+    visit("sudden", sudden);
     visit("largest", largest);
     visit("rounding", rounding);
   }
