@@ -34,7 +34,7 @@ ROOMS = {
     "bodies": ["", "space", "joints", "solvers", "elasticity", "loads", "condensed", "dynamics", "program"],
     "input": ["", "syntax", "entries", "values", "joints", "loads", "dynamics", "read"],
     "output": ["files", "results", "tables", "fields", "warnings", "restart"],
-    "run": ["model", "simulation"],
+    "run": ["model", "journal", "simulation"],
     "study": [""],
 }
 WITHOUT_DEALII = ["base", "laws", "contact", "mesh"]

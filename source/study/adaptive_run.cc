@@ -6,6 +6,7 @@
 #include <fuga/bodies/program/refinement_indicator.h>
 #include <fuga/input/entries/parameter_entries.h>
 #include <fuga/output/files/output_files.h>
+#include <fuga/run/simulation/simulation.h>
 #include <fuga/study/adaptive_run.h>
 #include <fuga/study/dual_fields.h>
 

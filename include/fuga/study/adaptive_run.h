@@ -5,7 +5,8 @@
 #define fuga_study_adaptive_run_h
 
 #include <fuga/output/tables/accuracy_report.h>
-#include <fuga/run/simulation/simulation.h>
+#include <fuga/run/journal/run_outcome.h>
+#include <fuga/run/model/model.h>
 #include <fuga/study/accuracy_estimate.h>
 
 namespace fuga

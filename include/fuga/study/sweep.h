@@ -6,7 +6,6 @@
 
 #include <fuga/output/tables/summary.h>
 #include <fuga/run/model/phase_run.h>
-#include <fuga/run/simulation/simulation.h>
 #include <fuga/study/sweep_row.h>
 
 #include <set>

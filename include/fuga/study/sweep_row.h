@@ -9,7 +9,7 @@
 #include <fuga/output/files/table.h>
 #include <fuga/output/results/joint_resultant.h>
 #include <fuga/output/tables/summary.h>
-#include <fuga/run/simulation/simulation.h>
+#include <fuga/run/journal/run_outcome.h>
 
 #include <limits>
 

@@ -9,7 +9,9 @@
 #include <fuga/output/results/mechanism_text.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>
+#include <fuga/run/model/phase_begin.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace fuga
@@ -53,7 +55,8 @@ namespace fuga
     , joints_there(find_joints_there())
   {
     if (before)
-      take_over_joints(*before);
+      first_state = take_over_joints(
+        parameters, bodies, *before, loads.history.factors(construction.begin), construction);
     if (!construction.is_first())
       shared_bodies->set_carried_load(loads.history.n_patterns() - 2, construction.jump_offsets);
     timer.set_apart(bodies.phases());
@@ -92,10 +95,10 @@ namespace fuga
       std::shared_ptr<const JointedMesh> mesh;
       CondensedSystem<dim> bodies;
     };
-    const auto all = std::shared_ptr<WithDefinition>(
-      new WithDefinition{shared_parameters,
-                         shared_mesh,
-                         {mesh, parameters.model, frictionless_joints(), condensation, stage}});
+    const auto all = std::shared_ptr<WithDefinition>(new WithDefinition{
+      shared_parameters,
+      shared_mesh,
+      {mesh, parameters.model, frictionless_joints(parameters.joints), condensation, stage}});
     return {all, &all->bodies};
   }
 
@@ -109,17 +112,6 @@ namespace fuga
     return definitions;
   }
 
-  // A joint without shear strength needs no tangential bars.
-  template <int dim>
-  std::vector<bool>
-  Model<dim>::frictionless_joints() const
-  {
-    std::vector<bool> frictionless;
-    for (const JointParameters &joint : parameters.joints)
-      frictionless.push_back(joint.friction.is_frictionless());
-    return frictionless;
-  }
-
   // All that can be wrong in joints and loads is found before the bodies are condensed.
   template <int dim>
   LoadProgram
@@ -130,7 +122,7 @@ namespace fuga
     check_body_solver();
     LoadProgram program = make_load_program(parameters.model, bodies, construction.stage);
     if (construction.is_first())
-      check_later_phases();
+      check_later_phases<dim>(parameters, mesh);
     if (!is_last_phase())
       {
         const double end       = construction.until_rest
@@ -141,7 +133,7 @@ namespace fuga
       }
     bodies.check_load_patterns(program.patterns);
     if (!construction.is_first())
-      begin_phase(program, before);
+      begin_phase(parameters.model, before, *shared_bodies, construction, program);
     if (condensation != Condensation::never)
       shared_bodies->set_load_patterns(std::move(program.patterns));
     return program;
@@ -301,6 +293,25 @@ namespace fuga
     options.tolerance      = parameters.solver.iteration_tolerance;
     options.max_iterations = parameters.solver.maximum_iterations;
     return options;
+  }
+
+  // What is prescribed without inertia must stand still where bodies move.
+  template <int dim>
+  bool
+  Model<dim>::goes_on_in_motion(const PathResult &result) const
+  {
+    if (parameters.solver.beyond_limit != LimitLoadChoice::dynamic || is_dynamic() ||
+        (result.verdict != Verdict::limit_load && result.verdict != Verdict::no_continuation) ||
+        !(result.t < parameters.model.dynamics.end_of_continuation(result.t)))
+      return false;
+    const Vector rates   = loads.load_factors.rates(result.t),
+                 factors = loads.load_factors.factors(result.t);
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      if (const LoadDefinition &load = parameters.model.loads[i];
+          load.is_without_inertia() &&
+          (rates[i] != 0. || (factors[i] != 0. && depends_on_time(load))))
+        return false;
+    return true;
   }
 
   template <int dim>

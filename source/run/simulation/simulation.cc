@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
-#include <fuga/base/work_counter.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/judge/limit_proof.h>
-#include <fuga/output/tables/summary.h>
+#include <fuga/run/journal/closing_table.h>
+#include <fuga/run/journal/log_header.h>
+#include <fuga/run/journal/run_summary.h>
+#include <fuga/run/model/phase_begin.h>
+#include <fuga/run/simulation/data_doubts.h>
 #include <fuga/run/simulation/simulation.h>
 
-#include <deal.II/lac/vector.h>
-
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace fuga
@@ -21,29 +19,11 @@ namespace fuga
   Simulation<dim>::Simulation(const Model<dim> &shared_model, AccuracyReport of_mesh)
     : model(shared_model)
     , parameters(model.parameters)
-    , accuracy(std::move(of_mesh))
     , phase(model, parameters)
-    , joint(phase.joint)
-    , layered(phase.layered)
-    , safety_search(phase.safety_search)
-    , motion(phase.motion)
-    , path(phase.path)
-    , judge(phase.judge)
-    , model_range(joint.elements, model.joint_names.size(), excesses)
-    , context{joint.elements,
-              model.joint_names,
-              model.joints_there,
-              model.stage_names,
-              model.monitors,
-              parameters.output.units,
-              !model.bodies.closed_water().empty(),
-              dim == 3,
-              may_move(parameters),
-              parameters.output.spectra,
-              DrivingQuantities(parameters.model, model.loads.load_factors)}
-    , log(parameters.output.log, context, parameters.output.directory + "/log.txt")
-    , fields(parameters.output.directory, model.bodies, parameters.model, model.mesh.body_names)
-    , history(parameters.output.directory, context)
+    , journal(phase, std::move(of_mesh))
+    , motion_journal(journal)
+    , checkpoints(journal, motion_journal)
+    , continuation(journal, motion_journal)
   {
     model.timer.finish("layered system");
   }
@@ -55,57 +35,71 @@ namespace fuga
   ExitCode
   Simulation<dim>::run()
   {
-    begin_output();
-    log_header();
+    journal.begin();
+    checkpoints.begin();
+    log_header(journal);
     from_the_beginning = true;
-    return follow([this]() { return path->run(model.loads.levels, *this); });
+    return follow([this]() { return phase.path->run(model.loads.levels, *this); });
+  }
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::resume(const Checkpoint &checkpoint)
+  {
+    log_header(journal);
+    checkpoints.restore(checkpoint);
+    journal.log.line("Restarted at " + place());
+    return follow([&]() {
+      return phase.motion ? resume_motion(checkpoint)
+                          : phase.path->resume(checkpoint.cut, model.loads.levels, *this);
+    });
+  }
+
+  template <int dim>
+  PhaseEnd
+  Simulation<dim>::leave_phase()
+  {
+    PhaseEnd end = phase.leave(
+      journal.record.last_state, *end_of_phase, journal.record.levels_written, goes_on_in_motion);
+    checkpoints.fill(end.checkpoint);
+    model.timer.finish("change of construction");
+    end.timer = model.timer;
+    return end;
+  }
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::enter_phase(const PhaseEnd &before)
+  {
+    const Checkpoint checkpoint = phase.enter(before);
+    checkpoints.restore(checkpoint);
+    if (model.construction.begins_stage())
+      {
+        journal.log.line(
+          change_of_construction(parameters.model, model.bodies, model.construction.stage));
+        for (const std::string &line : phase.joint.report)
+          journal.log.line(line);
+        log_model(journal);
+      }
+    else if (!phase.motion)
+      journal.write_state(journal.record.last_state,
+                          parameters.output.fields != FieldOutput::never);
+    return follow([&]() { return phase.path->go_on(checkpoint.cut, model.loads.levels, *this); });
   }
 
   template <int dim>
   ExitCode
   Simulation<dim>::follow(const std::function<PathResult()> &path_to_follow)
   {
-    Outcome outcome;
+    RunOutcome outcome;
     try
       {
-        PathResult found = path_to_follow();
-        end_motion();
-        if (model.construction.until_rest)
-          outcome.proof.mechanism = end_continuation(found);
-        else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
-          write_last_state();
-        goes_on_in_motion = model.goes_on_in_motion(found) || still_move(found);
-        if (goes_on_in_motion || (found.verdict == Verdict::done && !model.is_last_phase()))
-          {
-            if (goes_on_in_motion)
-              begin_continuation(found);
-            end_of_phase = found;
-            return ExitCode::done;
-          }
-        if (!model.construction.until_rest)
-          outcome.proof = prove_limit(judge, joint.elements, layered, last_state, found);
-        outcome.path    = found;
-        outcome.verdict = verdict_name(found.verdict);
-        outcome.code =
-          found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
-        find_safety(outcome);
-        if (!(worst.worst() <= parameters.solver.certificate_bound))
-          {
-            outcome.code    = ExitCode::certificate_violated;
-            outcome.message = doubt_about_data();
-          }
+        if (!conclude(path_to_follow(), outcome))
+          return ExitCode::done;
       }
     catch (const NumericalFailure &failure)
       {
-        outcome.verdict = "numerical failure";
-        outcome.code    = ExitCode::numerical_failure;
-        outcome.message = limit_of_law();
-        if (outcome.message.empty())
-          {
-            const std::string doubt = doubt_about_data();
-            outcome.message = doubt.empty() ? failure.what() : doubt + ". " + failure.what();
-          }
-        outcome.path.t = last_state.t;
+        conclude(failure, outcome);
       }
     catch (const Interrupted &)
       {
@@ -122,46 +116,181 @@ namespace fuga
   }
 
   template <int dim>
+  bool
+  Simulation<dim>::conclude(PathResult found, RunOutcome &outcome)
+  {
+    const bool was_in_motion = model.construction.until_rest;
+    motion_journal.end();
+    if (was_in_motion)
+      outcome.proof.mechanism = continuation.end(found);
+    else if (found.verdict != Verdict::done && found.beyond.end == BeyondLimit::End::none)
+      journal.write_last_state();
+    goes_on_in_motion = model.goes_on_in_motion(found) || continuation.still_move(found);
+    if (goes_on_in_motion || (found.verdict == Verdict::done && !model.is_last_phase()))
+      {
+        if (goes_on_in_motion)
+          continuation.begin(found);
+        end_of_phase = found;
+        return false;
+      }
+    if (!was_in_motion)
+      outcome.proof = prove_limit(
+        phase.judge, phase.joint.elements, phase.layered, journal.record.last_state, found);
+    outcome.path    = found;
+    outcome.verdict = verdict_name(found.verdict);
+    outcome.code = found.verdict == Verdict::done ? ExitCode::done : ExitCode::loss_of_equilibrium;
+    outcome.safety = find_safety(found);
+    if (!(journal.record.worst.worst() <= parameters.solver.certificate_bound))
+      {
+        outcome.code    = ExitCode::certificate_violated;
+        outcome.message = doubt();
+      }
+    return true;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::conclude(const NumericalFailure &failure, RunOutcome &outcome) const
+  {
+    const JointState &last = journal.record.last_state;
+    outcome.verdict        = "numerical failure";
+    outcome.code           = ExitCode::numerical_failure;
+    outcome.message        = limit_of_law(phase, last);
+    if (outcome.message.empty())
+      {
+        const std::string of_data = doubt();
+        outcome.message = of_data.empty() ? failure.what() : of_data + ". " + failure.what();
+      }
+    outcome.path.t = last.t;
+  }
+
+  // Every search begins with the state at the end of the loads, also where another one came before
+  // it.
+  template <int dim>
+  std::vector<SafetyFactor>
+  Simulation<dim>::find_safety(const PathResult &loaded)
+  {
+    if (!phase.safety_search.is_wanted())
+      return {};
+    if (loaded.verdict != Verdict::done)
+      return phase.safety_search.announced();
+    JointState &last             = journal.record.last_state;
+    const JointState end_of_load = last;
+    checkpoints.is_suspended     = true;
+    const auto factors           = phase.safety_search.run(
+      phase.path->last_cut(),
+      phase.judge,
+      *this,
+      [&last](const JointState &start) { last = start; },
+      [this]() { journal.write_last_state(); });
+    checkpoints.is_suspended = false;
+    last                     = end_of_load;
+    return factors;
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::doubt() const
+  {
+    return from_the_beginning ? doubt_about_data(phase, journal.record.worst) : std::string();
+  }
+
+  // What a finished motion has to say of the monitors stands in the tables.
+  template <int dim>
+  PathResult
+  Simulation<dim>::resume_motion(const Checkpoint &checkpoint)
+  {
+    if (!checkpoint.finished)
+      motion_journal.resume(checkpoint.samples);
+    return phase.dynamic_path().resume_motion(
+      checkpoint.cut, checkpoint.motion, model.loads.levels, *this);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish(const RunOutcome &outcome)
+  {
+    model.timer.finish("path");
+    log_closing_warnings(journal, outcome);
+    log_closing_table(journal, outcome);
+    journal.log.close();
+    journal.publish(true);
+    write_summary(journal, outcome);
+    checkpoints.write(outcome);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::end_early()
+  {
+    RunOutcome outcome;
+    outcome.verdict = "interrupted";
+    outcome.code    = static_cast<ExitCode>(interruption::exit_code());
+    outcome.path    = phase.path->last_cut().result;
+    outcome.path.t  = journal.record.last_state.t;
+    outcome.message =
+      "Interrupted at " +
+      place(fmt::format(", {} events{}",
+                        journal.record.n_events,
+                        checkpoints.is_suspended ? ", in the search for a factor of safety" : "")) +
+      ".";
+    journal.publish(true);
+    checkpoints.write();
+    write_summary(journal, outcome);
+    throw Interrupted(outcome.message);
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::place(const std::string &more) const
+  {
+    const double t               = journal.record.last_state.t;
+    const auto [stage, fraction] = stage_of(t, model.stage_names.size());
+    return fmt::format(
+      "{:.9g} of stage '{}' (t = {:.12g}{})", fraction, model.stage_names[stage], t, more);
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::wants_cuts() const
+  {
+    return checkpoints.is_wanted() || phase.safety_search.is_wanted();
+  }
+
+  template <int dim>
   void
   Simulation<dim>::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
-    judge.follow(from, to, length);
-    model_range.watch(to.state);
-    last_state = to.state;
-    log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
+    phase.judge.follow(from, to, length);
+    journal.advance_to(to.state);
+    journal.log.progress(to.state.t, static_cast<double>(model.stage_names.size()));
   }
 
   template <int dim>
   void
   Simulation<dim>::jumped(const JointState &to)
   {
-    judge.lose_track();
-    model_range.watch(to);
-    last_state = to;
+    phase.judge.lose_track();
+    journal.advance_to(to);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::jumped_in_motion(const JointState &to, const double work)
+  {
+    motion_journal.note_jump(to, work);
+    jumped(to);
   }
 
   template <int dim>
   void
   Simulation<dim>::changed(const std::vector<ContactEvent> &events, const JointState &state)
   {
-    last_state                    = state;
-    const Certificate certificate = judge.judge(state);
-    worst.absorb(certificate);
-    for (const ContactEvent &event : events)
-      ++events_by_kind[fmt::format("{} -> {}", event.names()[0], event.names()[1])];
-    n_events += events.size();
-    history.add_events(events, certificate.worst());
-    if (parameters.output.monitors == MonitorOutput::events && !model.monitors.empty() && !motion)
-      write_monitors(
-        state.t, "event", phase.monitored(state), model.loads.history.factors(state.t));
-    log.events(events, certificate.worst());
-    publish(false);
-    if (!motion)
-      checkpoint_at_event();
+    journal.add_events(events, state);
+    if (!phase.motion)
+      checkpoints.write_at_event();
   }
 
-  // A requested load level: the only place where the full field is recovered, and only if it is
-  // written.
   template <int dim>
   void
   Simulation<dim>::reached(const std::size_t index, const JointState &state)
@@ -169,12 +298,12 @@ namespace fuga
     const bool last    = model.is_last_phase() && state.t >= model.loads.end_of_loading;
     const bool written = parameters.output.fields == FieldOutput::levels ||
                          (parameters.output.fields == FieldOutput::end && last);
-    write_state(state, written);
-    levels_written = index + 1;
-    if (motion)
+    journal.write_state(state, written);
+    journal.record.levels_written = index + 1;
+    if (phase.motion)
       level_is_due = true;
     else
-      write_checkpoint();
+      checkpoints.write();
   }
 
   template <int dim>
@@ -183,156 +312,37 @@ namespace fuga
   {
     if (length == 0.)
       {
-        last_state = state;
-        write_last_state();
+        journal.record.last_state = state;
+        journal.write_last_state();
         return;
       }
-    history.set_path_length(length);
-    write_state(state, parameters.output.fields == FieldOutput::levels);
+    journal.history.set_path_length(length);
+    journal.write_state(state, parameters.output.fields == FieldOutput::levels);
   }
 
   template <int dim>
   void
-  Simulation<dim>::write_state(const JointState &state, const bool with_fields)
+  Simulation<dim>::began_motion()
   {
-    const work::Scope scope(work::Phase::results);
-    model.timer.finish("path");
-    Certificate certificate = judge.judge(state);
-    const Vector jumps      = layered.jumps(state.dislocations, state.forces);
-    const Vector x          = judge.coordinates(jumps, state.t);
-    const Vector a          = model.loads.history.factors(state.t);
-    const auto results      = phase.results(state);
-    if (with_fields)
-      write_fields(state, results, displacement(state, x, a, certificate));
-    worst.absorb(certificate);
-    history.add_level(state.t,
-                      results,
-                      model.resultants(results, judge.dissipation()),
-                      phase.energies(),
-                      certificate.worst());
-    write_monitors(state.t, "level", phase.monitored(state), a);
-    log.level(state.t, results, certificate.worst());
-    publish(false);
-    model.timer.finish("tables");
+    motion_journal.begin();
   }
 
   template <int dim>
   void
-  Simulation<dim>::write_fields(const JointState &state,
-                                const std::vector<ElementResult> &results,
-                                const dealii::Vector<double> &displacement)
+  Simulation<dim>::began_step(const ContactSystem &system, const LoadHistory &history_of_step)
   {
-    // Beyond a limit load the load time does not grow, but the times of a film must.
-    const double time = state.t + history.path_length();
-    dealii::Vector<double> velocity;
-    if (motion && parameters.output.field_interval > 0.)
-      velocity = model.bodies.by_degrees_of_freedom(motion->steady_velocity());
-    fields.write_bodies(
-      time,
-      displacement,
-      velocity,
-      model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, state.t));
-    fields.write_joints(time, joint.elements, results, judge.dissipation());
-    model.timer.finish("fields");
+    phase.began_step(system, history_of_step);
   }
 
   template <int dim>
-  dealii::Vector<double>
-  Simulation<dim>::displacement(const JointState &state,
-                                const Vector &x,
-                                const Vector &a,
-                                Certificate &certificate) const
+  void
+  Simulation<dim>::ended_step(const JointState &state)
   {
-    const auto take = [&certificate](const EquilibriumError &error) {
-      certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
-      certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
-    };
-    dealii::Vector<double> u;
-    if (motion)
-      {
-        take(motion->equilibrium_error(state.forces));
-        u = model.bodies.by_degrees_of_freedom(phase.displacement_in_motion());
-      }
+    motion_journal.end_step(state);
+    if (std::exchange(level_is_due, false))
+      checkpoints.write();
     else
-      {
-        const auto rigid = model.bodies.rigid_part(x);
-        u                = model.bodies.recover(a, rigid.remainder);
-        Vector on_lips   = state.forces;
-        for (std::size_t i = 0; i < state.water.size(); ++i)
-          on_lips[i] -= state.water[i];
-        const EquilibriumError error = model.bodies.equilibrium_error(u, on_lips, a, rigid.motion);
-        if (!balance_lips(on_lips, a, rigid.motion, error.residual, u, certificate))
-          take(error);
-        if (rigid.motion.size() > 0)
-          u += rigid.motion;
-      }
-    model.timer.finish("recovery of displacements");
-    return u;
-  }
-
-  // What the path takes for the stiffness of the bodies differs from theirs by rounding. Either it
-  // is the forces that are wrong by this, or the jumps: by which share, the certificate says of
-  // both.
-  template <int dim>
-  bool
-  Simulation<dim>::balance_lips(const Vector &on_lips,
-                                const Vector &a,
-                                const dealii::Vector<double> &motion_of_bodies,
-                                const double residual,
-                                dealii::Vector<double> &u,
-                                Certificate &certificate) const
-  {
-    constexpr double worth_mending = 1e-10;
-    if (residual <= worth_mending)
-      return false;
-    dealii::Vector<double> balanced = u;
-    const double moved =
-      share(model.bodies.balance_lips(on_lips, a, balanced), judge.memory().largest_jump);
-    const EquilibriumError error =
-      model.bodies.equilibrium_error(balanced, on_lips, a, motion_of_bodies);
-    if (std::max(error.residual, moved) >= residual)
-      return false;
-    u                            = balanced;
-    certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
-    certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
-    certificate.penetration      = std::max(certificate.penetration, moved);
-    return true;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::write_monitors(const double t,
-                                  const std::string &occasion,
-                                  const Vector &coordinates,
-                                  const Vector &factors)
-  {
-    Vector thermal_strains(model.monitors.size(), 0.);
-    if (std::any_of(model.monitors.begin(), model.monitors.end(), [](const Monitor &monitor) {
-          return monitor.has_stress();
-        }))
-      {
-        const TemperatureField<dim> temperature =
-          model.loads.template temperature<dim>(parameters.model, model.mesh.body_names, t);
-        for (std::size_t i = 0; i < model.monitors.size(); ++i)
-          thermal_strains[i] =
-            temperature.strain(model.monitor_points[i].position(), model.monitors[i].body());
-      }
-    history.add_monitors(t, occasion, coordinates, factors, thermal_strains);
-  }
-
-  // At a limit load the last state in equilibrium is written like a level.
-  template <int dim>
-  void
-  Simulation<dim>::write_last_state()
-  {
-    if (last_state.states.empty())
-      return;
-    constexpr double rounding = 1e-14;
-    const bool is_level =
-      levels_written > 0 && std::abs(model.loads.levels[levels_written - 1] - last_state.t) <=
-                              rounding * std::max(1., last_state.t);
-    if (!is_level)
-      write_state(last_state, parameters.output.fields != FieldOutput::never);
+      checkpoints.write_at_event();
   }
 
   template class Simulation<2>;

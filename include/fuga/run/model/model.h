@@ -108,10 +108,6 @@ namespace fuga
       return !construction.until_rest && next_stage() == parameters.model.stages.size();
     }
 
-    /** What is built, removed and grouted when this phase begins. */
-    std::string
-    change_of_construction() const;
-
   private:
     Model(const Parameters &parameters,
           const ConstructionState &construction,
@@ -123,20 +119,10 @@ namespace fuga
     make_bodies(const unsigned int stage,
                 const Condensation condensation,
                 std::shared_ptr<CondensedSystem<dim>> same_bodies) const;
-    void
-    check_later_phases() const;
-    void
-    check_temperatures(const LoadProgram &program, const unsigned int stage) const;
-    void
-    begin_phase(LoadProgram &program, const PhaseEnd *before);
-    void
-    take_over_joints(const PhaseEnd &before);
     std::shared_ptr<const JointedMesh>
     read_mesh() const;
     std::vector<JointDefinition>
     joint_definitions() const;
-    std::vector<bool>
-    frictionless_joints() const;
     std::vector<MonitorPoint<dim>>
     find_monitor_points() const;
     LoadProgram

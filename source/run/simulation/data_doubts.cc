@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/judge/conditioning.h>
+#include <fuga/contact/path/event_path.h>
+#include <fuga/run/simulation/data_doubts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace fuga
+{
+  namespace
+  {
+    /** Smallest and largest of positive numbers. */
+    class Range
+    {
+    public:
+      void
+      add(const double value)
+      {
+        if (value > 0.)
+          smallest = std::min(smallest, value);
+        largest = std::max(largest, value);
+      }
+
+      std::string
+      text(const std::string &unit) const
+      {
+        if (largest == 0.)
+          return "zero";
+        if (smallest < largest)
+          return fmt::format("from {:.2g} to {:.2g} {}", smallest, largest, unit);
+        return fmt::format("{:.2g} {}", largest, unit);
+      }
+
+    private:
+      double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+    };
+
+    Range
+    compliances_of(const std::vector<ContactElement> &elements)
+    {
+      Range range;
+      for (const ContactElement &element : elements)
+        element.for_each_bar([&range](const unsigned int, const ComplianceLaw &law) {
+          range.add(law.initial_compliance());
+        });
+      return range;
+    }
+  } // namespace
+
+  // Only bodies that are condensed and at rest are asked.
+  template <int dim>
+  std::string
+  doubt_about_data(const PhaseRun<dim> &phase, const Certificate &worst)
+  {
+    if (phase.motion || !phase.model.bodies.has_stiffness())
+      return {};
+    const std::vector<ContactElement> &elements = phase.joint.elements;
+    PathOptions options                         = phase.model.path_options();
+    options.beyond_limit                        = false;
+    const Conditioning found                    = conditioning(
+      [&](const LoadHistory &loads) {
+        return std::make_unique<EventPath>(elements, phase.layered, loads, options);
+      },
+      phase.layered,
+      phase.loading,
+      phase.model.loads.levels);
+    // The certificate is in doubt or, of a path that failed, its end.
+    const bool is_certified = worst.worst() <= phase.parameters.solver.certificate_bound;
+    if (is_certified ? !found.other_end : !found.explains(worst.worst()))
+      return {};
+
+    const Units &u = phase.parameters.output.units;
+    Range moduli, distances;
+    for (const Material &material : phase.parameters.model.materials)
+      moduli.add(material.young_modulus);
+    for (const ContactElement &element : elements)
+      distances.add(std::hypot(element.position[0], element.position[1], element.position[2]));
+    return fmt::format(
+      "ill-conditioned data: if all loads grow by {:.1e} of their size, {}{}. Moduli {}, "
+      "compliances {}/{}, joints {} from the origin",
+      found.change,
+      found.other_end ? std::string("the path ends in another way")
+                      : fmt::format("forces move by {:.1e} and jumps by {:.1e} of the largest",
+                                    found.forces,
+                                    found.jumps),
+      is_certified ? std::string()
+                   : fmt::format(". The certificate, {:.1e}, is no worse than that", worst.worst()),
+      moduli.text(u.stress()),
+      compliances_of(elements).text(u.length),
+      u.stress(),
+      distances.text(u.length));
+  }
+
+  // No finite stress reaches the closure limit of a normal law. Where the shear stiffness grows
+  // with closure, lips without shear reach the closure at which it is infinite, and sheared ones
+  // come so near that no digit is left between both.
+  template <int dim>
+  std::string
+  limit_of_law(const PhaseRun<dim> &phase, const JointState &state)
+  {
+    constexpr double nearest = 1e-8;
+    for (std::size_t k = 0; k < state.states.size(); ++k)
+      {
+        const ContactElement &element = phase.joint.elements[k];
+        const double limit            = closure_limit(element);
+        if (state.states[k] == ContactState::open ||
+            limit == element.normal_law->deformation_limit())
+          continue;
+        const double closure = -gap(element, state, k);
+        if (limit - closure > nearest * limit)
+          continue;
+        const Units &u = phase.parameters.output.units;
+        return fmt::format(
+          "outside of the law: at load time {:.9g} element {} of joint '{}', at "
+          "({:g}; {:g}; {:g}), is closed by {:.9g} {}, all but {:.1e} of its "
+          "'Shear growth closure' of {:.9g} {}. There the shear stiffness of the law is "
+          "infinite. Give a larger one, a stiffer normal law, or one with a closure limit below "
+          "it.",
+          state.t,
+          element.number,
+          phase.model.joint_names[element.joint],
+          element.position[0],
+          element.position[1],
+          element.position[2],
+          closure,
+          u.length,
+          (limit - closure) / limit,
+          limit,
+          u.length);
+      }
+    return {};
+  }
+
+  template std::string
+  doubt_about_data(const PhaseRun<2> &, const Certificate &);
+  template std::string
+  doubt_about_data(const PhaseRun<3> &, const Certificate &);
+  template std::string
+  limit_of_law(const PhaseRun<2> &, const JointState &);
+  template std::string
+  limit_of_law(const PhaseRun<3> &, const JointState &);
+} // namespace fuga
