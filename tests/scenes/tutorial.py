@@ -121,17 +121,27 @@ def check_rules(text, shell):
             check(f"({own:.2f} m at its limit, against {crack:.2f} m)" in text, f"cracks {own}, {crack}")
 
 
+def check_earthquake(text, folder):
+    """The slip that remains, and that the safety is that of before."""
+    slip = 1000 * float(rows_of(folder / "results/quake/earthquake.csv")[-1]["mean_slip"])
+    check(f"slid by {slip:.0f} mm" in text, f"the dam has slid by {slip} mm")
+    before, after = (rows_of(folder / "results" / run / "resultants.csv")[-1] for run in ("dam", "quake"))
+    safety = [float(row["sliding_safety"]) for row in (before, after)]
+    check(abs(safety[1] / safety[0] - 1) < 0.02, f"sliding safety {safety[0]} before, {safety[1]} behind the earthquake")
+
+
 def main():
     words = BLOCK.sub("", TEXT)
     check_arithmetic(words)
     with tempfile.TemporaryDirectory() as folder:
         shell = Shell(pathlib.Path(folder), FUGA, "mydam")
         written = follow(TEXT, shell)
-        check(written == {"dam.geo", "dam.prm", "look.py"}, f"files of the tutorial: {written}")
+        check(written == {"dam.geo", "dam.prm", "look.py", "shake.prm"}, f"files of the tutorial: {written}")
         if not check.complaints:
             check_table(words, shell.folder)
             check_levels(words, shell.folder)
             check_rules(words, shell)
+            check_earthquake(words, shell.folder)
             for file in ("tutorial.png", "results/dam/report.html", "results/dam/results.png"):
                 check((shell.folder / file).stat().st_size > 10000, f"{file} is empty")
     sys.exit(check.exit_code())
