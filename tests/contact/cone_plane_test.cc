@@ -158,4 +158,38 @@ namespace fuga::tests
         EXPECT_LT(run.record.worst.worst(), 1e-8) << "seed " << seed;
       }
   }
+
+  // A rigid body on two elements, which all but share their jump (stiffness k), slides by one
+  // against a spring and back: forces of one are differences of terms of 1e7. With the pressures 1
+  // and 2, f = 1/2 and the push P = T1 + T2 + 2s (d1 + d2), s = 1/4: both slide beyond P = 3/2, d1
+  // = d2 = 1 at P = 5/2; then both stick, until T1 = 1/2 - (5/2 - P)/2 = -1/2 at P = 1/2. The load
+  // has a corner 4e-6 before, where T1 is short of its strength by 2e-6 and nothing happens.
+  TEST(ConePlane, SmallDifferencesOfLargeTermsReachTheirStrengthWhereTheyDo)
+  {
+    constexpr double k = 1e7, s = 0.25, before = 4e-6, unloading = 0.4;
+    ToySystem system;
+    system.S = DenseMatrix(6, 6);
+    system.F = DenseMatrix(6, 2);
+    for (const std::size_t i : {1, 4})
+      {
+        system.F(i, 1) = 0.5;
+        for (const std::size_t j : {1, 4})
+          system.S(i, j) = i == j ? k + s : s - k;
+        system.S(i + 1, i + 1) = k;
+      }
+    system.F(0, 0) = -1.;
+    system.F(3, 0) = -2.;
+    const ConeJoint joint(2, 1., make_rigid_law(), make_rigid_law(), 0.5);
+    const double corner = 0.5 + before;
+    const LoadHistory history(
+      {0., 1., 2., 3., 4.},
+      {{0., 0.}, {1., 0.}, {1., 2.5}, {1., corner}, {1., corner - unloading}});
+    const ConeRun run(system, joint.elements, history, {4.});
+    ASSERT_EQ(run.result.verdict, Verdict::done);
+    ASSERT_EQ(run.record.events.size(), 5u);
+    const ContactEvent &last = run.record.events.back();
+    EXPECT_EQ(last.element, 0u);
+    // Forces are known to some 1e-16 k, the event happens 1e-5 behind the corner.
+    EXPECT_NEAR(last.t, 3. + before / unloading, 1e-7);
+  }
 } // namespace fuga::tests

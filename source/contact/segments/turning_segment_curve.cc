@@ -204,14 +204,14 @@ namespace fuga
   // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
   // something soft moves far, and stands.
   bool
-  TurningSegment::grows_beyond_bounds() const
+  TurningSegment::grows_beyond_bounds(const double negligible_load) const
   {
-    constexpr double negligible_load = 1e-6, weak_answer = 1e-3;
-    const JointRates &rates = curve.back().point.rates;
-    const JointState &state = curve.back().point.state;
-    const double growth     = max_abs(rates.dislocations);
-    const double jump       = max_abs(context.system.jumps(state.dislocations, state.forces));
-    const double load       = negligible_load * std::max(1., course.t_end);
+    constexpr double weak_answer = 1e-3;
+    const JointRates &rates      = curve.back().point.rates;
+    const JointState &state      = curve.back().point.state;
+    const double growth          = max_abs(rates.dislocations);
+    const double jump            = max_abs(context.system.jumps(state.dislocations, state.forces));
+    const double load            = negligible_load * std::max(1., course.t_end);
     // Out of the virgin state any growth is large.
     return jump > 0. && load * growth >= jump &&
            max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
@@ -263,16 +263,21 @@ namespace fuga
   }
 
   // Dislocations are rounded, by which forces leave the cones. A step puts them back, whatever its
-  // length: the error of the shortest one is rounding and no reason to shorten another.
+  // length: the error of the shortest ones is rounding and no reason to shorten another.
   double
   TurningSegment::error_of_rounding(const Station &from, const double shortest)
   {
     constexpr double largest = 10., margin = 2.;
-    Station to;
-    double error = 0.;
-    if (!step(from, 2. * shortest, to, error) || error > largest)
-      return 1.;
-    return std::max(1., margin * error);
+    double worst = 0.;
+    for (const double length : {2. * shortest, 8. * shortest, 32. * shortest})
+      {
+        Station to;
+        double error = 0.;
+        if (!step(from, length, to, error) || error > largest)
+          return 1.;
+        worst = std::max(worst, error);
+      }
+    return std::max(1., margin * worst);
   }
 
   double
@@ -280,6 +285,8 @@ namespace fuga
   {
     end                   = 0.; // as far as the curve is known, if a step fails
     const double shortest = 1e-13 * parameter_scale(), short_step = 1e-7 * parameter_scale();
+    // Parts of a stage by which the path may end below a limit: if it can be followed, if not.
+    constexpr double near_limit = 1e-8, near_enough = 1e-6;
     double length = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
@@ -290,14 +297,19 @@ namespace fuga
         Station from = curve.back();
         check_number_of_steps(curve.size(), from.point.state.t);
         length           = std::min(length, course.length - from.tau);
-        at_limit         = !course.yielding && grows_beyond_bounds();
+        at_limit         = !course.yielding && grows_beyond_bounds(near_limit);
         at_turning_point = !course.yielding && !at_limit && turns_back();
         if (at_limit || at_turning_point || loses_control(from))
           break;
         if (length < shortest && course.length - from.tau > shortest)
-          throw NumericalFailure(fmt::format(
-            "The path cannot be followed beyond load time {}: even the shortest step fails.",
-            from.point.state.t));
+          {
+            at_limit = !course.yielding && grows_beyond_bounds(near_enough);
+            if (at_limit)
+              break;
+            throw NumericalFailure(fmt::format(
+              "The path cannot be followed beyond load time {}: even the shortest step fails.",
+              from.point.state.t));
+          }
         Station to;
         double error = 0.;
         if (!step(from, length, to, error))

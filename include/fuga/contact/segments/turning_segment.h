@@ -140,7 +140,7 @@ namespace fuga
     double
     first_event(const Station &a, const Station &b) const;
     bool
-    grows_beyond_bounds() const;
+    grows_beyond_bounds(const double negligible_load) const;
     bool
     is_passed(const Station &station) const;
     bool
