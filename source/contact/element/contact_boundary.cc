@@ -14,8 +14,8 @@ namespace fuga
   {
     /** Forces and gaps below this share of the terms they are the difference of are zero. */
     constexpr double value_tolerance = 1e-12;
-    /** Share of it that is enough where the forces are small differences of their terms: these are
-     * no less exact, and what begins to slip must not begin off its cone. */
+    /** Share of it that is enough in space where the forces are small differences of their terms:
+     * rounding is less, and what begins to slip must not begin off its cone. */
     constexpr double of_small_differences = 1e-2;
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
@@ -70,6 +70,7 @@ namespace fuga
     const double scaled_dislocation = system.scaled_size(state.dislocations);
     const double relative           = value_tolerance * widening;
     const Vector jumps              = system.jumps(state.dislocations, state.forces);
+    const double least_share        = has_cones ? of_small_differences : 1.;
     const double largest_force      = max_abs(state.forces);
     double largest_jump             = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
@@ -80,7 +81,7 @@ namespace fuga
         if (!state.water.empty())
           terms += std::abs(state.water[i]);
         force_tolerances[i] =
-          relative * std::min(terms, std::max(of_small_differences * terms, largest_force));
+          relative * std::min(terms, std::max(least_share * terms, largest_force));
         const double parts = std::max(std::abs(state.dislocations[i]),
                                       system.compliance(i) * std::abs(state.forces[i]));
         largest_jump       = std::max(

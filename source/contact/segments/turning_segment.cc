@@ -6,7 +6,10 @@
 #include <fuga/contact/segments/turning_segment.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -42,6 +45,29 @@ namespace fuga
           result.push_back(0.5 * (W(a, a) + W(b, b)));
         }
       return result;
+    }
+
+    /** Whether 1/g^n lies on a line that falls to zero @p within the last τ. */
+    bool
+    diverges(const Vector &tau, const Vector &g, const int exponent, const double within)
+    {
+      constexpr double bend = 0.1, smaller = 1. / 1.2;
+      std::array<double, 3> place, value;
+      std::size_t n = 0;
+      double limit  = std::numeric_limits<double>::infinity();
+      for (std::size_t i = g.size(); i-- > 0 && n < 3;)
+        if (g[i] > 0. && g[i] <= limit)
+          {
+            place[n]   = tau[i];
+            value[n++] = std::pow(g[i], -exponent);
+            limit      = smaller * g[i];
+          }
+      if (n < 3)
+        return false;
+      const double last   = (value[0] - value[1]) / (place[0] - place[1]);
+      const double before = (value[1] - value[2]) / (place[1] - place[2]);
+      return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
+             -value[0] / last <= within;
     }
   } // namespace
 
@@ -110,7 +136,7 @@ namespace fuga
     return stage;
   }
 
-  // A level inside a step is a shorter step from the same point.
+  // A level inside a step is a shorter step from the same point, or one back from its end.
   PathPoint
   TurningSegment::at(const double tau)
   {
@@ -121,11 +147,14 @@ namespace fuga
       ++i;
     if (curve[i].tau == tau)
       return curve[i].point;
-    Station result;
-    double error;
-    if (!step(curve[i], tau - curve[i].tau, result, error))
-      throw NumericalFailure("A level inside a step of the path could not be computed.");
-    return result.point;
+    for (std::size_t from = i; from < std::min(i + 2, curve.size()); ++from)
+      {
+        Station result;
+        double error;
+        if (step(curve[from], tau - curve[from].tau, result, error))
+          return result.point;
+      }
+    throw NumericalFailure("A level inside a step of the path could not be computed.");
   }
 
   std::vector<double>
@@ -137,6 +166,66 @@ namespace fuga
     if (result.size() == 1)
       result.push_back(end);
     return result;
+  }
+
+  // While slip directions turn into those of a mechanism, the load approaches its limit as slips
+  // grow without bounds, exponentially: at the limit the jumps would double within a negligible
+  // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
+  // something soft moves far, and stands.
+  bool
+  TurningSegment::grows_beyond_bounds(const double negligible_load) const
+  {
+    constexpr double weak_answer = 1e-3;
+    const JointRates &rates      = curve.back().point.rates;
+    const JointState &state      = curve.back().point.state;
+    const double growth          = max_abs(rates.dislocations);
+    const double jump            = max_abs(context.system.jumps(state.dislocations, state.forces));
+    const double load            = negligible_load * std::max(1., course.t_end);
+    // Out of the virgin state any growth is large.
+    return jump > 0. && load * growth >= jump &&
+           max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
+           rates_diverge(1, load);
+  }
+
+  // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
+  bool
+  TurningSegment::turns_back() const
+  {
+    constexpr double negligible_load = 1e-9;
+    return rates_diverge(2, negligible_load * std::max(1., course.t_end));
+  }
+
+  // Of the bar whose rate g has grown most, whatever else moves steadily; g as a whole or what it
+  // has grown by, for steady motion may be a part of it. Two slopes of 1/g^n are compared, between
+  // the last point and those at which g was smaller by a sixth each time: others that come to rest
+  // near τ* cut the path into short pieces.
+  bool
+  TurningSegment::rates_diverge(const int exponent, const double within) const
+  {
+    const auto rate = [this](const std::size_t i, const std::size_t bar) {
+      return curve[i].point.rates.dislocations[bar];
+    };
+    std::size_t fastest = 0;
+    double growth       = 0.;
+    for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
+      if (const double grown = std::abs(rate(curve.size() - 1, bar)) - std::abs(rate(0, bar));
+          grown > growth)
+        {
+          fastest = bar;
+          growth  = grown;
+        }
+    for (const double steady : {0., rate(0, fastest)})
+      {
+        Vector tau, speeds;
+        for (std::size_t i = 0; i < curve.size(); ++i)
+          {
+            tau.push_back(curve[i].tau);
+            speeds.push_back(std::abs(rate(i, fastest) - steady));
+          }
+        if (diverges(tau, speeds, exponent, within))
+          return true;
+      }
+    return false;
   }
 
   // What closed layers still deform is no part of the mechanism.

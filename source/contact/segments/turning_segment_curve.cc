@@ -199,69 +199,6 @@ namespace fuga
     return std::isfinite(error);
   }
 
-  // While slip directions turn into those of a mechanism, the load approaches its limit as slips
-  // grow without bounds, exponentially: at the limit the jumps would double within a negligible
-  // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
-  // something soft moves far, and stands.
-  bool
-  TurningSegment::grows_beyond_bounds(const double negligible_load) const
-  {
-    constexpr double weak_answer = 1e-3;
-    const JointRates &rates      = curve.back().point.rates;
-    const JointState &state      = curve.back().point.state;
-    const double growth          = max_abs(rates.dislocations);
-    const double jump            = max_abs(context.system.jumps(state.dislocations, state.forces));
-    const double load            = negligible_load * std::max(1., course.t_end);
-    // Out of the virgin state any growth is large.
-    return jump > 0. && load * growth >= jump &&
-           max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
-           rates_diverge(1, load);
-  }
-
-  // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
-  bool
-  TurningSegment::turns_back() const
-  {
-    constexpr double negligible_load = 1e-9;
-    return rates_diverge(2, negligible_load * std::max(1., course.t_end));
-  }
-
-  // Of the bar whose rate g has grown most, whatever else moves steadily. Two slopes of 1/g^n are
-  // compared, between the last point and those at which g was smaller by a sixth each time: others
-  // that come to rest near τ* cut the path into short pieces.
-  bool
-  TurningSegment::rates_diverge(const int exponent, const double within) const
-  {
-    constexpr double bend = 0.1, smaller = 1. / 1.2;
-    const auto rate = [this](const std::size_t i, const std::size_t bar) {
-      return std::abs(curve[i].point.rates.dislocations[bar]);
-    };
-    std::size_t fastest = 0;
-    double growth       = 0.;
-    for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
-      if (const double grown = rate(curve.size() - 1, bar) - rate(0, bar); grown > growth)
-        {
-          fastest = bar;
-          growth  = grown;
-        }
-    std::array<double, 3> tau, value;
-    std::size_t n = 0;
-    double limit  = std::numeric_limits<double>::infinity();
-    for (std::size_t i = curve.size(); i-- > 0 && n < 3;)
-      if (const double g = rate(i, fastest); g <= limit)
-        {
-          tau[n]     = curve[i].tau;
-          value[n++] = std::pow(g, -exponent);
-          limit      = smaller * g;
-        }
-    if (n < 3)
-      return false;
-    const double last   = (value[0] - value[1]) / (tau[0] - tau[1]);
-    const double before = (value[1] - value[2]) / (tau[1] - tau[2]);
-    return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
-           -value[0] / last <= within;
-  }
-
   // Dislocations are rounded, by which forces leave the cones. A step puts them back, whatever its
   // length: the error of the shortest ones is rounding and no reason to shorten another.
   double
