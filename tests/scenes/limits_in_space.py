@@ -11,8 +11,8 @@
   the line of intersection l, so that friction acts along it alone and the normal forces follow from equilibrium across
   it, N1 n1 + N2 n2 + W - (W.l) l = 0; P = f (N1 + N2) - W.l.
 
-While directions of slip still turn, a limit is approached as slips grow without bounds and the path ends less than 1e-6 of the stage
-before it (theory, section 17): tolerance 1e-6 for what slides. With stiff and rigid joints a wedge carries more at first, because friction
+While directions of slip still turn, a limit is approached as slips grow without bounds and the path ends less than 1e-8 of the stage
+before it (theory, section 17): tolerance 1e-8 for what slides. With stiff and rigid joints a wedge carries more at first, because friction
 still points away from l, and then jumps: its equilibrium is followed at least as far as the load by hand, and the load of the jump is a
 smooth function of the compliance, so that from 1e11 kPa/m to rigid it changes by about a hundredth of the change from 1e9.
 
@@ -28,7 +28,7 @@ import tempfile
 import spatial_model
 
 FUGA = pathlib.Path(sys.argv[1]).resolve()
-EXACT, APPROACHED = 1e-9, 1e-6
+EXACT, APPROACHED = 1e-9, 1e-8
 FRICTION, DENSITY = 0.9, 25.0
 # Corners of the wedge: on the face of the slope, left and right on the crest, behind the crest.
 WEDGES = [((5, 0, 3), (1, 0, 10), (9, 0, 10), (5, 6, 10)), ((5, 0, 3), (2, 0, 10), (9, 0, 10), (5, 7, 10)),
