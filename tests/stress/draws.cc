@@ -112,7 +112,7 @@ namespace fuga::stress
                   const double pressure,
                   const double horizontal)
   {
-    const double width = model.x.back() - model.x.front();
+    const double width = model.width();
     model.loads.push_back({"pressure", name + "_top", fmt::format("{}", pressure)});
     model.loads.push_back(
       {"traction", name + "_top", fmt::format("{}; 0", 0.5 * horizontal * pressure)});
@@ -123,16 +123,16 @@ namespace fuga::stress
   }
 
   double
-  draw_pressure(Random &random, const GridModel &model)
+  draw_pressure(Random &random, const SceneData &model)
   {
     double softest = model.bodies[0].young_modulus;
-    for (const GridModel::Body &body : model.bodies)
+    for (const SceneData::Body &body : model.bodies)
       softest = std::min(softest, body.young_modulus);
     return softest * random.power_of_ten(-6., -3.);
   }
 
   void
-  draw_stages(Random &random, GridModel &model, const unsigned int n_stages)
+  draw_stages(Random &random, SceneData &model, const unsigned int n_stages)
   {
     Vector factors(model.loads.size(), 0.);
     for (unsigned int s = 0; s < n_stages; ++s)
@@ -149,7 +149,7 @@ namespace fuga::stress
   }
 
   void
-  draw_proportional_stage(Random &random, GridModel &model)
+  draw_proportional_stage(Random &random, SceneData &model)
   {
     Vector factors(model.loads.size());
     for (std::size_t l = 0; l < factors.size(); ++l)
@@ -158,7 +158,7 @@ namespace fuga::stress
   }
 
   void
-  draw_reversals(Random &random, GridModel &model, const unsigned int n_reversals)
+  draw_reversals(Random &random, SceneData &model, const unsigned int n_reversals)
   {
     Vector factors(model.loads.size(), 0.);
     factors[0] = 1.;
@@ -174,6 +174,22 @@ namespace fuga::stress
         for (std::size_t l = 1; l < factors.size(); ++l)
           factors[l] = amplitude[l] * size;
         model.stages.push_back(factors);
+      }
+  }
+
+  void
+  draw_any_stages(Random &random, SceneData &model)
+  {
+    switch (random.integer(0, 2))
+      {
+        case 0:
+          draw_proportional_stage(random, model);
+          break;
+        case 1:
+          draw_reversals(random, model, random.integer(1, 3));
+          break;
+        default:
+          draw_stages(random, model, random.integer(2, 4));
       }
   }
 } // namespace fuga::stress

@@ -86,19 +86,23 @@ namespace fuga::stress
 
   /** The softest body times 1e-6 to 1e-3. */
   double
-  draw_pressure(Random &random, const GridModel &model);
+  draw_pressure(Random &random, const SceneData &model);
 
   /** First load from 0.3 to 1.5, the others in ±1.5; some loads rest in some stages. */
   void
-  draw_stages(Random &random, GridModel &model, const unsigned int n_stages);
+  draw_stages(Random &random, SceneData &model, const unsigned int n_stages);
 
   /** All loads grow together from nothing. */
   void
-  draw_proportional_stage(Random &random, GridModel &model);
+  draw_proportional_stage(Random &random, SceneData &model);
 
   /** The first load, then the others to and fro. */
   void
-  draw_reversals(Random &random, GridModel &model, const unsigned int n_reversals);
+  draw_reversals(Random &random, SceneData &model, const unsigned int n_reversals);
+
+  /** Loads in any of these ways. */
+  void
+  draw_any_stages(Random &random, SceneData &model);
 } // namespace fuga::stress
 
 #endif

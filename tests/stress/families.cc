@@ -32,9 +32,9 @@ namespace fuga::stress::families
   }
 
   void
-  set_layers(GridModel &model, const std::function<Layer()> &draw)
+  set_layers(SceneData &model, const std::function<Layer()> &draw)
   {
-    for (GridModel::Joint &joint : model.joints)
+    for (SceneData::Joint &joint : model.joints)
       joint.layer = draw();
   }
 

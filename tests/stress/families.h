@@ -4,6 +4,7 @@
 #ifndef fuga_tests_stress_families_h
 #define fuga_tests_stress_families_h
 
+#include "stress/cut_polygon.h"
 #include "stress/draws.h"
 
 /** One function per family of scenes; what each is good for: the table in scene_kinds.cc. */
@@ -77,6 +78,10 @@ namespace fuga::stress::families
   all_laws(Random &random);
   GridModel
   all_laws_crossing(Random &random);
+  CutPolygon
+  polygons(Random &random);
+  CutPolygon
+  polygons_with_laws(Random &random);
   GridModel
   motion(Random &random);
   GridModel
@@ -90,7 +95,7 @@ namespace fuga::stress::families
   with_stages(Random &random, GridModel model, const unsigned int n_stages);
 
   void
-  set_layers(GridModel &model, const std::function<Layer()> &draw);
+  set_layers(SceneData &model, const std::function<Layer()> &draw);
 } // namespace fuga::stress::families
 
 #endif

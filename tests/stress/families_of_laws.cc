@@ -12,54 +12,13 @@ namespace fuga::stress::families
 {
   namespace
   {
-    /** Anything that fits together. */
-    Layer
-    any_layer(Random &random, const Scales &scales, const GridModel &model)
-    {
-      Layer layer        = straight_layer(random, scales);
-      const bool coupled = random.chance(0.15);
-      if (coupled)
-        couple(random, layer, scales);
-      else if (random.chance(0.6))
-        make_curved(random, layer, scales, model);
-      double left = layer.friction;
-      if (random.chance(0.4))
-        left = lose_friction(random, layer);
-      if (random.chance(0.3))
-        {
-          layer.cohesion = scales.pressure * random.power_of_ten(-2., 1.);
-          if (random.chance(0.5))
-            layer.more.emplace_back("Bond lost by", "slip");
-        }
-      if (!coupled && random.chance(0.3))
-        dilate(random, layer, scales, left);
-      return layer;
-    }
-
-    /** Loads of any of the ways in which they may come. */
-    GridModel
-    loaded(Random &random, GridModel model)
-    {
-      switch (random.integer(0, 2))
-        {
-          case 0:
-            draw_proportional_stage(random, model);
-            break;
-          case 1:
-            draw_reversals(random, model, random.integer(1, 3));
-            break;
-          default:
-            draw_stages(random, model, random.integer(2, 4));
-        }
-      return model;
-    }
-
     GridModel
     with_layers(Random &random, GridModel model, const std::function<Layer(const Scales &)> &draw)
     {
       const Scales scales = scales_of(random, model);
       set_layers(model, [&] { return draw(scales); });
-      return loaded(random, std::move(model));
+      draw_any_stages(random, model);
+      return model;
     }
   } // namespace
 
@@ -102,7 +61,7 @@ namespace fuga::stress::families
     const GridModel model = draw_anything(random);
     return with_layers(random, model, [&](const Scales &scales) {
       Layer layer = straight_layer(random, scales);
-      make_curved(random, layer, scales, model);
+      make_curved(random, layer, scales);
       return layer;
     });
   }
@@ -127,7 +86,7 @@ namespace fuga::stress::families
     set_layers(model, [&] {
       Layer layer = straight_layer(random, scales);
       if (curved)
-        make_curved(random, layer, scales, model);
+        make_curved(random, layer, scales);
       if (random.chance(0.3))
         lose_friction(random, layer);
       return layer;
@@ -157,7 +116,7 @@ namespace fuga::stress::families
   {
     const GridModel model = draw_anything(random);
     return with_layers(
-      random, model, [&](const Scales &scales) { return any_layer(random, scales, model); });
+      random, model, [&](const Scales &scales) { return any_layer(random, scales); });
   }
 
   GridModel
@@ -165,6 +124,6 @@ namespace fuga::stress::families
   {
     const GridModel model = random.chance(0.5) ? draw_cross(random) : draw_masonry(random);
     return with_layers(
-      random, model, [&](const Scales &scales) { return any_layer(random, scales, model); });
+      random, model, [&](const Scales &scales) { return any_layer(random, scales); });
   }
 } // namespace fuga::stress::families

@@ -39,10 +39,9 @@ namespace fuga::stress::families
     const double size = random.power_of_ten(-5., -2.);
     model.loads.push_back(
       {"displacement", "ground_bottom", fmt::format("0; {}", -size * random.uniform(0., 1.))});
-    model.loads.push_back(
-      {"displacement",
-       "ground_bottom",
-       fmt::format("0; {}*(x - {})", size / (model.x.back() - model.x.front()), model.x.front())});
+    model.loads.push_back({"displacement",
+                           "ground_bottom",
+                           fmt::format("0; {}*(x - {})", size / (model.width()), model.x.front())});
     return with_stages(random, std::move(model), random.integer(2, 4));
   }
 

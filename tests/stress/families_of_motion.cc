@@ -123,7 +123,7 @@ namespace fuga::stress::families
       constexpr std::size_t many_stages = 3;
       if (model.stages.size() > many_stages)
         model.stages.resize(many_stages);
-      set_in_motion(random, model, model.x.back() - model.x.front());
+      set_in_motion(random, model, model.width());
       remove_unused_loads(model);
       return model;
     }

@@ -101,6 +101,12 @@ namespace fuga::stress
   }
 
   double
+  GridModel::width() const
+  {
+    return x.back() - x.front();
+  }
+
+  double
   GridModel::largest_aspect() const
   {
     double result = 1.;

@@ -45,6 +45,8 @@ namespace fuga::stress
     std::string
     mesh_text() const override;
     double
+    width() const override;
+    double
     largest_aspect() const override;
     double
     size_ratio() const override;

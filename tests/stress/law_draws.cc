@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga::stress
 {
@@ -93,7 +94,7 @@ namespace fuga::stress
 
     /** Laws with entries of their own for the compliance: they harden towards a limit. */
     void
-    make_closing(Random &random, Layer &layer, const Scales &scales, const double softest)
+    make_closing(Random &random, Layer &layer, const Scales &scales)
     {
       layer.normal_compliance = scales.compliance * random.power_of_ten(-3., 3.);
       const double w = layer.normal_compliance * scales.pressure * random.power_of_ten(-1., 2.);
@@ -116,20 +117,24 @@ namespace fuga::stress
             // Its stress grows like a logarithm: the program refuses a limit that the bodies'
             // strength could pass.
             layer.normal_law = "cubic root tangent";
-            layer.thickness  = std::max(w, 5e-4 * softest * layer.normal_compliance);
+            layer.thickness  = std::max(w, 5e-4 * scales.softest * layer.normal_compliance);
         }
     }
   } // namespace
 
   Scales
-  scales_of(Random &random, const GridModel &model)
+  scales_of(Random &random, const SceneData &model)
   {
     double stiffest = 0.;
-    for (const GridModel::Body &body : model.bodies)
-      stiffest = std::max(stiffest, body.young_modulus);
     Scales scales;
+    scales.softest = std::numeric_limits<double>::infinity();
+    for (const SceneData::Body &body : model.bodies)
+      {
+        stiffest       = std::max(stiffest, body.young_modulus);
+        scales.softest = std::min(scales.softest, body.young_modulus);
+      }
     scales.pressure   = draw_pressure(random, model);
-    scales.compliance = (model.x.back() - model.x.front()) / stiffest;
+    scales.compliance = model.width() / stiffest;
     scales.length     = scales.compliance * scales.pressure;
     return scales;
   }
@@ -144,11 +149,8 @@ namespace fuga::stress
   }
 
   void
-  make_curved(Random &random, Layer &layer, const Scales &scales, const GridModel &model)
+  make_curved(Random &random, Layer &layer, const Scales &scales)
   {
-    double softest = model.bodies[0].young_modulus;
-    for (const GridModel::Body &body : model.bodies)
-      softest = std::min(softest, body.young_modulus);
     switch (random.integer(0, 3))
       {
         case 0:
@@ -161,7 +163,7 @@ namespace fuga::stress
           make_expression(random, layer, true, scales);
           break;
         default:
-          make_closing(random, layer, scales, softest);
+          make_closing(random, layer, scales);
       }
     switch (random.integer(0, 9))
       {
@@ -233,5 +235,27 @@ namespace fuga::stress
     else
       set(layer, "Shear growth pressure", scales.pressure * random.power_of_ten(-1., 1.));
     set(layer, "Shear growth exponent", random.uniform(0.1, 1.));
+  }
+  Layer
+  any_layer(Random &random, const Scales &scales)
+  {
+    Layer layer        = straight_layer(random, scales);
+    const bool coupled = random.chance(0.15);
+    if (coupled)
+      couple(random, layer, scales);
+    else if (random.chance(0.6))
+      make_curved(random, layer, scales);
+    double left = layer.friction;
+    if (random.chance(0.4))
+      left = lose_friction(random, layer);
+    if (random.chance(0.3))
+      {
+        layer.cohesion = scales.pressure * random.power_of_ten(-2., 1.);
+        if (random.chance(0.5))
+          layer.more.emplace_back("Bond lost by", "slip");
+      }
+    if (!coupled && random.chance(0.3))
+      dilate(random, layer, scales, left);
+    return layer;
   }
 } // namespace fuga::stress

@@ -16,10 +16,12 @@ namespace fuga::stress
     /** Compliance of the stiffest body [m/MPa], and how much a body deforms [m]. */
     double compliance = 0.;
     double length     = 0.;
+    /** Young's modulus of the softest body [MPa]. */
+    double softest = 0.;
   };
 
   Scales
-  scales_of(Random &random, const GridModel &model);
+  scales_of(Random &random, const SceneData &model);
 
   /** Rigid or linear bars with friction, 1e-4 to 1e3 as soft as the stiffest body. */
   Layer
@@ -27,7 +29,7 @@ namespace fuga::stress
 
   /** Gives the layer a nonlinear normal law of any kind, and now and then such a shear law. */
   void
-  make_curved(Random &random, Layer &layer, const Scales &scales, const GridModel &model);
+  make_curved(Random &random, Layer &layer, const Scales &scales);
 
   /** Residual friction; what is left of the coefficient. */
   double
@@ -43,6 +45,10 @@ namespace fuga::stress
   /** Shear stiffness that grows with closure or pressure. */
   void
   couple(Random &random, Layer &layer, const Scales &scales);
+
+  /** Any strength on any layer, of what fits together. */
+  Layer
+  any_layer(Random &random, const Scales &scales);
 } // namespace fuga::stress
 
 #endif

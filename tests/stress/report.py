@@ -56,6 +56,7 @@ DEGENERACIES = [
     ("Detection of limits", ["limit", "soft", "wedge", "tower"]),
     ("Slip in the very first stage", ["virgin", "stack", "many elements"]),
     ("Directions of slip that turn", ["blocks in space", "pair in space", "wedge in space"]),
+    ("Joints at any angle that cross, meet in T or end at the outline, on unstructured cells", ["polygons", "polygons with laws"]),
     ("Joints in space that meet", ["pair in space"])]
 
 

@@ -93,7 +93,7 @@ namespace fuga::stress
     // shortest ones lack the program tells its user. A spectral radius below one takes what it
     // likes.
     void
-    tell_energies(const Writer &write, const nlohmann::json &motion, const double tolerance)
+    tell_energies(const Writer &write, const nlohmann::json &motion, const double event_tolerance)
     {
       const double largest  = motion.at("largest_energy");
       const auto steps      = motion.at("steps_by_halvings").get<std::vector<double>>();
@@ -103,7 +103,7 @@ namespace fuga::stress
       const double rounding = motion.at("rounding");
       const double share    = lacking > rounding ? lacking / largest : 0.;
       tell(write, "energy_lacking", share);
-      if (steps.back() == 0. && share > 2. * tolerance * n_steps)
+      if (steps.back() == 0. && share > 2. * event_tolerance * n_steps)
         tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
     }
 
@@ -305,9 +305,9 @@ namespace fuga::stress
   {
     set_threads(1);
     const auto scene = draw_scene(kind, seed);
-    if (const auto *const in_space = std::get_if<SpatialGrid>(&scene))
-      run<3>(*in_space, directory, write);
+    if (scene->dimension() == 3)
+      run<3>(*scene, directory, write);
     else
-      run<2>(std::get<GridModel>(scene), directory, write);
+      run<2>(*scene, directory, write);
   }
 } // namespace fuga::stress

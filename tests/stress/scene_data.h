@@ -111,6 +111,10 @@ namespace fuga::stress
     std::string
     parameter_text(const std::string &mesh_file) const;
 
+    /** How far it reaches along x, before mapping. */
+    virtual double
+    width() const = 0;
+
     /** Largest ratio of the sides of a cell, before mapping. */
     virtual double
     largest_aspect() const = 0;

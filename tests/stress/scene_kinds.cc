@@ -21,12 +21,12 @@ namespace fuga::stress
     // the softest bar, is limited to 1e7, and to 1e9 without stiff bars. Moduli and forces are
     // reduced together.
     void
-    limit_ratio_to_layer(GridModel &model)
+    limit_ratio_to_layer(SceneData &model)
     {
       double stiffest = 0., softest_bar = 0., stiffest_bar = 1e300;
-      for (const GridModel::Body &body : model.bodies)
+      for (const SceneData::Body &body : model.bodies)
         stiffest = std::max(stiffest, body.young_modulus);
-      for (const GridModel::Joint &joint : model.joints)
+      for (const SceneData::Joint &joint : model.joints)
         for (const auto &[law, rho] :
              {std::make_pair(joint.layer.normal_law, joint.layer.normal_compliance),
               std::make_pair(joint.layer.shear_law, joint.layer.shear_compliance)})
@@ -34,14 +34,13 @@ namespace fuga::stress
             softest_bar  = std::max(softest_bar, law == "rigid" ? 0. : rho);
             stiffest_bar = std::min(stiffest_bar, law == "rigid" ? 0. : rho);
           }
-      const double length = model.x.back() - model.x.front();
       const double limit  = stiffest_bar > 1e-3 * softest_bar ? 1e9 : 1e7;
-      const double factor = limit * length / (stiffest * softest_bar);
+      const double factor = limit * model.width() / (stiffest * softest_bar);
       if (!(factor < 1.))
         return;
-      for (GridModel::Body &body : model.bodies)
+      for (SceneData::Body &body : model.bodies)
         body.young_modulus *= factor;
-      for (GridModel::Joint &joint : model.joints)
+      for (SceneData::Joint &joint : model.joints)
         {
           joint.layer.cohesion *= factor;
           joint.layer.thickness *= factor;
@@ -138,45 +137,43 @@ namespace fuga::stress
       {"lift-off", "all contact lost and found again, on any layer", families::lift_off},
       {"all laws", "any strength on any layer", families::all_laws},
       {"all laws crossing", "the same on joints that cross or meet", families::all_laws_crossing},
+      {"polygons", "random polygons cut by one to five lines, triangles", families::polygons},
+      {"polygons with laws",
+       "the same with any strength on any layer",
+       families::polygons_with_laws},
       {"motion", "loads at once or shaking, bodies that arrive", families::motion},
       {"motion with laws", "the same with any strength on any layer", families::motion_with_laws},
       {"extruded",
        "plane scenes made spatial: one path with lines of friction, one with cones",
-       nullptr,
        families::extruded},
-      {"extruded reversal", "the same, loads to and fro", nullptr, families::extruded_reversal},
+      {"extruded reversal", "the same, loads to and fro", families::extruded_reversal},
       {"blocks in space",
        "blocks on each other, pushed in turning directions",
-       nullptr,
        families::blocks_in_space},
       {"pair in space",
        "two blocks side by side on a foundation: joints that meet in T",
-       nullptr,
        families::pair_in_space},
       {"wedge in space",
        "a block in a valley of two rigid planes, of hexahedra or tetrahedra",
-       nullptr,
        families::wedge_in_space},
       {"motion in space",
        "blocks and wedges under loads at once or shaking",
-       nullptr,
        families::motion_in_space},
     };
     return kinds;
   }
 
-  std::variant<GridModel, SpatialGrid>
+  std::unique_ptr<SceneData>
   draw_scene(const std::string &kind, const std::uint64_t seed)
   {
     for (const SceneKind &candidate : scene_kinds())
       if (kind == candidate.name)
         {
           Random random(kind, seed);
-          if (candidate.draw_in_space != nullptr)
-            return candidate.draw_in_space(random);
-          GridModel model = candidate.draw(random);
-          limit_ratio_to_layer(model);
-          return model;
+          auto scene = candidate.draw(random);
+          if (scene->dimension() == 2)
+            limit_ratio_to_layer(*scene);
+          return scene;
         }
     throw std::invalid_argument("unknown kind of scene: " + kind);
   }
@@ -187,14 +184,14 @@ namespace fuga::stress
     SceneAxes axes;
     axes.rho_min   = std::numeric_limits<double>::infinity();
     double softest = std::numeric_limits<double>::infinity(), stiffest = 0.;
-    for (const GridModel::Body &body : model.bodies)
+    for (const SceneData::Body &body : model.bodies)
       {
         softest            = std::min(softest, body.young_modulus);
         stiffest           = std::max(stiffest, body.young_modulus);
         axes.poisson_ratio = std::max(axes.poisson_ratio, body.poisson_ratio);
       }
     axes.stiffness_ratio = stiffest / softest;
-    for (const GridModel::Joint &joint : model.joints)
+    for (const SceneData::Joint &joint : model.joints)
       {
         const Layer &layer = joint.layer;
         for (const auto &[law, rho] : {std::make_pair(layer.normal_law, layer.normal_compliance),

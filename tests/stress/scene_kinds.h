@@ -5,10 +5,9 @@
 #define fuga_tests_stress_scene_kinds_h
 
 #include "stress/draws.h"
-#include "stress/spatial_grid.h"
 
+#include <memory>
 #include <set>
-#include <variant>
 
 namespace fuga::stress
 {
@@ -18,16 +17,22 @@ namespace fuga::stress
     const char *name;
     /** Which ways to break an event-driven solver it has, in words for the report. */
     const char *purpose;
-    /** One of the two: scenes in the plane, or in space. */
-    GridModel (*draw)(Random &random)            = nullptr;
-    SpatialGrid (*draw_in_space)(Random &random) = nullptr;
+    std::function<std::unique_ptr<SceneData>(Random &random)> draw;
+
+    template <typename Scene>
+    SceneKind(const char *const kind, const char *const breaks, Scene (*family)(Random &random))
+      : name(kind)
+      , purpose(breaks)
+      , draw([family](Random &random) { return std::make_unique<Scene>(family(random)); })
+    {
+    }
   };
 
   const std::vector<SceneKind> &
   scene_kinds();
 
   /** The scene of a kind and a seed. @throws std::invalid_argument for an unknown kind. */
-  std::variant<GridModel, SpatialGrid>
+  std::unique_ptr<SceneData>
   draw_scene(const std::string &kind, const std::uint64_t seed);
 
   /** Where a scene lies along the axes of the report. */

@@ -159,6 +159,12 @@ namespace fuga::stress
   }
 
   double
+  SpatialGrid::width() const
+  {
+    return lines[0].back() - lines[0].front();
+  }
+
+  double
   SpatialGrid::largest_aspect() const
   {
     double result = 1.;
