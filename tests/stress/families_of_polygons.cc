@@ -118,8 +118,8 @@ namespace fuga::stress::families
       drop(polygon.loads);
       drop(polygon.joints);
       polygon.supports[lowest] = "all";
-      // A settlement of one support would tear a joint that another one shares with it.
-      if (polygon.supports.size() == 1 && random.chance(0.5))
+      // A settlement would tear a joint that the support shares with another one or an obstacle.
+      if (polygon.supports.size() == 1 && random.chance(0.5) && polygon.joints.empty())
         polygon.loads.push_back(
           {"displacement",
            lowest,
