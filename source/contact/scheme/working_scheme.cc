@@ -199,6 +199,8 @@ namespace fuga
   {
     if (!bring_up_to_date())
       return {};
+    if (last_solution && last_solution->rhs == rhs && last_solution->offset == force_offset)
+      return last_solution->result;
 
     double driving_force = 0., driving_rows = 0.;
     for (std::size_t i = 0; i < force_offset.size(); ++i)
@@ -223,12 +225,10 @@ namespace fuga
         return false;
       return system.scaled_size(result.dislocations) <= largest;
     };
-    if (refined_solution())
-      return result;
-    singular = !rebuild();
-    if (!singular && refined_solution())
-      return result;
-    return {};
+    if (!refined_solution() && ((singular = !rebuild()) || !refined_solution()))
+      return {};
+    last_solution = {rhs, std::move(force_offset), result};
+    return result;
   }
 
   // An active (nonlinear) bar feels the additional dislocation as force of its layer only.

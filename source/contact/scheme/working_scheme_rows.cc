@@ -77,6 +77,7 @@ namespace fuga
     its_work.n_factorisations += rows.empty() ? 0 : 1;
     const bool done = inverse.rebuild(active_matrix());
     stale           = false;
+    last_solution   = {};
     factorised_rows = rows;
     capacity        = inverse.capacity();
     exchanges.clear();
@@ -107,7 +108,8 @@ namespace fuga
     const SchemeMemory wanted          = memory;
     static_cast<SchemeMemory &>(*this) = wanted;
     set_rows(factorised_rows);
-    inverse = {};
+    last_solution = {};
+    inverse       = {};
     inverse.reserve(capacity);
     if (!singular)
       {
@@ -130,6 +132,7 @@ namespace fuga
       return !singular;
     const std::vector<SchemeRow> wanted = wanted_rows();
     outdated                            = false;
+    last_solution                       = {};
     if (!singular && inverse.size() == rows.size())
       take_layer_stiffness(wanted);
 

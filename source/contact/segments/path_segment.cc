@@ -52,40 +52,59 @@ namespace fuga
     state.missing_water = along(state.missing_water, tau, drive.missing_water);
   }
 
+  namespace
+  {
+    /** Sets load time and water of a state; returns the factors of the loads. */
+    Vector
+    set_loads(const PathContext &context, const Course &course, const double tau, JointState &state)
+    {
+      state.t        = course.time_at(tau);
+      Vector factors = course.factors_at(tau);
+      if (course.yielding)
+        {
+          const YieldingLoad &load = *course.yielding;
+          double lag               = tau;
+          for (std::size_t bar = 0; bar < load.weights.size(); ++bar)
+            lag -= load.weights[bar] * (state.dislocations[bar] - load.dislocations[bar]);
+          state.t += load.stiffness * lag;
+          factors = along(factors, load.stiffness * lag, load.factor_rates);
+        }
+      set_water(context.system, factors, state);
+      return factors;
+    }
+
+    /** Sets what follows from dislocations, forces and τ. */
+    void
+    set_slips(const PathContext &context, const Course &course, const double tau, JointState &state)
+    {
+      reduce_strengths(context.elements, course, tau, state.strengths);
+      for (std::size_t k = 0; k < context.elements.size(); ++k)
+        {
+          const ContactElement &element = context.elements[k];
+          if (!element.has_tangential_bar() || (state.states[k] == ContactState::stick &&
+                                                carries_shear(element, state.strengths[k])))
+            continue;
+          const TangentVector slip = present_slip(element, state, k);
+          state.dilations[k] +=
+            state.strengths[k].dilatancy *
+            dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
+          state.slips[k] = slip;
+        }
+    }
+  } // namespace
+
   void
   complete_state(const PathContext &context,
                  const Course &course,
                  const double tau,
                  JointState &state)
   {
-    state.t        = course.time_at(tau);
-    Vector factors = course.factors_at(tau);
-    if (course.yielding)
-      {
-        const YieldingLoad &load = *course.yielding;
-        double lag               = tau;
-        for (std::size_t bar = 0; bar < load.weights.size(); ++bar)
-          lag -= load.weights[bar] * (state.dislocations[bar] - load.dislocations[bar]);
-        state.t += load.stiffness * lag;
-        factors = along(factors, load.stiffness * lag, load.factor_rates);
-      }
-    set_water(context.system, factors, state);
-    state.forces = context.system.forces(factors, state.dislocations, state.water);
-    reduce_strengths(context.elements, course, tau, state.strengths);
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        if (!element.has_tangential_bar() ||
-            (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k])))
-          continue;
-        const TangentVector slip = present_slip(element, state, k);
-        state.dilations[k] +=
-          state.strengths[k].dilatancy *
-          dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
-        state.slips[k] = slip;
-      }
+    const Vector factors = set_loads(context, course, tau, state);
+    state.forces         = context.system.forces(factors, state.dislocations, state.water);
+    set_slips(context, course, tau, state);
   }
 
+  // A correction knows its forces, unless the load gives way to it as well.
   double
   polish(const PathContext &context,
          const Course &course,
@@ -106,7 +125,13 @@ namespace fuga
           break;
         moved += max_abs(change->dislocations);
         state.dislocations = along(state.dislocations, 1., change->dislocations);
-        complete_state(context, course, tau, state);
+        if (course.yielding)
+          complete_state(context, course, tau, state);
+        else
+          {
+            state.forces = along(state.forces, 1., change->forces);
+            set_slips(context, course, tau, state);
+          }
       }
     return moved;
   }
@@ -166,8 +191,7 @@ namespace fuga
     return point(tau, moved);
   }
 
-  // The forces come from the dislocations and the load anew, and a correction removes what rounding
-  // has added to the active rows: nothing accumulates from event to event. Where the scheme is so
+  // A correction removes what rounding has added to the active rows. Where the scheme is so
   // ill-conditioned that its solution is not accurate, it takes more than one.
   PathPoint
   StraightSegment::point(const double tau, double &moved) const
@@ -175,9 +199,27 @@ namespace fuga
     PathPoint result          = start;
     result.state.dislocations = along(start.state.dislocations, tau, start.rates.dislocations);
     release(course.drive, tau, result.state);
-    complete_state(context, course, tau, result.state);
+    if (!advance_forces(tau, result.state))
+      complete_state(context, course, tau, result.state);
     moved += polish(context, course, tau, {{rounding, accepted, accepted, accepted}}, result.state);
     return result;
+  }
+
+  // The forces from the dislocations and the load anew cost a product with a large part of W, their
+  // rates are known. Now and then, and where the active rows show that rounding has added to them,
+  // they are taken anew, so that nothing accumulates from event to event; a rule that a run taken
+  // up from a checkpoint repeats.
+  bool
+  StraightSegment::advance_forces(const double tau, JointState &state) const
+  {
+    constexpr std::size_t exchanges_between = 8;
+    if (context.system.refines_forces() ||
+        context.scheme.memory().exchanges.size() % exchanges_between == 0)
+      return false;
+    set_loads(context, course, tau, state);
+    state.forces = along(start.state.forces, tau, start.rates.forces);
+    set_slips(context, course, tau, state);
+    return max_abs(context.scheme.residual(state)) <= rounding * max_abs(state.forces);
   }
 
   std::vector<double>

@@ -4,11 +4,17 @@
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/system/layered_system.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fuga
 {
   namespace
   {
     constexpr int n_sweeps = 2;
+    /** Change of the first sweep, in units of LayeredSystem::scale() and of the largest force, by
+     * which W is wrong at most: what the next one would change is the square of it. */
+    constexpr double last_change = 1e-8;
   } // namespace
 
   // A unit force in a bar of compliance D moves the lips by D; to a share of this the bodies, of
@@ -68,13 +74,20 @@ namespace fuga
             residual[i] -= forces[i];
           }
         add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), jumps), residual);
+        Vector elastic_jumps(n_bars()), taken(n_bars());
+        for (std::size_t j = 0; j < n_bars(); ++j)
+          elastic_jumps[j] = compliances[j] * static_cast<double>(residual[j]);
+        blas::symv(n_bars(), W.data(), n_bars(), elastic_jumps.data(), taken.data());
+        double change = 0., size = 0.;
         for (std::size_t j = 0; j < n_bars(); ++j)
           {
-            const double change = static_cast<double>(residual[j]);
-            forces[j] += change;
-            if (compliances[j] != 0.)
-              blas::axpy(n_bars(), -compliances[j] * change, W.column(j), forces.data());
+            const double difference = static_cast<double>(residual[j]) - taken[j];
+            change                  = std::max(change, std::abs(difference) / scales[j]);
+            size                    = std::max(size, std::abs(forces[j]) / scales[j]);
+            forces[j] += difference;
           }
+        if (change <= last_change * size)
+          break;
       }
   }
 

@@ -333,6 +333,16 @@ namespace fuga
     std::vector<std::size_t> position;
     std::vector<bool> ever_active;
     SchemeWork its_work;
+
+    /** The path asks again, where an event changes the scheme, for the rates that led there. */
+    struct Solution
+    {
+      Vector rhs, offset;
+      JointRates result;
+    };
+
+    /** Of the scheme as it is. */
+    std::optional<Solution> last_solution;
   };
 } // namespace fuga
 

@@ -112,6 +112,10 @@ namespace fuga
     /** The corrected state; @p moved grows by the largest dislocations of the corrections. */
     PathPoint
     point(const double tau, double &moved) const;
+    /** Whether the forces of a state whose dislocations are those at @p tau could be had from their
+     * rates alone. */
+    bool
+    advance_forces(const double tau, JointState &state) const;
 
     PathContext context;
     const Course course;

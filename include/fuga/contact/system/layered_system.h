@@ -118,6 +118,14 @@ namespace fuga
     Vector
     forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
 
+    /** Whether forces() refines: then rates of forces, which come from W alone, do not add up to
+     * them. */
+    bool
+    refines_forces() const
+    {
+      return delicate;
+    }
+
     /** p -= W d, for forces and dislocations or the rates of both. */
     void
     subtract_response(const Vector &dislocations, Vector &forces) const;
