@@ -10,6 +10,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/dynamics/step_system.h>
+#include <fuga/contact/judge/limit_proof.h>
 #include <fuga/run/model/phase_run.h>
 
 #include <algorithm>
@@ -48,8 +49,7 @@ namespace fuga::stress
       JointState
       state(const std::vector<ContactElement> &elements, JointState result) const
       {
-        for (std::size_t bar = 0; bar < jumps_before.size(); ++bar)
-          result.dislocations[bar] = moved(result.dislocations[bar] - jumps_before[bar]);
+        result.dislocations = since_beginning(std::move(result.dislocations));
         for (std::size_t k = 0; k < elements.size(); ++k)
           if (elements[k].has_tangential_bar())
             result.slips[k][0] =
@@ -57,13 +57,21 @@ namespace fuga::stress
         return result;
       }
 
+      Vector
+      since_beginning(Vector jumps) const
+      {
+        for (std::size_t bar = 0; bar < jumps.size(); ++bar)
+          jumps[bar] = moved(jumps[bar] - jumps_before[bar]);
+        return jumps;
+      }
+
+    private:
       double
       moved(const double way) const
       {
         return std::abs(way) <= rounding ? 0. : way;
       }
 
-    private:
       const Vector jumps_before;
       const double rounding;
     };
@@ -87,13 +95,8 @@ namespace fuga::stress
                 Vector load)
     {
       if (at.B.empty())
-        {
-          Vector x = piece.step.coordinates(
-            piece.step.layered().jumps(piece.to.dislocations, piece.to.forces), piece.to.forces);
-          for (double &entry : x)
-            entry = view.moved(entry);
-          return x;
-        }
+        return view.since_beginning(
+          piece.step.layered().jumps(piece.to.dislocations, piece.to.forces));
       for (std::size_t i = 0; i < load.size(); ++i)
         for (std::size_t bar = 0; bar < piece.to.forces.size(); ++bar)
           load[i] -= at.jump_operator(bar, i) * piece.to.forces[bar];
@@ -192,6 +195,7 @@ namespace fuga::stress
       changed(const std::vector<ContactEvent> &, const JointState &state) override
       {
         last_state = state;
+        phase->judge.judge(state);
       }
 
       void
@@ -199,6 +203,7 @@ namespace fuga::stress
       {
         last_state = state;
         levels     = index + 1;
+        phase->judge.judge(state);
       }
 
       void
@@ -283,6 +288,8 @@ namespace fuga::stress
             witness.begin(*phase);
             result = phase->path->go_on(start.cut, model->loads.levels, witness);
           }
+        prove_limit(
+          phase->judge, phase->joint.elements, phase->layered, witness.last_state, result);
         found = verdict_name(result.verdict);
       }
     catch (const NumericalFailure &)

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <numeric>
@@ -107,6 +108,30 @@ namespace fuga::stress
         tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
     }
 
+    /** By how much the term `sudden` changes behind the first step of the last motion, although
+     * loads act all at once only there [MNm]. */
+    double
+    late_loss_of_sudden_loads(const std::string &directory)
+    {
+      std::ifstream file(directory + "/out/earthquake.csv");
+      std::string line;
+      std::getline(file, line);
+      double stage = 0., in_first_step = 0., result = 0.;
+      while (std::getline(file, line))
+        {
+          const double t      = std::stod(line);
+          const double sudden = std::stod(line.substr(line.rfind(',') + 1));
+          if (std::ceil(t) != stage)
+            {
+              stage         = std::ceil(t);
+              in_first_step = sudden;
+              result        = 0.;
+            }
+          result = std::max(result, std::abs(sudden - in_first_step));
+        }
+      return result;
+    }
+
     /** What the program itself says, from the file that users read. */
     std::string
     tell_summary(const Writer &write, const std::string &directory, const double energy_tolerance)
@@ -139,7 +164,16 @@ namespace fuga::stress
       if (summary.contains("message"))
         tell(write, "message", summary.at("message").get<std::string>());
       if (summary.contains("motion"))
-        tell_energies(write, summary.at("motion"), energy_tolerance);
+        {
+          constexpr double rounding  = 1e-8;
+          const nlohmann::json &last = summary.at("motion");
+          tell_energies(write, last, energy_tolerance);
+          if (const double late = late_loss_of_sudden_loads(directory);
+              late > last.at("rounding").get<double>() +
+                       rounding * last.at("largest_energy").get<double>())
+            tell(
+              write, "failure", fmt::format("sudden loads lose {:.1e} behind a first step", late));
+        }
       if (largest > certificate_bound)
         tell(write, "failure", fmt::format("certificate {:.1e} ({})", largest, worst));
       return verdict;
