@@ -81,6 +81,7 @@ namespace fuga
     , construction(begin)
     , grid(grid_of(model.definition(), begin, load_history.end()))
     , dashpots(make_dashpots(model, dynamics.absorbing.names))
+    , free_motions(model.rigid_pieces())
     , steps(std::move(same_steps))
   {
     // The ratio ζ = α/2ω + βω/2 at both frequencies.
@@ -111,9 +112,8 @@ namespace fuga
       }
     driving.emplace(model, dynamics, load_history, begin, integration->mass());
     if (!dynamics.free_field.names.empty())
-      free_field.emplace(model,
-                         *driving,
-                         typename FreeColumn<dim>::Damping{mass_damping, stiffness_damping});
+      free_field.emplace(
+        model, *driving, typename FreeColumn<dim>::Damping{mass_damping, stiffness_damping});
   }
 
 
@@ -301,7 +301,7 @@ namespace fuga
   Vector
   BodiesInMotion<dim>::restoring_forces(const Vector &u) const
   {
-    Vector result = product(stiffness, u);
+    Vector result = product(stiffness, free_motions.deformation(u));
     if (!geometric.empty())
       add_multiple(1., product(geometric, u), result);
     return result;
@@ -314,7 +314,8 @@ namespace fuga
   {
     if (mass_damping == 0. && stiffness_damping == 0. && dashpots.empty())
       return {};
-    Vector result = stiffness_damping > 0. ? product(stiffness, v) : Vector(v.size(), 0.);
+    Vector result = stiffness_damping > 0. ? product(stiffness, free_motions.deformation(v))
+                                           : Vector(v.size(), 0.);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
     add_dashpot_forces(1., dashpots, v, result);

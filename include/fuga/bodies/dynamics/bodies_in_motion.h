@@ -7,6 +7,7 @@
 #include <fuga/bodies/dynamics/free_field.h>
 #include <fuga/bodies/dynamics/geometric_stiffness.h>
 #include <fuga/bodies/dynamics/step_solvers.h>
+#include <fuga/bodies/elasticity/free_motions.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/load_history.h>
 
@@ -163,6 +164,7 @@ namespace fuga
     double mass_damping = 0., stiffness_damping = 0.;
     /** Of the absorbing boundaries. */
     const Dashpots<dim> dashpots;
+    const FreeMotions free_motions;
     dealii::SparsityPattern pattern;
     /** K, and K_g if it is wanted; by nodes, of the own cells. */
     dealii::SparseMatrix<double> stiffness, geometric;
