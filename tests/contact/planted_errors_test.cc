@@ -9,8 +9,11 @@
 #include <fuga/base/errors.h>
 #include <fuga/base/numerics/accurate.h>
 #include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/virgin_state.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -105,6 +108,22 @@ TEST_F(PlantedErrors, ForcesThatDoNotBalance)
   const double known      = (1. + 2. * D) * error / shear;
   EXPECT_NEAR(found.equilibrium, known, 0.01 * known);
   EXPECT_LE(found.body_equilibrium, 1e-13);
+}
+
+// Errors are shares of the largest jump on the way, also where no state that has it was judged.
+TEST_F(PlantedErrors, TheWayGivesTheScale)
+{
+  Judge judge(chain, joint.elements, history);
+  const JointState start   = virgin_state(joint.elements, 2 * n, false);
+  const JointRates nothing = {Vector(2 * n, 0.), Vector(2 * n, 0.)};
+  judge.follow({start, nothing}, {state, nothing}, 0.);
+  JointState planted      = start;
+  planted.states[0]       = ContactState::open;
+  planted.dislocations[0] = -error;
+  double largest          = 0.;
+  for (std::size_t bar = 0; bar < 2 * n; ++bar)
+    largest = std::max(largest, std::abs(state.dislocations[bar] + D * state.forces[bar]));
+  EXPECT_NEAR(judge.judge(planted).penetration, error / largest, 1e-6 * error / largest);
 }
 
 // All normal forces too large by the same: the chain moves as a rigid body and feels nothing but

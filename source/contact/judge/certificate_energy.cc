@@ -50,9 +50,12 @@ namespace fuga
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
     const work::Scope phase(work::Phase::judge);
-    const Vector x0 =
-      coordinates(jumps(from.state.dislocations, from.state.forces), time(from.state));
-    const Vector x1 = coordinates(jumps(to.state.dislocations, to.state.forces), time(to.state));
+    const Vector delta0 = jumps(from.state.dislocations, from.state.forces),
+                 delta1 = jumps(to.state.dislocations, to.state.forces);
+    largest_jump =
+      std::max({largest_jump, largest_of_elements(delta0), largest_of_elements(delta1)});
+    const Vector x0 = coordinates(delta0, time(from.state)),
+                 x1 = coordinates(delta1, time(to.state));
     // Imposed jumps have one rate along the piece, which the difference of both rates does not
     // know.
     const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
