@@ -31,7 +31,7 @@ ROOMS = {
     "laws": [""],
     "contact": ["", "system", "element", "scheme", "cones", "rates", "segments", "path", "dynamics", "judge"],
     "mesh": [""],
-    "bodies": ["", "space", "joints", "solvers", "elasticity", "loads", "condensed", "dynamics", "program"],
+    "bodies": ["", "space", "joints", "solvers", "elasticity", "loads", "condensed", "dynamics", "motion", "program"],
     "input": ["", "syntax", "entries", "values", "joints", "loads", "dynamics", "read"],
     "output": ["files", "results", "tables", "fields", "warnings", "restart"],
     "run": ["model", "journal", "simulation"],

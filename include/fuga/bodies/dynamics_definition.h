@@ -66,6 +66,14 @@ namespace fuga
     weight
   };
 
+  /** In what coordinates bodies move. */
+  enum class MotionBodies
+  {
+    finite_elements,
+    /** See ModalBasis. */
+    modes
+  };
+
   /** How stages with a duration go on in time. */
   struct DynamicsDefinition
   {
@@ -81,6 +89,9 @@ namespace fuga
     /** g, which makes masses of weight densities [m/s²]. */
     double gravity           = 9.81;
     SecondOrder second_order = SecondOrder::none;
+    MotionBodies bodies      = MotionBodies::finite_elements;
+    /** Modes below it are taken [Hz]; 0: see BodiesInMotion. */
+    double highest_frequency = 0.;
     /** Bodies without inertia: a foundation through which the ground motion arrives at once. */
     std::vector<std::string> massless_bodies;
     /** Rayleigh damping of the bodies has this ratio at both frequencies [Hz]; 0: none. */

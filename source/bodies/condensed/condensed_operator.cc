@@ -274,6 +274,27 @@ namespace fuga
   }
 
 
+  template <int dim>
+  void
+  CondensedOperator<dim>::solve_bonded(DenseMatrix &columns) const
+  {
+    const auto &coordinates = model.interface_coordinates();
+    DenseMatrix y(coordinates.size(), columns.n_columns());
+    for (std::size_t j = 0; j < columns.n_columns(); ++j)
+      {
+        const Vector load =
+          coordinates.gather({columns.column(j), columns.column(j) + columns.n_rows()});
+        std::copy(load.begin(), load.end(), y.column(j));
+      }
+    solver->solve(y);
+    for (std::size_t j = 0; j < columns.n_columns(); ++j)
+      {
+        const Vector u = coordinates.distribute(y.column(j), {});
+        std::copy(u.begin(), u.end(), columns.column(j));
+      }
+  }
+
+
   // Not left to the iterations, whose errors the condition of the eliminated part magnifies:
   // motions of the bodies meet no resistance.
   template <int dim>

@@ -178,12 +178,20 @@ namespace fuga
   dealii::Vector<double>
   CondensedSystem<dim>::bonded_field(const Vector &forces, const Vector &x) const
   {
+    return this->by_degrees_of_freedom(bonded_field_by_nodes(forces, x));
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedSystem<dim>::bonded_field_by_nodes(const Vector &forces, const Vector &x) const
+  {
     Vector y(this->interface_coordinates().size(), 0.), loads = forces;
     std::copy(x.begin(), x.end(), y.end() - static_cast<std::ptrdiff_t>(x.size()));
     loads.resize(this->discretization().n_dofs(), 0.);
     Vector u = this->interface_coordinates().distribute(y.data(), {});
     condensed.add_bonded_response(loads, u);
-    return this->by_degrees_of_freedom(u);
+    return u;
   }
 
 

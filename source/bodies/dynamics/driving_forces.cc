@@ -31,7 +31,7 @@ namespace fuga
 
   template <int dim>
   Vector
-  DrivingForces<dim>::at(const double time) const
+  DrivingForces<dim>::load_factors(const double time) const
   {
     const double part = duration > 0. ? std::min(time / duration, 1.) : 1.;
     Vector factors    = history.factors(begin + part * (history.end() - begin));
@@ -41,7 +41,15 @@ namespace fuga
         // What is out of balance when the phase begins (CarriedLoads::released) moves at once.
         factors.back() = -1.;
       }
-    Vector result = model.applied_forces(factors);
+    return factors;
+  }
+
+
+  template <int dim>
+  Vector
+  DrivingForces<dim>::at(const double time) const
+  {
+    Vector result = model.applied_forces(load_factors(time));
     result.resize(model.discretization().n_dofs(), 0.);
     if (base_dashpots.empty())
       {

@@ -5,6 +5,7 @@
 #include <fuga/bodies/model_names.h>
 #include <fuga/bodies/program/monitor.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace fuga
@@ -76,6 +77,21 @@ namespace fuga
     for (std::size_t c = 0; c < components.size(); ++c)
       value[c] = dot(components[c].coordinates, field);
     return value;
+  }
+
+  std::vector<unsigned int>
+  Monitor::watched_dofs() const
+  {
+    std::vector<unsigned int> result;
+    const auto add = [&result](const LinearResponse &response) {
+      for (unsigned int dof = 0; dof < response.coordinates.size(); ++dof)
+        if (response.coordinates[dof] != 0.)
+          result.push_back(dof);
+    };
+    std::for_each(components.begin(), components.end(), add);
+    std::for_each(gradient.begin(), gradient.end(), add);
+    add(radial);
+    return result;
   }
 
   std::array<double, 6>

@@ -147,6 +147,46 @@ namespace fuga
     }
 
 
+    /** The modes are those of bodies that supports hold, and linear. */
+    void
+    check_modes(const ParameterValues &values, const Parameters &parameters)
+    {
+      const DynamicsDefinition &dynamics = parameters.model.dynamics;
+      const DynamicsEntries &e           = entries_of<DynamicsEntries>();
+      const EarthquakeEntries &shaking   = entries_of<EarthquakeEntries>();
+      const ParameterSection section     = values.section<DynamicsEntries>();
+      if (dynamics.bodies == MotionBodies::finite_elements)
+        {
+          if (section.given(e.highest_frequency))
+            section.fail(
+              e.highest_frequency,
+              fmt::format("finite elements have no limit of frequency. Add '{} = modes', "
+                          "or remove this entry.",
+                          e.bodies.name()));
+          return;
+        }
+      const auto refuse = [&](const bool is_chosen, const std::string &what) {
+        if (is_chosen)
+          section.fail(e.bodies,
+                       fmt::format("'{}' needs finite elements: the modes are those of bodies that "
+                                   "are held, and do not change. Remove one of the two.",
+                                   what));
+      };
+      refuse(!dynamics.compliant_base.names.empty(), shaking.compliant_base.name());
+      refuse(!dynamics.free_field.names.empty(), shaking.free_field.name());
+      refuse(!dynamics.absorbing.names.empty(), e.absorbing.name());
+      refuse(dynamics.second_order != SecondOrder::none, e.second_order.name());
+      for (const JointParameters &joint : parameters.joints)
+        if (joint.normal_law == LayerLaw::rigid || joint.shear_law == LayerLaw::rigid)
+          section.fail(
+            e.bodies,
+            fmt::format("the layer of joint '{}' is rigid, whose lips must have no mass, "
+                        "but those of modes have. Give it a stiffness, or take finite "
+                        "elements.",
+                        joint.definition.name));
+    }
+
+
     void
     check_number_of_steps(const ParameterValues &values, const ModelDefinition &model)
     {
@@ -214,6 +254,7 @@ namespace fuga
                    [&]() { read_earthquake(values, parameters); });
     if (values.is_broken<EarthquakeEntries>())
       return;
+    values.attempt(section, [&]() { check_modes(values, parameters); });
     check_dynamic_stages(values, parameters);
     check_number_of_steps(values, model);
     if (parameters.solver.beyond_limit == LimitLoadChoice::dynamic)

@@ -36,6 +36,20 @@ namespace fuga
       number_in(0, 1),
       "Of the method at high frequencies: 1 keeps the energy (trapezoidal rule), less damps "
       "what the steps do not resolve.");
+    bodies = defaulted(
+      "Bodies",
+      &DynamicsDefinition::bodies,
+      choice<MotionBodies>(
+        {{"finite elements", MotionBodies::finite_elements}, {"modes", MotionBodies::modes}}),
+      "Finite elements: every step solves for all nodes. Modes: the bodies move in their normal modes "
+      "below the Highest frequency, found with the joints bonded, and follow the joints and the loads "
+      "as in statics for the rest; a step costs little then, whatever the mesh. Not with Absorbing "
+      "boundaries, Compliant base, Free field or Second order.");
+    highest_frequency = optional("Highest frequency",
+                                 &DynamicsDefinition::highest_frequency,
+                                 number_above(0),
+                                 "Of the modes of Bodies = modes [Hz]. Without this entry that of "
+                                 "which a Time step is half a period.");
     gravity =
       optional("Gravity",
                &DynamicsDefinition::gravity,

@@ -21,6 +21,8 @@ namespace fuga
   MotionJournal<dim>::begin()
   {
     journal.record.n_intervals = 0.;
+    if (const std::string line = phase.motion->description(); !line.empty())
+      journal.log.line("Modes       " + line);
     if (!phase.parameters.output.spectra.wanted || phase.model.construction.until_rest)
       return;
     watch_monitors();
@@ -125,7 +127,7 @@ namespace fuga
   MotionJournal<dim>::watch_monitors()
   {
     monitored_motion.emplace(
-      phase.model.monitors, phase.motion->time_grid().step, phase.motion->mass());
+      phase.model.monitors, phase.motion->time_grid().step, phase.motion->accelerated_mass());
   }
 
   template <int dim>
@@ -134,7 +136,7 @@ namespace fuga
   {
     const BodiesInMotion<dim> &motion = *phase.motion;
     monitored_motion->add(
-      motion.displacement(), motion.acceleration(), motion.acceleration_of_frame());
+      motion.watched_displacement(), motion.watched_acceleration(), motion.acceleration_of_frame());
   }
 
   template <int dim>

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace fuga
 {
@@ -72,6 +73,13 @@ namespace fuga
     , path(make_path())
     , judge(model.bodies, joint.elements, model.loads.history, model.loads.end_of_loading)
   {
+    if (!motion)
+      return;
+    std::set<unsigned int> dofs;
+    for (const Monitor &monitor : model.monitors)
+      for (const unsigned int dof : monitor.watched_dofs())
+        dofs.insert(dof);
+    motion->watch({dofs.begin(), dofs.end()});
   }
 
   template <int dim>
@@ -159,7 +167,13 @@ namespace fuga
   Vector
   PhaseRun<dim>::displacement_in_motion() const
   {
-    Vector u = motion->displacement();
+    return since_the_beginning(motion->displacement());
+  }
+
+  template <int dim>
+  Vector
+  PhaseRun<dim>::since_the_beginning(Vector u) const
+  {
     if (model.construction.displacement.empty())
       return u;
     const Vector before = model.bodies.discretization().by_nodes(model.construction.displacement);
@@ -172,7 +186,7 @@ namespace fuga
   Vector
   PhaseRun<dim>::monitored(const JointState &state) const
   {
-    return motion ? displacement_in_motion()
+    return motion ? since_the_beginning(motion->watched_displacement())
                   : judge.coordinates(layered.jumps(state.dislocations, state.forces), state.t);
   }
 

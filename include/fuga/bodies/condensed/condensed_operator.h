@@ -103,6 +103,11 @@ namespace fuga
     void
     add_bonded_response(const Vector &loads, Vector &u) const;
 
+    /** Columns of nodal forces become those of the displacements under them, with the jumps as they
+     * are and without refinement. */
+    void
+    solve_bonded(DenseMatrix &columns) const;
+
     /** None before factorise(). */
     BodiesWork
     work() const;

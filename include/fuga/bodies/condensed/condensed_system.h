@@ -181,6 +181,18 @@ namespace fuga
     dealii::Vector<double>
     bonded_field(const Vector &forces, const Vector &x) const;
 
+    /** The same by nodes. */
+    Vector
+    bonded_field_by_nodes(const Vector &forces, const Vector &x) const;
+
+    /** Columns of nodal forces become those of the displacements under them, with the jumps as they
+     * are and without refinement. */
+    void
+    solve_bonded(DenseMatrix &columns) const
+    {
+      condensed.solve_bonded(columns);
+    }
+
     /**
      * The work of the nodal forces @p force (entry node * dim + component) on the displacement, for
      * any x and a: what recover() would give, without recovering (doc/theory.md, section 1).

@@ -36,6 +36,10 @@ namespace fuga
     Vector
     at(const double time) const;
 
+    /** Of the load patterns, less those with which the motion began. */
+    Vector
+    load_factors(const double time) const;
+
     /** By axes [m/s²]: what the record says. */
     std::array<double, 3>
     ground_acceleration(const double time) const;

@@ -55,6 +55,11 @@ namespace fuga
     std::array<double, 3>
     value_of(const Vector &field) const;
 
+    /** With Source::field: the degrees of freedom (entry node * dim + component) of the field that
+     * count. */
+    std::vector<unsigned int>
+    watched_dofs() const;
+
     bool
     has_stress() const
     {

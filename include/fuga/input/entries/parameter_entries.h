@@ -153,8 +153,9 @@ namespace fuga
   struct DynamicsEntries : SectionDeclaration
   {
     DynamicsEntries();
-    Number time_step, gravity, damping_ratio, longest_continuation;
+    Number time_step, gravity, damping_ratio, longest_continuation, highest_frequency;
     Entry<SecondOrder> second_order;
+    Entry<MotionBodies> bodies;
     Text massless_bodies, absorbing, damping_frequencies;
   };
 

@@ -4,7 +4,7 @@
 #ifndef fuga_run_model_phase_run_h
 #define fuga_run_model_phase_run_h
 
-#include <fuga/bodies/dynamics/bodies_in_motion.h>
+#include <fuga/bodies/motion/bodies_in_motion.h>
 #include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/output/results/joint_results.h>
@@ -87,6 +87,10 @@ namespace fuga
     enter(const PhaseEnd &before);
 
   private:
+    /** What @p u of the motion is with what was before, by nodes. */
+    Vector
+    since_the_beginning(Vector u) const;
+
     std::shared_ptr<const LayeredSystem>
     make_layered(const std::shared_ptr<const LayeredSystem> &similar) const;
     std::unique_ptr<BodiesInMotion<dim>>

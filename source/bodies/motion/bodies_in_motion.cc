@@ -2,16 +2,13 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/lac/vector.h>
 
-#include <fuga/bodies/dynamics/bodies_in_motion.h>
 #include <fuga/bodies/dynamics/lumped_mass.h>
 #include <fuga/bodies/dynamics/time_steps.h>
-#include <fuga/bodies/elasticity/elastic_bodies.h>
-#include <fuga/bodies/joints/contact_bars.h>
 #include <fuga/bodies/model_names.h>
-#include <fuga/bodies/processes.h>
-#include <fuga/bodies/solvers/elimination_order.h>
+#include <fuga/bodies/motion/bodies_in_motion.h>
+#include <fuga/bodies/motion/modal_coordinates.h>
+#include <fuga/bodies/motion/nodal_coordinates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,16 +51,15 @@ namespace fuga
       return dynamics;
     }
 
-    /** With a matrix by nodes, of the own cells. */
-    Vector
-    product(const dealii::SparseMatrix<double> &matrix, const Vector &u)
+    /** The ratio ζ = α/2ω + βω/2 at both frequencies. */
+    RayleighDamping
+    damping_of(const DynamicsDefinition &dynamics)
     {
-      const dealii::Vector<double> x(u.begin(), u.end());
-      dealii::Vector<double> result(x.size());
-      matrix.vmult(result, x);
-      Vector sum(result.begin(), result.end());
-      processes::sum(sum);
-      return sum;
+      if (dynamics.damping_ratio == 0.)
+        return {};
+      const auto &f       = dynamics.damping_frequencies;
+      const double factor = 2. * dynamics.damping_ratio / (f[0] + f[1]);
+      return {factor * 2. * dealii::numbers::PI * f[0] * f[1], factor / (2. * dealii::numbers::PI)};
     }
   } // namespace
 
@@ -80,40 +76,44 @@ namespace fuga
     , dynamics(acting_in(definition, begin))
     , construction(begin)
     , grid(grid_of(model.definition(), begin, load_history.end()))
-    , dashpots(make_dashpots(model, dynamics.absorbing.names))
-    , free_motions(model.rigid_pieces())
+    , damping(damping_of(dynamics))
     , steps(std::move(same_steps))
   {
-    // The ratio ζ = α/2ω + βω/2 at both frequencies.
-    if (const auto &f = dynamics.damping_frequencies; dynamics.damping_ratio > 0.)
-      {
-        const double factor = 2. * dynamics.damping_ratio / (f[0] + f[1]);
-        mass_damping        = factor * 2. * dealii::numbers::PI * f[0] * f[1];
-        stiffness_damping   = factor / (2. * dealii::numbers::PI);
-      }
-    model.elastic_bodies().assemble_by_nodes(pattern, stiffness);
-    if (dynamics.second_order == SecondOrder::weight)
-      {
-        geometric.reinit(pattern);
-        add_geometric_stiffness(model, begin.displacement, temperature, geometric);
-      }
-    integration = std::make_unique<TimeIntegration>(
-      lumped_mass(model, massless_joints),
-      [this](const Vector &v) { return damping_times(v); },
-      dynamics.spectral_radius);
-    if (!steps || !geometric.empty() || steps->step != grid.step ||
-        steps->mass != integration->mass())
+    Vector mass = lumped_mass(model, massless_joints);
+    if (!steps || dynamics.second_order != SecondOrder::none || steps->step != grid.step ||
+        steps->mass != mass)
       {
         steps       = std::make_shared<StepSolvers>();
-        steps->mass = integration->mass();
+        steps->mass = std::move(mass);
         steps->step = grid.step;
         steps->solvers.resize(grid.halvings + 1);
         steps->stiffness.resize(grid.halvings + 1);
       }
-    driving.emplace(model, dynamics, load_history, begin, integration->mass());
+    driving.emplace(model, dynamics, load_history, begin, steps->mass);
     if (!dynamics.free_field.names.empty())
       free_field.emplace(
-        model, *driving, typename FreeColumn<dim>::Damping{mass_damping, stiffness_damping});
+        model, *driving, typename FreeColumn<dim>::Damping{damping.of_mass, damping.of_stiffness});
+    coordinates = make_coordinates(temperature);
+    integration = std::make_unique<TimeIntegration>(
+      coordinates->mass(),
+      [this](const Vector &v) { return coordinates->damping_times(v); },
+      dynamics.spectral_radius);
+  }
+
+
+  template <int dim>
+  std::unique_ptr<MotionCoordinates>
+  BodiesInMotion<dim>::make_coordinates(const TemperatureField<dim> &temperature) const
+  {
+    if (dynamics.bodies == MotionBodies::finite_elements)
+      return std::make_unique<NodalCoordinates<dim>>(
+        model, dynamics, construction, temperature, *driving, damping, steps);
+    const double highest =
+      dynamics.highest_frequency > 0. ? dynamics.highest_frequency : 0.5 / grid.step;
+    if (!steps->modes || steps->modes->highest_frequency != highest)
+      steps->modes =
+        std::make_shared<const ModalBasis>(make_modal_basis(model, steps->mass, highest));
+    return std::make_unique<ModalCoordinates<dim>>(model, *driving, damping, steps->modes);
   }
 
 
@@ -125,13 +125,13 @@ namespace fuga
   void
   BodiesInMotion<dim>::begin(const Vector &bar_forces, MotionLedger &ledger)
   {
-    first_forces          = bar_forces;
-    first_forces_at_nodes = model.bar_forces(bar_forces);
-    present_time          = 0.;
-    forces                = driving->at(0.);
+    first_forces                = bar_forces;
+    first_forces_on_coordinates = coordinates->bar_forces(bar_forces);
+    present_time                = 0.;
+    forces                      = coordinates->driving_forces(0.);
     if (free_field)
       free_field->begin();
-    integration->begin(initial_velocity(), net_forces(bar_forces, {}));
+    integration->begin(coordinates->from_nodes(initial_velocity()), net_forces(bar_forces, {}));
     ledger.kinetic = ledger.work = integration->kinetic_energy();
   }
 
@@ -173,8 +173,8 @@ namespace fuga
   double
   BodiesInMotion<dim>::largest_velocity() const
   {
-    const Vector &v = integration->velocity();
-    double largest  = 0.;
+    const Vector v = velocity();
+    double largest = 0.;
     for (std::size_t node = 0; node < v.size() / dim; ++node)
       {
         double square = 0.;
@@ -190,30 +190,9 @@ namespace fuga
   DenseMatrix
   BodiesInMotion<dim>::condensed_stiffness(const unsigned int rung)
   {
-    if (steps->solvers[rung])
-      return steps->stiffness[rung];
-    const auto &coordinates  = model.interface_coordinates();
-    const double h           = grid.length_of(rung);
-    SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
-    const double damped      = 1. + integration->damping_factor(h) * stiffness_damping;
-    for (double &value : matrix.values)
-      value *= damped;
-    if (!geometric.empty())
-      add_by_nodes(geometric, coordinates, matrix);
-    if (processes::is_first())
-      {
-        const double damping = integration->damping_factor(h);
-        add_diagonal(integration->mass_factor(h) + damping * mass_damping,
-                     integration->mass(),
-                     coordinates,
-                     matrix);
-        add_dashpots(damping, dashpots, coordinates, matrix);
-      }
-    if (steps->order.empty() && processes::is_first())
-      steps->order = elimination_order(model.discretization(), coordinates);
-    steps->solvers[rung]   = std::make_unique<SchurSolver>(steps->order);
-    steps->stiffness[rung] = steps->solvers[rung]->eliminate(matrix, coordinates.n_interface());
-    return steps->stiffness[rung];
+    const double h = grid.length_of(rung);
+    return coordinates->condensed_stiffness(
+      rung, integration->mass_factor(h), integration->damping_factor(h));
   }
 
 
@@ -223,16 +202,12 @@ namespace fuga
   {
     rung_of_step   = rung;
     const double h = grid.length_of(rung);
-    forces_at_end  = driving->at(present_time + h);
+    forces_at_end  = coordinates->driving_forces(present_time + h);
     if (free_field)
       free_field->try_step(rung, h, present_time + h, forces_at_end);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    const Vector push = model.interface_coordinates().gather(integration->push(h, growth));
-    DenseMatrix loads(push.size(), 1);
-    std::copy(push.begin(), push.end(), loads.data());
-    const DenseMatrix condensed = steps->solvers[rung]->condense(loads);
-    return {condensed.data(), condensed.data() + condensed.n_rows()};
+    return coordinates->condense(rung, integration->push(h, growth));
   }
 
 
@@ -241,14 +216,13 @@ namespace fuga
   BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger)
   {
     const double h  = grid.length_of(rung_of_step);
-    const Vector y  = steps->solvers[rung_of_step]->expand(x);
-    const Vector du = model.interface_coordinates().distribute(y.data(), {});
-    Vector mean     = first_forces_at_nodes;
+    const Vector du = coordinates->expand(rung_of_step, x);
+    Vector mean     = first_forces_on_coordinates;
     add_multiple(0.5, forces, mean);
     add_multiple(0.5, forces_at_end, mean);
     integration->advance(h, du, mean, ledger);
     const Vector &u        = integration->displacement();
-    const Vector restoring = restoring_forces(u);
+    const Vector restoring = coordinates->stiffness_times(u);
     ledger.bodies          = 0.5 * dot(u, restoring);
     forces                 = forces_at_end;
     if (free_field)
@@ -273,10 +247,10 @@ namespace fuga
   void
   BodiesInMotion<dim>::restore(const MotionMemory &memory)
   {
-    present_time          = memory.time;
-    first_forces          = memory.first_forces;
-    first_forces_at_nodes = model.bar_forces(first_forces);
-    forces                = memory.forces;
+    present_time                = memory.time;
+    first_forces                = memory.first_forces;
+    first_forces_on_coordinates = coordinates->bar_forces(first_forces);
+    forces                      = memory.forces;
     integration->restore(memory.integrations.front());
     if (free_field)
       free_field->restore(memory.integrations, present_time);
@@ -291,55 +265,22 @@ namespace fuga
     add_multiple(-1., first_forces, changes);
     Vector result = forces;
     add_multiple(-1., restoring, result);
-    add_multiple(-1., model.bar_forces(changes), result);
-    model.discretization().hanging_nodes().move_to_masters(result);
+    add_multiple(-1., coordinates->bar_forces(changes), result);
+    coordinates->collect(result);
     return result;
   }
 
 
-  template <int dim>
-  Vector
-  BodiesInMotion<dim>::restoring_forces(const Vector &u) const
-  {
-    Vector result = product(stiffness, free_motions.deformation(u));
-    if (!geometric.empty())
-      add_multiple(1., product(geometric, u), result);
-    return result;
-  }
-
-
-  template <int dim>
-  Vector
-  BodiesInMotion<dim>::damping_times(const Vector &v) const
-  {
-    if (mass_damping == 0. && stiffness_damping == 0. && dashpots.empty())
-      return {};
-    Vector result = stiffness_damping > 0. ? product(stiffness, free_motions.deformation(v))
-                                           : Vector(v.size(), 0.);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = stiffness_damping * result[i] + mass_damping * integration->mass()[i] * v[i];
-    add_dashpot_forces(1., dashpots, v, result);
-    model.discretization().hanging_nodes().move_to_masters(result);
-    return result;
-  }
-
-
+  // Where a body falls freely inertia leaves nothing of the forces, and where it rests they have
+  // not changed: those of the joints have the digits of what they carried before.
   template <int dim>
   EquilibriumError
   BodiesInMotion<dim>::equilibrium_error(const Vector &p) const
   {
-    Vector loads = forces;
-    add_multiple(-1., integration->inertia(), loads);
-    add_multiple(-1., integration->damping_forces(), loads);
-    if (!geometric.empty())
-      add_multiple(-1., product(geometric, integration->displacement()), loads);
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
-    // Where a body falls freely inertia leaves nothing of the forces, and where it rests they have
-    // not changed: those of the joints have the digits of what they carried before.
-    const double largest = std::max(max_abs(forces), max_abs(first_forces_at_nodes));
-    return model.equilibrium_error_under(
-      loads, model.by_degrees_of_freedom(integration->displacement()), changes, {}, largest);
+    return coordinates->equilibrium_error(
+      now(), changes, std::max(max_abs(forces), max_abs(first_forces_on_coordinates)));
   }
 
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_bodies_dynamics_step_solvers_h
-#define fuga_bodies_dynamics_step_solvers_h
+#ifndef fuga_bodies_motion_step_solvers_h
+#define fuga_bodies_motion_step_solvers_h
 
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -15,8 +15,11 @@
 
 namespace fuga
 {
-  /** The stiffness of steps of all lengths, factorised when first needed. Motions of the same
-   * bodies with the same masses and lengths share it. */
+  struct ModalBasis;
+
+
+  /** The stiffness of steps of all lengths, factorised when first needed, or the modes of the
+   * bodies. Motions of the same bodies with the same masses and lengths share it. */
   struct StepSolvers
   {
     Vector mass;
@@ -27,6 +30,7 @@ namespace fuga
     /** By rung: the factors and Ŝ. */
     std::vector<std::unique_ptr<SchurSolver>> solvers;
     std::vector<DenseMatrix> stiffness;
+    std::shared_ptr<const ModalBasis> modes;
 
     BodiesWork
     work() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/dynamics/step_solvers.h>
+#include <fuga/bodies/motion/step_solvers.h>
 
 namespace fuga
 {

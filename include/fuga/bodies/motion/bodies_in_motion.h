@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_bodies_dynamics_bodies_in_motion_h
-#define fuga_bodies_dynamics_bodies_in_motion_h
+#ifndef fuga_bodies_motion_bodies_in_motion_h
+#define fuga_bodies_motion_bodies_in_motion_h
 
 #include <fuga/bodies/dynamics/free_field.h>
-#include <fuga/bodies/dynamics/geometric_stiffness.h>
-#include <fuga/bodies/dynamics/step_solvers.h>
-#include <fuga/bodies/elasticity/free_motions.h>
-#include <fuga/contact/dynamics/time_integration.h>
+#include <fuga/bodies/loads/temperature_field.h>
+#include <fuga/bodies/motion/motion_coordinates.h>
+#include <fuga/bodies/motion/step_solvers.h>
 #include <fuga/contact/load_history.h>
 
 #include <memory>
@@ -19,8 +18,8 @@ namespace fuga
   /**
    * The finite element model in a stage with a duration, or in the motion that follows the loss of
    * an equilibrium: displacements from where the motion begins, relative to the ground, under what
-   * the loads change since then and the inertia of the moving ground. Each length of step has a
-   * factorisation of its own, made when first needed; a step is one solution with it.
+   * the loads change since then and the inertia of the moving ground. Without a highest frequency
+   * modes are taken up to that of which a whole step is half a period.
    * (doc/theory.md, section 19)
    */
   template <int dim>
@@ -87,31 +86,45 @@ namespace fuga
     }
 
     /** Displacement since the motion began; entry node * dim + component. */
-    const Vector &
+    Vector
     displacement() const
     {
-      return integration->displacement();
+      return coordinates->displacement(now());
     }
 
     /** [m/s] */
-    const Vector &
+    Vector
     velocity() const
     {
-      return integration->velocity();
+      return coordinates->at_nodes(integration->velocity());
     }
 
     /** To be looked at: see TimeIntegration [m/s]. */
-    const Vector &
+    Vector
     steady_velocity() const
     {
-      return integration->steady_velocity();
+      return coordinates->at_nodes(integration->steady_velocity());
+    }
+
+    /** From now on the next two functions are right at these degrees of freedom (entry node * dim +
+     * component), and cost little. */
+    void
+    watch(const std::vector<unsigned int> &dofs)
+    {
+      coordinates->watch(dofs);
+    }
+
+    Vector
+    watched_displacement() const
+    {
+      return coordinates->watched_displacement(now());
     }
 
     /** That of the integration in time, without that of the frame; see TimeIntegration [m/s²]. */
-    const Vector &
-    acceleration() const
+    Vector
+    watched_acceleration() const
     {
-      return integration->acceleration();
+      return coordinates->watched(integration->acceleration());
     }
 
     /** Of the frame in which displacements are measured, by axes [m/s²]: that of the ground, but
@@ -119,11 +132,18 @@ namespace fuga
     std::array<double, 3>
     acceleration_of_frame() const;
 
-    /** Diagonal of the mass matrix. */
+    /** Mass by nodes, but zero where accelerations do not follow from forces. */
     const Vector &
-    mass() const
+    accelerated_mass() const
     {
-      return integration->mass();
+      return coordinates->accelerated_mass();
+    }
+
+    /** A line for the log about the coordinates; empty if there is nothing to say. */
+    std::string
+    description() const
+    {
+      return coordinates->description();
     }
 
     /** Of any node [m/s]. */
@@ -141,18 +161,20 @@ namespace fuga
     }
 
   private:
-    /** K u + K_g u. */
-    Vector
-    restoring_forces(const Vector &u) const;
+    std::unique_ptr<MotionCoordinates>
+    make_coordinates(const TemperatureField<dim> &temperature) const;
 
-    Vector
-    damping_times(const Vector &v) const;
+    MotionState
+    now() const
+    {
+      return {*integration, present_time, forces};
+    }
 
     /** By nodes: what the phase begins with, or those of the bodies in the first dynamic stage. */
     Vector
     initial_velocity() const;
 
-    /** f - K u - K_g u - Gᵀ(p - p_0) for bar forces p and restoring forces (empty: zero). */
+    /** f - K u - Gᵀ(p - p_0) for bar forces p and restoring forces K u (empty: zero). */
     Vector
     net_forces(const Vector &bar_forces, const Vector &restoring) const;
 
@@ -160,20 +182,14 @@ namespace fuga
     const DynamicsDefinition dynamics;
     const ConstructionState &construction;
     const TimeGrid grid;
-    /** α and β of Rayleigh's damping αM + βK [1/s, s]. */
-    double mass_damping = 0., stiffness_damping = 0.;
-    /** Of the absorbing boundaries. */
-    const Dashpots<dim> dashpots;
-    const FreeMotions free_motions;
-    dealii::SparsityPattern pattern;
-    /** K, and K_g if it is wanted; by nodes, of the own cells. */
-    dealii::SparseMatrix<double> stiffness, geometric;
-    std::unique_ptr<TimeIntegration> integration;
+    const RayleighDamping damping;
     std::shared_ptr<StepSolvers> steps;
     std::optional<DrivingForces<dim>> driving;
     std::optional<FreeField<dim>> free_field;
-    /** Bar forces at the beginning, and what they are at the nodes. */
-    Vector first_forces, first_forces_at_nodes;
+    std::unique_ptr<MotionCoordinates> coordinates;
+    std::unique_ptr<TimeIntegration> integration;
+    /** Bar forces at the beginning, and what they are on the coordinates. */
+    Vector first_forces, first_forces_on_coordinates;
     /** Forces now and at the end of the step. */
     Vector forces, forces_at_end;
     double present_time       = 0.;
