@@ -122,7 +122,9 @@ TEST(UpliftConnection, DryToeStaysDry)
   for (std::size_t k = 0; k <= n; ++k)
     {
       if (k > n + 2 - m)
-        EXPECT_LT(pressure[k], 1e-12 * head) << k;
+        {
+          EXPECT_LT(pressure[k], 1e-12 * head) << k;
+        }
       sum += pressure[k] * (k == 0 || k == n ? h / 2. : h);
     }
   EXPECT_LT(pressure[n], 1e-12 * head);
