@@ -74,6 +74,28 @@ TEST(Conditioning, OfAnEndThatChanges)
   EXPECT_FALSE(found.explains(1e-3));
 }
 
+// The node is pushed by 1e9 against friction of 0.5 times 2 and slides until its spring of one
+// carries the rest: d = 1e9, but for 2. Body and compliance D = 1 in series resist with W = S/(1 +
+// S D) = 1/2, and the largest force is the pressure of 2.
+TEST(Conditioning, OfTheLastDigitOfAFarSlip)
+{
+  Pressed pressed(0.1);
+  const ToyJoint joint(1, 1., make_rigid_law(), make_linear_law(1.), {0.5, 0.});
+  const LoadHistory history({0., 1., 2.}, {{0., 0.}, {1., 0.}, {1., 1e9}});
+  const LayeredSystem layered(pressed.node, joint.elements);
+  const Conditioning found = conditioning(
+    [&](const LoadHistory &loads) {
+      return std::make_unique<EventPath>(joint.elements, layered, loads, PathOptions());
+    },
+    layered,
+    history,
+    {2.});
+  // To 2 beside 1e9, and the rounding of the scale.
+  EXPECT_NEAR(found.last_digit / (0x1p-52 * 1e9 * 0.5 / 2.), 1., 1e-8);
+  EXPECT_TRUE(found.explains_by_last_digit(found.last_digit));
+  EXPECT_FALSE(found.explains_by_last_digit(100. * found.last_digit));
+}
+
 // A path that fails in the same way whatever the last digits are says nothing against the data; one
 // that fails only under one of the loads does.
 TEST(Conditioning, OfAPathThatFails)

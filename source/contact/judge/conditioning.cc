@@ -16,6 +16,9 @@ namespace fuga
     constexpr double last_digits = 0x1p-50;
     constexpr int n_changes      = 2;
 
+    // Every operation rounds by as much as the data were changed: a few of them may add up.
+    constexpr double same_size = 0.1;
+
     /** The same loads times @p factor. */
     LoadHistory
     scaled(const LoadHistory &history, const double factor)
@@ -76,6 +79,11 @@ namespace fuga
       {
         if (state.states.empty())
           return;
+        constexpr double digit = std::numeric_limits<double>::epsilon();
+        for (std::size_t bar = 0; bar < state.forces.size(); ++bar)
+          last_digit = std::max(last_digit,
+                                digit * std::abs(state.dislocations[bar]) * system.scale(bar) *
+                                  system.scale(bar));
         forces.push_back(state.forces);
         jumps.push_back(system.jumps(state.dislocations, state.forces));
       }
@@ -83,31 +91,44 @@ namespace fuga
       const LayeredSystem &system;
       JointState end;
       std::vector<Vector> forces, jumps;
+      /** What the last digit of a dislocation is worth as a force [MN]. */
+      double last_digit = 0.;
     };
+
+    double
+    largest(const std::vector<Vector> &values)
+    {
+      double size = 0.;
+      for (const Vector &of_level : values)
+        size = std::max(size, max_abs(of_level));
+      return size;
+    }
 
     /** Largest difference beside the largest value. */
     double
     difference(const std::vector<Vector> &a, const std::vector<Vector> &b)
     {
-      double size = 0., result = 0.;
+      double result = 0.;
       for (std::size_t level = 0; level < std::min(a.size(), b.size()); ++level)
         for (std::size_t i = 0; i < a[level].size(); ++i)
-          {
-            size   = std::max(size, std::abs(a[level][i]));
-            result = std::max(result, std::abs(a[level][i] - b[level][i]));
-          }
-      return size > 0. ? result / size : 0.;
+          result = std::max(result, std::abs(a[level][i] - b[level][i]));
+      return share(result, largest(a));
     }
   } // namespace
 
   bool
-  Conditioning::explains(const double error) const
+  Conditioning::explains_by_loads(const double error) const
   {
-    // Every operation rounds by as much as the loads were changed: a few of them may add up. A
-    // larger error than any rounding is a wrong path, however delicate the data.
-    constexpr double same_size = 0.1, largest_of_rounding = 1e-6;
+    // A larger error than any rounding is a wrong path, however much the loads decide.
+    constexpr double largest_of_rounding = 1e-6;
     return error <= largest_of_rounding &&
            (other_end || std::max(forces, jumps) >= same_size * error);
+  }
+
+  bool
+  Conditioning::explains_by_last_digit(const double error) const
+  {
+    return last_digit >= same_size * error;
   }
 
   Conditioning
@@ -132,6 +153,7 @@ namespace fuga
     LevelRecord record(system);
     const std::optional<Verdict> verdict = follow(history, record);
     Conditioning worst;
+    worst.last_digit = share(record.last_digit, largest(record.forces));
     for (int k = 1; k <= n_changes; ++k)
       {
         LevelRecord other(system);

@@ -50,6 +50,24 @@ namespace fuga
         });
       return range;
     }
+
+    /** By what the data move the answer as far as it is wrong by @p error; of a path that failed, by
+     * what they move its end. */
+    std::string
+    what_moves(const Conditioning &found, const double error, const bool is_certified)
+    {
+      if (!is_certified && !found.explains_by_loads(error))
+        return fmt::format("joints move so far that the last digit of a jump is worth a force of "
+                           "{:.1e} of the largest",
+                           found.last_digit);
+      return fmt::format("if all loads grow by {:.1e} of their size, {}",
+                         found.change,
+                         found.other_end
+                           ? std::string("the path ends in another way")
+                           : fmt::format("forces move by {:.1e} and jumps by {:.1e} of the largest",
+                                         found.forces,
+                                         found.jumps));
+    }
   } // namespace
 
   // Only bodies that are condensed and at rest are asked.
@@ -80,20 +98,17 @@ namespace fuga
       moduli.add(material.young_modulus);
     for (const ContactElement &element : elements)
       distances.add(std::hypot(element.position[0], element.position[1], element.position[2]));
-    return fmt::format(
-      "ill-conditioned data: if all loads grow by {:.1e} of their size, {}{}. Moduli {}, "
-      "compliances {}/{}, joints {} from the origin",
-      found.change,
-      found.other_end ? std::string("the path ends in another way")
-                      : fmt::format("forces move by {:.1e} and jumps by {:.1e} of the largest",
-                                    found.forces,
-                                    found.jumps),
+    const std::string bound =
       is_certified ? std::string()
-                   : fmt::format(". The certificate, {:.1e}, is no worse than that", worst.worst()),
-      moduli.text(u.stress()),
-      compliances_of(elements).text(u.length),
-      u.stress(),
-      distances.text(u.length));
+                   : fmt::format(". The certificate, {:.1e}, is no worse than that", worst.worst());
+    return fmt::format("ill-conditioned data: {}{}. Moduli {}, compliances {}/{}, joints {} from "
+                       "the origin",
+                       what_moves(found, worst.worst(), is_certified),
+                       bound,
+                       moduli.text(u.stress()),
+                       compliances_of(elements).text(u.length),
+                       u.stress(),
+                       distances.text(u.length));
   }
 
   // No finite stress reaches the closure limit of a normal law. Where the shear stiffness grows

@@ -11,7 +11,8 @@
 
 namespace fuga
 {
-  /** How far the answer of a problem moves when its loads change in their last digits. */
+  /** How far the answer of a problem moves when its loads, or the jumps of its joints, change in
+   * their last digits. */
   struct Conditioning
   {
     /** The relative change of all loads. */
@@ -22,9 +23,25 @@ namespace fuga
     /** The path ends in another way, or at another load by more than the change explains. */
     bool other_end = false;
 
+    /**
+     * By how much a force moves, beside the largest of the path, if the dislocation of its bar
+     * changes in the last digit that a double has: ε |d| W_ii. Joints that move far beside stiff
+     * ones that carry little have large values; loads need not change for that.
+     */
+    double last_digit = 0.;
+
     /** Whether an error of this relative size is that of the data. */
     bool
-    explains(const double error) const;
+    explains(const double error) const
+    {
+      return explains_by_loads(error) || explains_by_last_digit(error);
+    }
+
+    bool
+    explains_by_loads(const double error) const;
+
+    bool
+    explains_by_last_digit(const double error) const;
   };
 
   /**
