@@ -209,9 +209,10 @@ namespace fuga
       if (!section.given(e.free_field))
         return;
       if (model.dimension == 2 && model.assumption == PlaneAssumption::axisymmetric)
-        section.fail(e.free_field,
-                     "the ground beside a model is computed in space and for plane problems without "
-                     "an axis. Move the side away and name it in 'Dynamics/Absorbing boundaries'.");
+        section.fail(
+          e.free_field,
+          "the ground beside a model is computed in space and for plane problems without an axis. "
+          "Move the side away and name it in 'Dynamics/Absorbing boundaries'.");
       dynamics.free_field = read_also_absorbing(section, e.free_field, dynamics.absorbing);
     }
 

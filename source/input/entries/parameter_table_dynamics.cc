@@ -41,10 +41,10 @@ namespace fuga
       &DynamicsDefinition::bodies,
       choice<MotionBodies>(
         {{"finite elements", MotionBodies::finite_elements}, {"modes", MotionBodies::modes}}),
-      "Finite elements: every step solves for all nodes. Modes: the bodies move in their normal modes "
-      "below the Highest frequency, found with the joints bonded, and follow the joints and the loads "
-      "as in statics for the rest; a step costs little then, whatever the mesh. Not with Absorbing "
-      "boundaries, Compliant base, Free field or Second order.");
+      "Finite elements: every step solves for all nodes. Modes: the bodies move in their normal "
+      "modes below the Highest frequency, found with the joints bonded, and follow the joints and "
+      "the loads as in statics for the rest; a step costs little then, whatever the mesh. Not with "
+      "Absorbing boundaries, Compliant base, Free field or Second order.");
     highest_frequency = optional("Highest frequency",
                                  &DynamicsDefinition::highest_frequency,
                                  number_above(0),

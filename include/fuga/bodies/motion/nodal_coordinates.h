@@ -5,8 +5,8 @@
 #define fuga_bodies_motion_nodal_coordinates_h
 
 #include <fuga/bodies/dynamics/driving_forces.h>
-#include <fuga/bodies/loads/temperature_field.h>
 #include <fuga/bodies/elasticity/free_motions.h>
+#include <fuga/bodies/loads/temperature_field.h>
 #include <fuga/bodies/motion/motion_coordinates.h>
 #include <fuga/bodies/motion/step_solvers.h>
 
