@@ -96,6 +96,24 @@ TEST(Conditioning, OfTheLastDigitOfAFarSlip)
   EXPECT_FALSE(found.explains_by_last_digit(100. * found.last_digit));
 }
 
+// A joint that never carries anything has gaps with digits, but no force beside which they would
+// excuse an error: the node is pulled away from the lip by one.
+TEST(Conditioning, OfAJointWithoutForces)
+{
+  const Pressed pressed(0.1);
+  const LoadHistory history({0., 1.}, {{0., 0.}, {-1., 0.}});
+  const LayeredSystem layered(pressed.node, pressed.joint.elements);
+  const Conditioning found = conditioning(
+    [&](const LoadHistory &loads) {
+      return std::make_unique<EventPath>(pressed.joint.elements, layered, loads, PathOptions());
+    },
+    layered,
+    history,
+    {1.});
+  EXPECT_EQ(found.last_digit, 0.);
+  EXPECT_FALSE(found.explains_by_last_digit(1e-9));
+}
+
 // A path that fails in the same way whatever the last digits are says nothing against the data; one
 // that fails only under one of the loads does.
 TEST(Conditioning, OfAPathThatFails)

@@ -69,6 +69,7 @@ namespace fuga
                          pairs.vectors.column(k) + pairs.vectors.n_rows(),
                          pairs.vectors.column(n - 1 - k));
     }
+
     /** A vector that is orthogonal to no eigenvector: parts of multiples of the golden ratio. */
     Vector
     without_symmetry(const std::size_t n)

@@ -104,6 +104,14 @@ namespace fuga
       return size;
     }
 
+    /** @p value beside the largest of @p values; where all of them are zero it says nothing: 0. */
+    double
+    beside(const double value, const std::vector<Vector> &values)
+    {
+      const double size = largest(values);
+      return size > 0. ? value / size : 0.;
+    }
+
     /** Largest difference beside the largest value. */
     double
     difference(const std::vector<Vector> &a, const std::vector<Vector> &b)
@@ -112,7 +120,7 @@ namespace fuga
       for (std::size_t level = 0; level < std::min(a.size(), b.size()); ++level)
         for (std::size_t i = 0; i < a[level].size(); ++i)
           result = std::max(result, std::abs(a[level][i] - b[level][i]));
-      return share(result, largest(a));
+      return beside(result, a);
     }
   } // namespace
 
@@ -153,7 +161,7 @@ namespace fuga
     LevelRecord record(system);
     const std::optional<Verdict> verdict = follow(history, record);
     Conditioning worst;
-    worst.last_digit = share(record.last_digit, largest(record.forces));
+    worst.last_digit = beside(record.last_digit, record.forces);
     for (int k = 1; k <= n_changes; ++k)
       {
         LevelRecord other(system);
