@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "contact/toy_system.h"
+#include "contact/cone_toy.h"
 #include "known_answer.h"
 
 #include <fuga/base/interruption.h>
 #include <fuga/contact/rates/rate_problem.h>
+#include <fuga/contact/virgin_state.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 
 using namespace fuga;
 using namespace fuga::tests;
@@ -182,4 +184,40 @@ TEST(RateProblem, UniqueUpToTheCriticalFriction)
   expect_count("most continuations, C_n = 3.19", 1., below.largest);
   expect_count("fewest continuations, C_n = 3.21", 0., above.smallest);
   expect_count("most continuations, C_n = 3.21", 2., above.largest);
+}
+
+// One element on its cone, f = 0.5, N = -1, T = (0.5, 0), on a body of stiffness 1: a load along
+// its slip at the rate 1e-6 makes it slip at that rate, nothing else resists. If its slip has just
+// come to rest and it is held, it stays stuck and its force takes the load.
+TEST(ConeRates, WhatIsHeldAtRestTakesTheLoad)
+{
+  constexpr double load_rate = 1e-6, whatever = std::numeric_limits<double>::max();
+  const ConeJoint joint(1, 1., make_rigid_law(), make_rigid_law(), 0.5);
+  ToySystem system;
+  system.S = system.F = DenseMatrix(3, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    system.S(i, i) = system.F(i, i) = 1.;
+  const LayeredSystem layered(system, joint.elements);
+  WorkingScheme scheme(joint.elements, layered);
+  RateProblem problem(joint.elements, layered, scheme);
+  JointState state                       = virgin_state(joint.elements, 3, false);
+  state.states                           = {ContactState::slip_forward};
+  state.forces                           = {-1., 0.5, 0.};
+  const std::vector<BoundaryElement> set = {{0, false, ShearPosition::at_strength, 1., {{1., 0.}}}};
+  const Drive drive{{0., load_rate, 0.}, {}, {}};
+
+  const Continuation slips = problem.solve(state, set, drive, {0});
+  ASSERT_TRUE(slips.exists);
+  EXPECT_EQ(scheme.state(0), ContactState::slip_forward);
+  EXPECT_NEAR(slips.rates.dislocations[1], load_rate, 1e-12 * load_rate); // rounding
+
+  const Continuation rests = problem.solve(state, set, drive, {0}, whatever);
+  ASSERT_TRUE(rests.exists);
+  EXPECT_EQ(scheme.state(0), ContactState::stick);
+  EXPECT_EQ(rests.rates.dislocations[1], 0.);
+  EXPECT_NEAR(rests.rates.forces[1], load_rate, 1e-12 * load_rate);
+
+  // Held is only what has come to rest.
+  problem.solve(state, set, drive, {}, whatever);
+  EXPECT_EQ(scheme.state(0), ContactState::slip_forward);
 }

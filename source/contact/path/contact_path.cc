@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -20,6 +21,8 @@ namespace fuga
     /** How often contact configurations may come back at one load before water that leaves waits.
      */
     constexpr std::size_t returns_before_water_waits = 3;
+    /** The same before what has come to rest is held. */
+    constexpr std::size_t returns_before_rest_is_held = 3;
 
     Vector
     negative(const Vector &x)
@@ -148,6 +151,18 @@ namespace fuga
   {
     const std::size_t n = standstill.n_steps() / 4 + standstill.n_repetitions();
     return std::pow(10., static_cast<double>(std::min<std::size_t>(3, n)));
+  }
+
+  // Just before a maximum of the load the rounding of forces on their cones may be worth more than
+  // a small rate of slip: an element slips by the rates, and loses its slip in the next step,
+  // however short. Where nothing else has ended this it rests, whatever its rates; should it leave
+  // its cone, the next segment ends where it does.
+  double
+  ContactPath::widening_at_rest() const
+  {
+    return standstill.n_repetitions() > returns_before_rest_is_held
+             ? std::numeric_limits<double>::max()
+             : widening_of_tolerances();
   }
 
   // A failure on the way must not take along what was reached before it.

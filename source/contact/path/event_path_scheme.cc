@@ -19,7 +19,7 @@ namespace fuga
 
     const std::vector<BoundaryElement> set = standstill.unite(boundary.elements_on_boundary(state));
     Continuation continuation =
-      rate_problem.solve(state, set, course.drive, resticking, widening_of_tolerances());
+      rate_problem.solve(state, set, course.drive, resticking, widening_at_rest());
     result.n_schemes += continuation.n_schemes;
     if (continuation.exists)
       choose_branch(state, set, course.drive, continuation, result);

@@ -113,6 +113,10 @@ namespace fuga
     double
     widening_of_tolerances() const;
 
+    /** The same of the rounding that does not move an element which has just come to rest. */
+    double
+    widening_at_rest() const;
+
     /** PathSegment::find_end(); a failure reports what was reached before it. */
     double
     find_end(PathSegment &segment,
