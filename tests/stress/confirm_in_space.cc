@@ -29,7 +29,7 @@ namespace fuga::stress
     /** The plane path of an extruded scene. */
     struct SectionPath
     {
-      SectionPath(const GridModel &section, const std::string &directory)
+      SectionPath(const SceneData &section, const std::string &directory)
         : model(read_parameters(write_scene(section, directory, "section")))
         , joint(make_joint_model<2>(
             model.bodies, model.parameters.joints, model.parameters.model.constants))
@@ -164,14 +164,14 @@ namespace fuga::stress
     }
 
     void
-    confirm_by_section(const SpatialGrid &scene,
+    confirm_by_section(const SceneData &scene,
                        const JointModel &joint,
                        const PathResult &result,
                        const PieceSample &sample,
                        const std::string &directory,
                        Confirmation &confirmation)
     {
-      const SectionPath section(*scene.section, directory);
+      const SectionPath section(*scene.plane_section(), directory);
       const std::string difference =
         compare_with_section(section, joint, result, sample, confirmation);
       // Beyond critical friction both may be right; and where rigid joints meet, elements get a
@@ -245,7 +245,7 @@ namespace fuga::stress
   } // namespace
 
   Confirmation
-  confirm_in_space(const SpatialGrid &scene,
+  confirm_in_space(const SceneData &scene,
                    const Model<3> &model,
                    const JointModel &joint,
                    const PathResult &result,
@@ -254,7 +254,7 @@ namespace fuga::stress
                    const double seconds)
   {
     Confirmation confirmation;
-    if (scene.section)
+    if (scene.plane_section())
       confirm_by_section(scene, joint, result, sample, directory, confirmation);
     else
       confirm_by_steps(model, joint, result, sample, seconds, confirmation);
@@ -262,19 +262,19 @@ namespace fuga::stress
   }
 
   std::string
-  what_others_find(const SpatialGrid &scene,
+  what_others_find(const SceneData &scene,
                    const Model<3> &model,
                    const JointModel &joint,
                    const PieceSample &sample,
                    const std::string &directory)
   try
     {
-      if (!scene.section)
+      if (!scene.plane_section())
         return ConeExaminer(model, joint)
                    .finds_step_beyond(end_of(sample, model.bodies.rigid_motions().n_rows()), 1e-4)
                  ? "; an implicit step goes on"
                  : "; no implicit step is found either";
-      const SectionPath section(*scene.section, directory);
+      const SectionPath section(*scene.plane_section(), directory);
       return fmt::format("; the plane section: {} at t = {:.9g}",
                          verdict_name(section.result.verdict),
                          section.result.t);

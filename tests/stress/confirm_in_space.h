@@ -5,7 +5,7 @@
 #define fuga_tests_stress_confirm_in_space_h
 
 #include "stress/confirm.h"
-#include "stress/spatial_grid.h"
+#include "stress/scene_data.h"
 
 namespace fuga::stress
 {
@@ -17,7 +17,7 @@ namespace fuga::stress
    * @p directory: for the files of the section. @p seconds: as in confirm().
    */
   Confirmation
-  confirm_in_space(const SpatialGrid &scene,
+  confirm_in_space(const SceneData &scene,
                    const Model<3> &model,
                    const JointModel &joint,
                    const PathResult &result,
@@ -28,7 +28,7 @@ namespace fuga::stress
   /** Where a path in space failed: how the plane section of an extruded scene ends, or whether
    * ConeNewton finds a step beyond; in words that follow others. */
   std::string
-  what_others_find(const SpatialGrid &scene,
+  what_others_find(const SceneData &scene,
                    const Model<3> &model,
                    const JointModel &joint,
                    const PieceSample &sample,

@@ -3,6 +3,8 @@
 
 #include "stress/cut_polygon.h"
 
+#include "stress/parts_of_bodies.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -130,29 +132,17 @@ namespace fuga::stress
     for (std::size_t p = 0; p < parts.size(); ++p)
       for (std::size_t i = 0; i < parts[p].corners.size(); ++i)
         neighbors[edge(parts[p], i)].push_back(p);
-    const std::size_t unseen = parts.size();
-    std::vector<std::size_t> number(parts.size(), unseen);
-    std::size_t n = 0;
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    std::vector<std::size_t> body;
+    std::vector<std::vector<std::size_t>> beside;
+    for (const Part &part : parts)
       {
-        if (number[p] != unseen)
-          continue;
-        std::vector<std::size_t> waiting = {p};
-        number[p]                        = n;
-        while (!waiting.empty())
-          {
-            const std::size_t at = waiting.back();
-            waiting.pop_back();
-            for (std::size_t i = 0; i < parts[at].corners.size(); ++i)
-              for (const std::size_t q : neighbors[edge(parts[at], i)])
-                if (number[q] == unseen && parts[q].body == parts[at].body)
-                  {
-                    number[q] = n;
-                    waiting.push_back(q);
-                  }
-          }
-        ++n;
+        body.push_back(part.body);
+        beside.emplace_back();
+        for (std::size_t i = 0; i < part.corners.size(); ++i)
+          for (const std::size_t q : neighbors[edge(part, i)])
+            beside.back().push_back(q);
       }
+    const std::vector<std::size_t> number = number_bodies_of_parts(body, beside);
     for (std::size_t p = 0; p < parts.size(); ++p)
       parts[p].body = number[p];
   }
@@ -224,30 +214,19 @@ namespace fuga::stress
       }
   }
 
-  std::map<std::string, std::vector<CutPolygon::Edge>>
+  CutPolygon::FaceGroups
   CutPolygon::faces() const
   {
     std::map<Edge, std::vector<std::size_t>> bodies_at;
     for (const Part &part : parts)
       for (std::size_t i = 0; i < part.corners.size(); ++i)
         bodies_at[edge(part, i)].push_back(part.body);
-    std::map<std::string, std::vector<Edge>> result;
+    FaceGroups result;
     for (const auto &[at, both] : bodies_at)
-      if (both.size() == 1)
-        result[fmt::format("{}_s{}", bodies[both[0]].name, sides.at(at))].push_back(at);
-      else if (both[0] != both[1])
-        result[bodies[std::min(both[0], both[1])].name + '-' +
-               bodies[std::max(both[0], both[1])].name]
-          .push_back(at);
-    return result;
-  }
-
-  std::vector<std::string>
-  CutPolygon::face_names() const
-  {
-    std::vector<std::string> result;
-    for (const auto &[name, unused] : faces())
-      result.push_back(name);
+      if (both.size() == 1 || both[0] != both[1])
+        result[both.size() == 1 ? fmt::format("{}_s{}", bodies[both[0]].name, sides.at(at))
+                                : name_of_joint(both[0], both[1])]
+          .push_back({at[0] + 1, at[1] + 1});
     return result;
   }
 
@@ -272,19 +251,10 @@ namespace fuga::stress
   std::string
   CutPolygon::mesh_text() const
   {
-    MeshText mesh;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      mesh.add_name(2, b + 1, bodies[b].name);
-    std::size_t tag = 100;
-    for (const auto &[name, lines] : faces())
-      {
-        mesh.add_name(1, ++tag, name);
-        for (const Edge &line : lines)
-          mesh.add_element(1, tag, {line[0] + 1, line[1] + 1});
-      }
+    MeshText mesh = mesh_of_faces();
     for (const Part &part : parts)
       mesh.add_element(
-        2, part.body + 1, {part.corners[0] + 1, part.corners[1] + 1, part.corners[2] + 1});
+        2, tag_of_body(part.body), {part.corners[0] + 1, part.corners[1] + 1, part.corners[2] + 1});
     for (std::size_t v = 0; v < vertices.size(); ++v)
       mesh.add_vertex(v + 1, vertices[v][0], vertices[v][1], 0.);
     return mesh.text();

@@ -92,10 +92,8 @@ namespace fuga::stress
 
     static Edge
     edge(const Part &part, const std::size_t i);
-    std::vector<std::string>
-    face_names() const override;
-    std::map<std::string, std::vector<Edge>>
-    faces() const;
+    FaceGroups
+    faces() const override;
     std::size_t
     divide(const Edge &at, const Point &place);
     void

@@ -11,18 +11,16 @@
 
 namespace fuga::stress::families
 {
+  Layer
+  draw_layer_in_space(Random &random)
+  {
+    Layer layer    = draw_layer(random, -8., -3., 0.15);
+    layer.friction = random.uniform(0.2, 1.);
+    return layer;
+  }
+
   namespace
   {
-    /** Layers with which a joint in space can be followed, stiffness from 1e-1 to 1e6 of a body's.
-     */
-    Layer
-    draw_layer_in_space(Random &random)
-    {
-      Layer layer    = draw_layer(random, -8., -3., 0.15);
-      layer.friction = random.uniform(0.2, 1.);
-      return layer;
-    }
-
     /** A plane scene with few contact elements and without points, in which the first load presses
      * all bodies together: how bodies without load lie is not unique. */
     GridModel

@@ -4,6 +4,7 @@
 #ifndef fuga_tests_stress_families_in_space_h
 #define fuga_tests_stress_families_in_space_h
 
+#include "stress/cut_polyhedron.h"
 #include "stress/draws.h"
 #include "stress/spatial_grid.h"
 
@@ -23,6 +24,12 @@ namespace fuga::stress::families
   wedge_in_space(Random &random);
   SpatialGrid
   motion_in_space(Random &random);
+  CutPolyhedron
+  polyhedra(Random &random);
+
+  /** Layers with which a joint in space can be followed, stiffness from 1e-1 to 1e6 of a body's. */
+  Layer
+  draw_layer_in_space(Random &random);
 } // namespace fuga::stress::families
 
 #endif

@@ -8,6 +8,12 @@
 
 namespace fuga::stress
 {
+  namespace
+  {
+    /** Beyond the tags of faces. */
+    constexpr std::size_t first_tag_of_points = 1000;
+  } // namespace
+
   int
   GridModel::body(const std::size_t i, const std::size_t j) const
   {
@@ -15,16 +21,18 @@ namespace fuga::stress
     return i < x.size() - 1 && j < y.size() - 1 ? body_of_cell(i, j) : none;
   }
 
-  std::map<std::string, std::vector<std::array<std::size_t, 2>>>
+  GridModel::FaceGroups
   GridModel::faces() const
   {
-    std::map<std::string, std::vector<std::array<std::size_t, 2>>> result;
-    const auto vertex = [&](const std::size_t i, const std::size_t j) { return i + x.size() * j; };
-    const auto add    = [&](const int before,
+    FaceGroups result;
+    const auto vertex = [&](const std::size_t i, const std::size_t j) {
+      return i + x.size() * j + 1;
+    };
+    const auto add = [&](const int before,
                          const int behind,
                          const char *const side_of_before,
                          const char *const side_of_behind,
-                         const std::array<std::size_t, 2> &face) {
+                         const std::vector<std::size_t> &face) {
       if (before == behind)
         return;
       if (before == none || behind == none)
@@ -32,43 +40,25 @@ namespace fuga::stress
                (before == none ? side_of_behind : side_of_before)]
           .push_back(face);
       else
-        result[bodies[static_cast<std::size_t>(std::min(before, behind))].name + '-' +
-               bodies[static_cast<std::size_t>(std::max(before, behind))].name]
+        result[name_of_joint(static_cast<std::size_t>(before), static_cast<std::size_t>(behind))]
           .push_back(face);
     };
     for (std::size_t j = 0; j < y.size(); ++j)
       for (std::size_t i = 0; i < x.size(); ++i)
         {
           if (i + 1 < x.size())
-            add(body(i, j - 1), body(i, j), "top", "bottom", {{vertex(i, j), vertex(i + 1, j)}});
+            add(body(i, j - 1), body(i, j), "top", "bottom", {vertex(i, j), vertex(i + 1, j)});
           if (j + 1 < y.size())
-            add(body(i - 1, j), body(i, j), "right", "left", {{vertex(i, j), vertex(i, j + 1)}});
+            add(body(i - 1, j), body(i, j), "right", "left", {vertex(i, j), vertex(i, j + 1)});
         }
-    return result;
-  }
-
-  std::vector<std::string>
-  GridModel::face_names() const
-  {
-    std::vector<std::string> result;
-    for (const auto &[name, unused] : faces())
-      result.push_back(name);
     return result;
   }
 
   std::string
   GridModel::mesh_text() const
   {
-    MeshText mesh;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      mesh.add_name(2, b + 1, bodies[b].name);
-    std::size_t tag = 100;
-    for (const auto &[name, lines] : faces())
-      {
-        mesh.add_name(1, ++tag, name);
-        for (const auto &line : lines)
-          mesh.add_element(1, tag, {line[0] + 1, line[1] + 1});
-      }
+    MeshText mesh   = mesh_of_faces();
+    std::size_t tag = first_tag_of_points;
     for (const auto &[name, place] : points)
       {
         mesh.add_name(0, ++tag, name);
@@ -79,7 +69,7 @@ namespace fuga::stress
         if (const int b = body_of_cell(i, j); b != none)
           {
             const std::size_t a = i + x.size() * j + 1, d = a + x.size();
-            const std::size_t number = static_cast<std::size_t>(b) + 1;
+            const std::size_t number = tag_of_body(static_cast<std::size_t>(b));
             if (!triangles)
               mesh.add_element(3, number, {a, a + 1, d + 1, d});
             else

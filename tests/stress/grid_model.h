@@ -62,8 +62,8 @@ namespace fuga::stress
     place(const std::size_t i, const std::size_t j) const;
 
   private:
-    std::vector<std::string>
-    face_names() const override;
+    FaceGroups
+    faces() const override;
     std::string
     mesh_entries() const override
     {
@@ -71,8 +71,6 @@ namespace fuga::stress
     }
     int
     body(const std::size_t i, const std::size_t j) const;
-    std::map<std::string, std::vector<std::array<std::size_t, 2>>>
-    faces() const;
   };
 } // namespace fuga::stress
 

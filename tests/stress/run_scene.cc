@@ -272,8 +272,7 @@ namespace fuga::stress
         {
           std::string failure = "numerical failure";
           if constexpr (dim == 3)
-            failure += what_others_find(
-              dynamic_cast<const SpatialGrid &>(scene), model, joint, sample, directory);
+            failure += what_others_find(scene, model, joint, sample, directory);
           tell(write, "failure", failure);
           return;
         }
@@ -281,14 +280,9 @@ namespace fuga::stress
       if constexpr (dim == 2)
         tell_confirmation(write, confirm(model, joint, result, sample, confirmation_time));
       else
-        tell_confirmation(write,
-                          confirm_in_space(dynamic_cast<const SpatialGrid &>(scene),
-                                           model,
-                                           joint,
-                                           result,
-                                           sample,
-                                           directory,
-                                           confirmation_time));
+        tell_confirmation(
+          write,
+          confirm_in_space(scene, model, joint, result, sample, directory, confirmation_time));
     }
 
     template <int dim>

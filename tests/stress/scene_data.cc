@@ -21,7 +21,7 @@ namespace fuga::stress
   void
   SceneData::join_all(const std::function<Layer()> &make_layer)
   {
-    for (const std::string &name : face_names())
+    for (const auto &[name, unused] : faces())
       {
         const auto hyphen = name.find('-');
         if (hyphen != name.npos)
@@ -34,7 +34,7 @@ namespace fuga::stress
   SceneData::free_boundaries() const
   {
     std::vector<std::string> result;
-    for (const std::string &name : face_names())
+    for (const auto &[name, unused] : faces())
       if (name.find('-') == name.npos && supports.count(name) == 0 &&
           std::none_of(
             loads.begin(), loads.end(), [&](const Load &load) { return load.target == name; }) &&
@@ -42,6 +42,30 @@ namespace fuga::stress
             joints.begin(), joints.end(), [&](const Joint &joint) { return joint.plus == name; }))
         result.push_back(name);
     return result;
+  }
+
+  std::string
+  SceneData::name_of_joint(const std::size_t a, const std::size_t b) const
+  {
+    return bodies[std::min(a, b)].name + '-' + bodies[std::max(a, b)].name;
+  }
+
+  MeshText
+  SceneData::mesh_of_faces() const
+  {
+    constexpr std::size_t first_tag = 100;
+    MeshText mesh;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      mesh.add_name(dimension(), tag_of_body(b), bodies[b].name);
+    std::size_t tag = first_tag;
+    for (const auto &[name, group] : faces())
+      {
+        mesh.add_name(dimension() - 1, ++tag, name);
+        // Gmsh's numbers of lines, triangles and quadrilaterals.
+        for (const std::vector<std::size_t> &face : group)
+          mesh.add_element(static_cast<unsigned int>(face.size()) - 1, tag, face);
+      }
+    return mesh;
   }
 
   std::string

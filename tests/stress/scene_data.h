@@ -28,6 +28,31 @@ namespace fuga::stress
     std::vector<std::pair<std::string, std::string>> more;
   };
 
+  /** A mesh in Gmsh's format 2.2, line by line. */
+  class MeshText
+  {
+  public:
+    /** A physical group with the tag @p tag. */
+    void
+    add_name(const unsigned int dimension, const std::size_t tag, const std::string &name);
+
+    /** @p type: Gmsh's number of the kind of element. @p vertices count from 1. */
+    void
+    add_element(const unsigned int type,
+                const std::size_t tag,
+                const std::vector<std::size_t> &vertices);
+
+    void
+    add_vertex(const std::size_t number, const double x, const double y, const double z);
+
+    std::string
+    text() const;
+
+  private:
+    std::string names, vertices, elements;
+    std::size_t n_names = 0, n_vertices = 0, n_elements = 0;
+  };
+
   /** What a scene is, in the plane or in space: its parameter file, and a mesh that the derived
    * classes make. */
   class SceneData
@@ -127,11 +152,36 @@ namespace fuga::stress
     virtual double
     offset() const = 0;
 
+    /** If this is a plane scene extruded: that scene. */
+    virtual const SceneData *
+    plane_section() const
+    {
+      return nullptr;
+    }
+
   protected:
-    /** Boundaries BODY_side, and lines BODY-BODY where two bodies meet, lower number first, along
-     * which the normal points into the second one. */
-    virtual std::vector<std::string>
-    face_names() const = 0;
+    /** Faces of cells by group, each by its vertices, which count from 1. */
+    using FaceGroups = std::map<std::string, std::vector<std::vector<std::size_t>>>;
+
+    /** Groups BODY_side at the outside, and BODY-BODY where two bodies meet, lower number first,
+     * along which the normal points into the second one. */
+    virtual FaceGroups
+    faces() const = 0;
+
+    /** The group of the faces at which the bodies of these numbers meet. */
+    std::string
+    name_of_joint(const std::size_t a, const std::size_t b) const;
+
+    /** Tag of a body's cells. */
+    static std::size_t
+    tag_of_body(const std::size_t body)
+    {
+      return body + 1;
+    }
+
+    /** A mesh with the names of the bodies and with all faces, whose tags follow on 100. */
+    MeshText
+    mesh_of_faces() const;
 
     /** Further entries of the section Mesh. */
     virtual std::string
@@ -147,31 +197,6 @@ namespace fuga::stress
     joint_text() const;
     std::string
     load_text() const;
-  };
-
-  /** A mesh in Gmsh's format 2.2, line by line. */
-  class MeshText
-  {
-  public:
-    /** A physical group with the tag @p tag. */
-    void
-    add_name(const unsigned int dimension, const std::size_t tag, const std::string &name);
-
-    /** @p type: Gmsh's number of the kind of element. @p vertices count from 1. */
-    void
-    add_element(const unsigned int type,
-                const std::size_t tag,
-                const std::vector<std::size_t> &vertices);
-
-    void
-    add_vertex(const std::size_t number, const double x, const double y, const double z);
-
-    std::string
-    text() const;
-
-  private:
-    std::string names, vertices, elements;
-    std::size_t n_names = 0, n_vertices = 0, n_elements = 0;
   };
 
   /** Grid lines through @p breaks with counts[i] cells in interval i, whose sizes grow from one to the next by growth[i] in total. */

@@ -156,6 +156,7 @@ namespace fuga::stress
       {"wedge in space",
        "a block in a valley of two rigid planes, of hexahedra or tetrahedra",
        families::wedge_in_space},
+      {"polyhedra", "random polyhedra cut by one to three planes, tetrahedra", families::polyhedra},
       {"motion in space",
        "blocks and wedges under loads at once or shaking",
        families::motion_in_space},

@@ -11,7 +11,7 @@ namespace fuga::stress
 {
   namespace
   {
-    constexpr unsigned int hexahedron = 5, tetrahedron = 4, quadrilateral = 3, triangle = 2;
+    constexpr unsigned int hexahedron = 5, tetrahedron = 4;
     constexpr std::array<std::array<const char *, 2>, 3> sides = {
       {{{"left", "right"}}, {{"front", "back"}}, {{"bottom", "top"}}}};
 
@@ -50,8 +50,7 @@ namespace fuga::stress
   }
 
   void
-  SpatialGrid::add_faces(const unsigned int across,
-                         std::map<std::string, std::vector<Face>> &result) const
+  SpatialGrid::add_faces(const unsigned int across, FaceGroups &result) const
   {
     const unsigned int first = (across + 1) % 3, second = (across + 2) % 3;
     for_each_index([&](const Index &index) {
@@ -60,32 +59,29 @@ namespace fuga::stress
       if (before == behind)
         return;
       const auto name = [&](const int b) { return bodies[static_cast<std::size_t>(b)].name; };
-      const std::string group =
-        before == none   ? name(behind) + '_' + sides[across][0]
-        : behind == none ? name(before) + '_' + sides[across][1]
-                         : name(std::min(before, behind)) + '-' + name(std::max(before, behind));
-      result[group].push_back({{vertex(index),
-                                vertex(moved(index, first, 1)),
-                                vertex(moved(moved(index, first, 1), second, 1)),
-                                vertex(moved(index, second, 1))}});
+      const std::string group = before == none   ? name(behind) + '_' + sides[across][0]
+                                : behind == none ? name(before) + '_' + sides[across][1]
+                                                 : name_of_joint(static_cast<std::size_t>(before),
+                                                                 static_cast<std::size_t>(behind));
+      const std::size_t a = vertex(index), b = vertex(moved(index, first, 1)),
+                        c = vertex(moved(moved(index, first, 1), second, 1)),
+                        d = vertex(moved(index, second, 1));
+      if (!tetrahedra)
+        result[group].push_back({a, b, c, d});
+      else
+        {
+          result[group].push_back({a, b, c});
+          result[group].push_back({a, c, d});
+        }
     });
   }
 
-  std::map<std::string, std::vector<SpatialGrid::Face>>
+  SpatialGrid::FaceGroups
   SpatialGrid::faces() const
   {
-    std::map<std::string, std::vector<Face>> result;
+    FaceGroups result;
     for (unsigned int across = 0; across < 3; ++across)
       add_faces(across, result);
-    return result;
-  }
-
-  std::vector<std::string>
-  SpatialGrid::face_names() const
-  {
-    std::vector<std::string> result;
-    for (const auto &[name, unused] : faces())
-      result.push_back(name);
     return result;
   }
 
@@ -110,7 +106,7 @@ namespace fuga::stress
   void
   SpatialGrid::add_cell(const Index &cell, MeshText &mesh) const
   {
-    const std::size_t group = static_cast<std::size_t>(body_of_cell(cell)) + 1;
+    const std::size_t group = tag_of_body(static_cast<std::size_t>(body_of_cell(cell)));
     const auto at           = [&](const unsigned int corner) {
       return vertex({{cell[0] + corner % 2, cell[1] + corner / 2 % 2, cell[2] + corner / 4}});
     };
@@ -129,22 +125,7 @@ namespace fuga::stress
   std::string
   SpatialGrid::mesh_text() const
   {
-    MeshText mesh;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      mesh.add_name(3, b + 1, bodies[b].name);
-    std::size_t tag = 100;
-    for (const auto &[name, group] : faces())
-      {
-        mesh.add_name(2, ++tag, name);
-        for (const Face &face : group)
-          if (!tetrahedra)
-            mesh.add_element(quadrilateral, tag, {face.begin(), face.end()});
-          else
-            {
-              mesh.add_element(triangle, tag, {face[0], face[1], face[2]});
-              mesh.add_element(triangle, tag, {face[0], face[2], face[3]});
-            }
-      }
+    MeshText mesh = mesh_of_faces();
     for_each_index([&](const Index &index) {
       if (body(index) != none)
         add_cell(index, mesh);

@@ -42,6 +42,12 @@ namespace fuga::stress
       return tetrahedra ? "tetrahedra" : "hexahedra";
     }
 
+    const SceneData *
+    plane_section() const override
+    {
+      return section ? &*section : nullptr;
+    }
+
     std::string
     mesh_text() const override;
     double
@@ -54,16 +60,12 @@ namespace fuga::stress
     offset() const override;
 
   private:
-    using Face = std::array<std::size_t, 4>;
-
-    std::vector<std::string>
-    face_names() const override;
+    FaceGroups
+    faces() const override;
     int
     body(const Index &cell) const;
-    std::map<std::string, std::vector<Face>>
-    faces() const;
     void
-    add_faces(const unsigned int across, std::map<std::string, std::vector<Face>> &result) const;
+    add_faces(const unsigned int across, FaceGroups &result) const;
     /** Calls @p action(index) for every point of the grid. */
     void
     for_each_index(const std::function<void(const Index &)> &action) const;
