@@ -67,6 +67,37 @@ TEST(EventPath, OneBarWithGapSlipAndReversal)
   expect_jump("u_t(2)", 0.125, jump(4, 1));
 }
 
+// A rigid body on two elements, which all but share their jump (stiffness k), slides by one against
+// a spring and back: forces of one are differences of terms of 1e7. With the pressures 1 and 2, f =
+// 1/2 and the push P = T1 + T2 + 2s (d1 + d2), s = 1/4: both slide beyond P = 3/2, d1 = d2 = 1 at P
+// = 5/2; then both stick, until T1 = 1/2 - (5/2 - P)/2 = -1/2 at P = 1/2. The load has a corner
+// 4e-7 before, where T1 is short of its strength by 2e-7 and nothing happens. Forces are known to
+// some 1e-16 k, and so is the load of the event, at a rate of 0.2 of T1.
+TEST(EventPath, SmallDifferencesOfLargeTermsReachTheirStrengthWhereTheyDo)
+{
+  constexpr double k = 1e7, s = 0.25, before = 4e-7, unloading = 0.4, digits = 1e-8;
+  const ToyJoint joint(2, 1., make_rigid_law(), make_rigid_law(), {0.5, 0.});
+  ToySystem system;
+  system.S       = DenseMatrix(4, 4);
+  system.F       = DenseMatrix(4, 2);
+  system.S(1, 1) = system.S(3, 3) = k + s;
+  system.S(1, 3) = system.S(3, 1) = s - k;
+  system.F(0, 0)                  = -1.;
+  system.F(2, 0)                  = -2.;
+  system.F(1, 1) = system.F(3, 1) = 0.5;
+  const double corner             = 0.5 + before;
+  const LayeredSystem layered(system, joint.elements);
+  const LoadHistory history(
+    {0., 1., 2., 3., 4.}, {{0., 0.}, {1., 0.}, {1., 2.5}, {1., corner}, {1., corner - unloading}});
+  EventPath path(joint.elements, layered, history, {});
+  Record record(system, joint.elements, history);
+  ASSERT_EQ(path.run({4.}, record).verdict, Verdict::done);
+  ASSERT_EQ(record.events.size(), 5u);
+  EXPECT_EQ(record.events.back().element, 0u);
+  EXPECT_NEAR(record.events.back().t, 3. + before / unloading, digits);
+  EXPECT_LE(record.worst.worst(), digits);
+}
+
 // Lips that rise as they slide under a normal force that statics alone gives: nothing resists their
 // rise. By hand, from T = H - s = f on: s = H - f and a rise of s tan psi, while N stays -1.
 TEST(EventPath, LipsRiseUnderAGivenForce)

@@ -14,9 +14,9 @@ namespace fuga
   {
     /** Forces and gaps below this share of the terms they are the difference of are zero. */
     constexpr double value_tolerance = 1e-12;
-    /** Share of it that is enough in space where the forces are small differences of their terms:
-     * rounding is less, and what begins to slip must not begin off its cone. */
-    constexpr double of_small_differences = 1e-2;
+    /** Share of it that is enough where forces are small differences of their terms, the last digit
+     * of which it is: what begins to slip must not begin off its cone. */
+    constexpr double of_small_differences = 1e-4;
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
@@ -62,24 +62,28 @@ namespace fuga
   }
 
   // A force is the sum of the reactions of the stuck joint to all loads and of the effects of the
-  // dislocations; the size of these terms, not of their sum, tells its rounding error.
+  // dislocations; the size of these terms, not of their sum, tells its rounding error. Where terms
+  // far above all forces cancel, their last digit counts, and more of them only as steps without
+  // length show that it is unknown.
   void
   ContactBoundary::set_scales(const JointState &state, const Vector &factors, const double widening)
   {
-    const DenseMatrix &R            = system.reactions();
     const double scaled_dislocation = system.scaled_size(state.dislocations);
     const double relative           = value_tolerance * widening;
     const Vector jumps              = system.jumps(state.dislocations, state.forces);
-    const double least_share        = has_cones ? of_small_differences : 1.;
-    const double largest_force      = max_abs(state.forces);
-    double largest_jump             = 0.;
+    const DenseMatrix &R            = system.reactions();
+    Vector given(force_tolerances.size(), 0.);
+    for (std::size_t j = 0; j < factors.size(); ++j)
+      for (std::size_t i = 0; i < given.size(); ++i)
+        given[i] += std::abs(R(i, j) * factors[j]);
+    for (std::size_t i = 0; i < state.water.size(); ++i)
+      given[i] += std::abs(state.water[i]);
+    const double least_share   = std::min(1., of_small_differences * widening * widening);
+    const double largest_force = std::max(max_abs(given), max_abs(state.forces));
+    double largest_jump        = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
-        double terms = system.scale(i) * scaled_dislocation;
-        for (std::size_t j = 0; j < factors.size(); ++j)
-          terms += std::abs(R(i, j) * factors[j]);
-        if (!state.water.empty())
-          terms += std::abs(state.water[i]);
+        const double terms = given[i] + system.scale(i) * scaled_dislocation;
         force_tolerances[i] =
           relative * std::min(terms, std::max(least_share * terms, largest_force));
         const double parts = std::max(std::abs(state.dislocations[i]),
