@@ -43,6 +43,21 @@ namespace
     return out << law.name;
   }
 
+  // A law without stiffness at the touch. How far up the top goes says how the load of the landing
+  // is rounded: it is a little short of the touch, or behind it.
+  LawCase
+  power_2(const char *name, const double up)
+  {
+    return {name,
+            {{"Normal law", "power"},
+             {"Normal reference closure", 0.001},
+             {"Normal reference stress", 2.},
+             {"Normal exponent", 2.}},
+            [](const double w) { return 2. * std::pow(w / 1e-3, 2); },
+            2e-3,
+            up};
+  }
+
   // The table is a straight line below its first inner point, and the top goes no further.
   const LawCase laws[] = {
     {"power_0_5",
@@ -53,14 +68,8 @@ namespace
      [](const double w) { return 2. * std::sqrt(w / 1e-3); },
      1e-3,
      0.5},
-    {"power_2",
-     {{"Normal law", "power"},
-      {"Normal reference closure", 0.001},
-      {"Normal reference stress", 2.},
-      {"Normal exponent", 2.}},
-     [](const double w) { return 2. * std::pow(w / 1e-3, 2); },
-     2e-3,
-     0.1},
+    power_2("power_2", 0.1),
+    power_2("power_2_higher", 0.6),
     {"table",
      {{"Normal law", "tabular"},
       {"Normal table", "0: 0; 1e-3: 1; 3e-3: 7"},

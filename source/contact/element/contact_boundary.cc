@@ -109,6 +109,14 @@ namespace fuga
       tolerance = std::max(tolerance, smallest);
   }
 
+  void
+  ContactBoundary::take_unresolved(const JointRates &rates, const double length)
+  {
+    for (std::size_t i = 0; i < rates.forces.size(); ++i)
+      force_tolerances[i] = std::max(force_tolerances[i], length * std::abs(rates.forces[i]));
+    zero_gap = std::max(zero_gap, length * max_abs(rates.dislocations));
+  }
+
   std::vector<BoundaryElement>
   ContactBoundary::elements_on_boundary(const JointState &state) const
   {

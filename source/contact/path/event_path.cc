@@ -61,6 +61,7 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
+    JointRates last_rates;
     // Where directions of slip turn, the path ends this little, of a stage, before the limit.
     constexpr double near_limit = 2e-6;
     while (state.t < history.end() || state.is_unsettled())
@@ -73,6 +74,12 @@ namespace fuga
         // How does the contact go on from here? The rates of all elements on a boundary decide
         // together.
         boundary.set_scales(state, course.factors, widening_of_tolerances());
+        // A step without length may end at a boundary that it does not reach: where all forces and
+        // jumps vanish together, the last digit of the load time is worth more than their rounding.
+        if (standstill.n_steps() > 0)
+          boundary.take_unresolved(last_rates,
+                                   std::numeric_limits<double>::epsilon() * state.t *
+                                     widening_of_tolerances());
         const Continuation continuation = decide(state, course, observer, result);
         if (!continuation.exists)
           {
@@ -105,6 +112,7 @@ namespace fuga
           note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
         state = report_piecewise(*segment, course, levels, next_level, observer);
         note_step(*segment, course, length, state, result);
+        last_rates = continuation.rates;
         if (segment->ends_at_turning_point())
           {
             result.verdict = Verdict::no_continuation;

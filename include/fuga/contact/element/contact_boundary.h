@@ -67,6 +67,11 @@ namespace fuga
     void
     set_scales(const JointState &state, const Vector &factors, const double widening);
 
+    /** What is used up along given rates within a length that the load time cannot tell from none
+     * counts as zero. */
+    void
+    take_unresolved(const JointRates &rates, const double length);
+
     /** All elements on a boundary, slipping ones included. */
     std::vector<BoundaryElement>
     elements_on_boundary(const JointState &state) const;
