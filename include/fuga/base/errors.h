@@ -38,6 +38,16 @@ namespace fuga
   };
 
   /**
+   * The path of the joints cannot be followed any further, although the present state is right and
+   * there may be another one behind it.
+   */
+  class PathFailure : public NumericalFailure
+  {
+  public:
+    using NumericalFailure::NumericalFailure;
+  };
+
+  /**
    * A result file cannot be written: the disk is full, or closed to the user. What was written
    * before is complete. Ends the program with exit code 5.
    */

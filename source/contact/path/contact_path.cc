@@ -170,7 +170,8 @@ namespace fuga
   ContactPath::find_end(PathSegment &segment,
                         const Course &course,
                         const std::vector<double> &levels,
-                        PathObserver &observer)
+                        PathObserver &observer,
+                        JointState &state)
   {
     try
       {
@@ -178,7 +179,7 @@ namespace fuga
       }
     catch (const NumericalFailure &)
       {
-        report_piecewise(segment, course, levels, next_level, observer);
+        state = report_piecewise(segment, course, levels, next_level, observer);
         throw;
       }
   }
@@ -207,7 +208,7 @@ namespace fuga
     ++result.n_zero_steps;
     standstill.note(state.states);
     if (standstill.n_steps() > 20 + 4 * elements.size())
-      throw NumericalFailure(fmt::format(
+      throw PathFailure(fmt::format(
         "The contact goes on changing at load time {} without any load being added ({} "
         "changes, {} of them to a scheme that was there before). The forces there are too "
         "small against their rounding errors to decide.",

@@ -11,8 +11,17 @@
 #include <fuga/contact/segments/layer_work.h>
 #include <fuga/contact/segments/turning_segment.h>
 
+#include <cmath>
+#include <limits>
+
 namespace fuga
 {
+  namespace
+  {
+    /** By which the load grows while it is jumped, of a stage. */
+    constexpr double shortest_jump = 1e-6;
+  } // namespace
+
   EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
                        const LayeredSystem &layered_system,
                        const LoadHistory &load_history,
@@ -61,77 +70,95 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
-    JointRates last_rates;
-    // Where directions of slip turn, the path ends this little, of a stage, before the limit.
-    constexpr double near_limit = 2e-6;
+    last_rates        = {};
     while (state.t < history.end() || state.is_unsettled())
       {
         make_cut(state, result, observer);
-        if (jump_to_corner(state, levels, observer, result))
-          continue;
-        const Course course = next_course(state);
-
-        // How does the contact go on from here? The rates of all elements on a boundary decide
-        // together.
-        boundary.set_scales(state, course.factors, widening_of_tolerances());
-        // A step without length may end at a boundary that it does not reach: where all forces and
-        // jumps vanish together, the last digit of the load time is worth more than their rounding.
-        if (standstill.n_steps() > 0)
-          boundary.take_unresolved(last_rates,
-                                   std::numeric_limits<double>::epsilon() * state.t *
-                                     widening_of_tolerances());
-        const Continuation continuation = decide(state, course, observer, result);
-        if (!continuation.exists)
+        try
           {
-            if (result.verdict != Verdict::non_unique_continuation &&
-                break_exhausted_bonds(state, observer, result))
-              {
-                standstill.forget();
-                continue;
-              }
-            lose_equilibrium(state, continuation, observer, result);
-            if (jump_to_equilibrium(state, levels, observer, result))
-              continue;
-            if (result.verdict != Verdict::non_unique_continuation)
-              go_beyond_limit(state, 0., observer, result);
-            return result;
+            if (!advance(state, levels, observer, result))
+              return result;
           }
-        if (continuation.costs_strength)
+        catch (const PathFailure &failure)
           {
-            standstill.forget();
-            continue; // what was lost is given up, and the rates decided anew, at this load
-          }
-        if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
-          continue; // water comes in or is squeezed out before the load goes on
-
-        // At which load does the next event occur? Advance to it.
-        const std::unique_ptr<PathSegment> segment =
-          make_segment(course, {state, continuation.rates});
-        const double length = find_end(*segment, course, levels, observer);
-        if (scheme.is_nonlinear())
-          note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
-        state = report_piecewise(*segment, course, levels, next_level, observer);
-        note_step(*segment, course, length, state, result);
-        last_rates = continuation.rates;
-        if (segment->ends_at_turning_point())
-          {
-            result.verdict = Verdict::no_continuation;
-            find_critical_elements(state, result);
-            if (jump_to_equilibrium(state, levels, observer, result))
-              continue;
-            go_beyond_limit(state, near_limit, observer, result);
-            return result;
-          }
-        if (segment->ends_at_limit())
-          {
-            take_limit(state, segment->motion_at_limit(), result);
-            go_beyond_limit(state, near_limit, observer, result);
-            return result;
+            if (!options.follow_jumps)
+              throw NumericalFailure(
+                failure.what() + std::string(" Solver/No continuation = jump may go on behind."));
+            if (!jump_over_failure(state, levels, observer, result))
+              throw;
           }
       }
     standstill.forget();
     make_cut(state, result, observer);
     return result;
+  }
+
+  bool
+  EventPath::advance(JointState &state,
+                     const std::vector<double> &levels,
+                     PathObserver &observer,
+                     PathResult &result)
+  {
+    if (jump_to_corner(state, levels, observer, result))
+      return true;
+    const Course course = next_course(state);
+
+    // How does the contact go on from here? The rates of all elements on a boundary decide
+    // together.
+    boundary.set_scales(state, course.factors, widening_of_tolerances());
+    // A step without length may end at a boundary that it does not reach: where all forces and jumps
+    // vanish together, the last digit of the load time is worth more than their rounding.
+    if (standstill.n_steps() > 0)
+      boundary.take_unresolved(last_rates,
+                               std::numeric_limits<double>::epsilon() * state.t *
+                                 widening_of_tolerances());
+    const Continuation continuation = decide(state, course, observer, result);
+    if (!continuation.exists)
+      {
+        if (result.verdict != Verdict::non_unique_continuation &&
+            break_exhausted_bonds(state, observer, result))
+          {
+            standstill.forget();
+            return true;
+          }
+        lose_equilibrium(state, continuation, observer, result);
+        if (jump_to_equilibrium(state, shortest_jump, levels, observer, result))
+          return true;
+        if (result.verdict != Verdict::non_unique_continuation)
+          go_beyond_limit(state, 0., observer, result);
+        return false;
+      }
+    if (continuation.costs_strength)
+      {
+        standstill.forget();
+        return true; // what was lost is given up, and the rates decided anew, at this load
+      }
+    if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
+      return true; // water comes in or is squeezed out before the load goes on
+
+    // At which load does the next event occur? Advance to it.
+    const std::unique_ptr<PathSegment> segment = make_segment(course, {state, continuation.rates});
+    const double length = find_end(*segment, course, levels, observer, state);
+    if (scheme.is_nonlinear())
+      note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
+    state = report_piecewise(*segment, course, levels, next_level, observer);
+    note_step(*segment, course, length, state, result);
+    last_rates = continuation.rates;
+    if (segment->ends_at_turning_point())
+      {
+        result.verdict = Verdict::no_continuation;
+        find_critical_elements(state, result);
+        if (jump_to_equilibrium(state, shortest_jump, levels, observer, result))
+          return true;
+      }
+    else if (segment->ends_at_limit())
+      take_limit(state, segment->motion_at_limit(), result);
+    else
+      return true;
+    // Where directions of slip turn, the path ends this little, of a stage, before the limit.
+    constexpr double near_limit = 2e-6;
+    go_beyond_limit(state, near_limit, observer, result);
+    return false;
   }
 
   // Only on request, and not where water could come in, or before strength that was lost has been
@@ -165,19 +192,19 @@ namespace fuga
   // An equilibrium at the same load may be the present one itself: the load is a little larger.
   bool
   EventPath::jump_to_equilibrium(JointState &state,
+                                 const double ahead,
                                  const std::vector<double> &levels,
                                  PathObserver &observer,
                                  PathResult &result)
   {
     if (result.verdict != Verdict::no_continuation)
       return false;
-    constexpr double little = 1e-6; // of a stage
-    Course course           = next_course(state);
+    Course course = next_course(state);
     if (course.kind == Course::Kind::loading)
       {
         const bool has_level = next_level < levels.size() && levels[next_level] > state.t;
         course.t_end =
-          std::min({course.t_end, state.t + little, has_level ? levels[next_level] : course.t_end});
+          std::min({course.t_end, state.t + ahead, has_level ? levels[next_level] : course.t_end});
         course.length = course.t_end - state.t;
       }
     std::optional<JumpEnd> end;
@@ -195,6 +222,24 @@ namespace fuga
     jump_to(end->state, state, observer, result);
     reach_levels(levels, state, observer);
     return true;
+  }
+
+  // Each time the load grows twice as much: the path ends where it fails again and again.
+  bool
+  EventPath::jump_over_failure(JointState &state,
+                               const std::vector<double> &levels,
+                               PathObserver &observer,
+                               PathResult &result)
+  {
+    constexpr std::size_t most_failures = 12;
+    if (result.verdict != Verdict::done || result.n_failures == most_failures)
+      return false;
+    const double ahead = std::ldexp(shortest_jump, static_cast<int>(result.n_failures++));
+    result.verdict     = Verdict::no_continuation;
+    if (jump_to_equilibrium(state, ahead, levels, observer, result))
+      return true;
+    result.verdict = Verdict::done;
+    return false;
   }
 
   void

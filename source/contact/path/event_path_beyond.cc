@@ -59,7 +59,7 @@ namespace fuga
 
         const std::unique_ptr<PathSegment> segment =
           segment_beyond(step, state, last_corner, last_t);
-        const double length = find_end(*segment, step.course, {}, observer);
+        const double length = find_end(*segment, step.course, {}, observer, state);
         const Vector before = system.jumps(state.dislocations, state.forces);
         state               = report_piecewise(*segment, step.course, {}, next_level, observer);
         resticking          = segment->resticking();

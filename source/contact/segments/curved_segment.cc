@@ -146,7 +146,7 @@ namespace fuga
   {
     const JointState &last = points.back().state;
     if (options.iteration == PathOptions::Iteration::newton)
-      throw NumericalFailure(fmt::format(
+      throw PathFailure(fmt::format(
         "No equilibrium of the nonlinear layer was found behind load time {:.9g}.", last.t));
     double largest_ratio = 0.;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
@@ -195,7 +195,7 @@ namespace fuga
   CurvedSegment::fail_behind(const std::size_t a, const char *what)
   {
     forget_behind(a);
-    throw NumericalFailure(fmt::format("{} behind load time {}.", what, points[a].state.t));
+    throw PathFailure(fmt::format("{} behind load time {}.", what, points[a].state.t));
   }
 
   void
@@ -245,7 +245,7 @@ namespace fuga
       return points[b];
     std::optional<PathPoint> point = solve(tau, interpolate(b - 1, tau));
     if (!point)
-      throw NumericalFailure(
+      throw PathFailure(
         fmt::format("No equilibrium was found behind load time {}.", points[b - 1].state.t));
     return *point;
   }

@@ -38,7 +38,7 @@ namespace fuga
   {
     constexpr std::size_t largest_number = 10000;
     if (n_steps > largest_number)
-      throw NumericalFailure(fmt::format(
+      throw PathFailure(fmt::format(
         "The steps along a curve have become too short at load time {:.12g}: {} of them "
         "lead to no event.",
         t,

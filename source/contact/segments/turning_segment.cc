@@ -113,7 +113,7 @@ namespace fuga
     note_reserves(first);
     take_strengths(0., stuck);
     if (!take_response(0., first.stage, stuck))
-      throw NumericalFailure(fmt::format(
+      throw PathFailure(fmt::format(
         "Nothing holds the elements that do not slip at load time {:.9g}.", start.state.t));
     curve.push_back(std::move(first));
   }
@@ -154,7 +154,7 @@ namespace fuga
         if (step(curve[from], tau - curve[from].tau, result, error))
           return result.point;
       }
-    throw NumericalFailure("A level inside a step of the path could not be computed.");
+    throw PathFailure("A level inside a step of the path could not be computed.");
   }
 
   std::vector<double>

@@ -243,7 +243,7 @@ namespace fuga
             at_limit = !course.yielding && grows_beyond_bounds(near_enough);
             if (at_limit)
               break;
-            throw NumericalFailure(fmt::format(
+            throw PathFailure(fmt::format(
               "The path cannot be followed beyond load time {}: even the shortest step fails.",
               from.point.state.t));
           }

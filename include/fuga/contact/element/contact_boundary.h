@@ -7,6 +7,8 @@
 #include <fuga/contact/joint_state.h>
 #include <fuga/contact/system/layered_system.h>
 
+#include <limits>
+
 namespace fuga
 {
   /** Where the shear of an element stands with respect to its strength. */

@@ -117,15 +117,17 @@ namespace fuga
     double
     widening_at_rest() const;
 
-    /** PathSegment::find_end(); a failure reports what was reached before it. */
+    /** PathSegment::find_end(); at a failure what was reached before it is reported, and @p state
+     * is its end. */
     double
     find_end(PathSegment &segment,
              const Course &course,
              const std::vector<double> &levels,
-             PathObserver &observer);
+             PathObserver &observer,
+             JointState &state);
 
     /** Counts a segment that ended in @p state, and tells progress from a step without length.
-     *  @throws NumericalFailure at a standstill without end. */
+     *  @throws PathFailure at a standstill without end. */
     void
     note_step(const PathSegment &segment,
               const Course &course,

@@ -41,6 +41,18 @@ namespace fuga
   private:
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
+    /** To the next event. Whether the path goes on behind it. */
+    bool
+    advance(JointState &state,
+            const std::vector<double> &levels,
+            PathObserver &observer,
+            PathResult &result);
+    /** Where the path cannot be computed there may yet be an equilibrium behind. */
+    bool
+    jump_over_failure(JointState &state,
+                      const std::vector<double> &levels,
+                      PathObserver &observer,
+                      PathResult &result);
     /** Takes @p end for the state, with its events. */
     void
     jump_to(const JointState &end, JointState &state, PathObserver &observer, PathResult &result);
@@ -91,9 +103,10 @@ namespace fuga
                    const double last_t);
     YieldingLoad
     yielding_load(const ControlledStep &step, const JointState &state) const;
-    /** Whether the path goes on behind a jump. */
+    /** Whether the path goes on behind a jump to loads that are larger by @p ahead. */
     bool
     jump_to_equilibrium(JointState &state,
+                        const double ahead,
                         const std::vector<double> &levels,
                         PathObserver &observer,
                         PathResult &result);
@@ -119,6 +132,8 @@ namespace fuga
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
+    /** Those of the last step. */
+    JointRates last_rates;
   };
 } // namespace fuga
 

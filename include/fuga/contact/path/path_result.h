@@ -133,6 +133,8 @@ namespace fuga
     /** The last one, and how many the path followed. */
     Jump jump;
     std::size_t n_followed_jumps = 0;
+    /** Of these, where the path could not be computed. */
+    std::size_t n_failures = 0;
     /** What was tried, where a path ends with `no_continuation` only because no way on was found:
      * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
     std::string tried;
@@ -159,6 +161,7 @@ namespace fuga
            beyond,
            jump,
            n_followed_jumps,
+           n_failures,
            tried,
            barrier] = result;
     visit("verdict", verdict);
@@ -176,6 +179,7 @@ namespace fuga
     visit("beyond", beyond);
     visit("jump", jump);
     visit("n_followed_jumps", n_followed_jumps);
+    visit("n_failures", n_failures);
     visit("tried", tried);
     visit("barrier", barrier);
   }
