@@ -9,7 +9,8 @@ stage; each state is certified by equilibrium of the bodies, computed without th
 stiff joints the states no longer depend on the stiffness: those at 1e11 kPa/m are those of rigid joints.
 
 The example of doc/examples/arch_dam.md with friction 0.7 passes maxima of the load before which other slips come to rest: it jumps
-to equilibria near by, certified as well, and reaches its end.
+to equilibria near by, certified as well, and reaches its end; so does the dam on tetrahedra with stiffer joints, where slips turn so fast
+before a maximum that the path cannot be computed.
 
 usage: arch_dam.py FUGA
 """
@@ -24,6 +25,7 @@ import spatial_model
 
 FUGA = pathlib.Path(sys.argv[1]).resolve()
 EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "parameters/arch_dam.prm"
+TETRAHEDRA = EXAMPLE.parents[1] / "meshes/arch_dam_tet.msh"
 STIFFNESSES = ["2e6", "1e8", "1e9", "1e10", "1e11", "rigid"]  # kPa/m
 N_MONOLITHS = 5
 
@@ -150,21 +152,26 @@ def final_states(out):
     return {(row["joint"], row["element"]): row["state"] for row in rows if float(row["t"]) == last}
 
 
-def check_jumps(out):
-    done = subprocess.run([FUGA, EXAMPLE, "--output-dir", out, "--quiet", "--set", "Constants/f=0.7", "--set", "Output/Fields=never"],
-                          capture_output=True, text=True, check=False)
+def check_jumps(out, name, *changes):
+    """How many of the jumps lead over places where the path could not be computed."""
+    options = [word for change in ("Constants/f=0.7", "Output/Fields=never") + changes for word in ("--set", change)]
+    done = subprocess.run([FUGA, EXAMPLE, "--output-dir", out, "--quiet"] + options, capture_output=True, text=True, check=False)
     summary = json.loads((out / "summary.json").read_text())
-    followed = summary["events"].get("jump", {}).get("followed", 0)
-    print(f"example, friction 0.7: exit code {done.returncode}, {followed} jumps, certificate {summary['certificate']['worst']:.1e}")
-    if done.returncode != 0 or followed == 0:
-        complaints.append(f"example, friction 0.7: exit code {done.returncode}, {followed} jumps\n{done.stdout[-1500:]}{done.stderr}")
+    jump = summary["events"].get("jump", {"followed": 0, "over_failures": 0})
+    text = f"{name}, friction 0.7: exit code {done.returncode}, {jump['followed']} jumps"
+    print(f"{text}, certificate {summary['certificate']['worst']:.1e}")
+    if done.returncode != 0 or jump["followed"] == 0:
+        complaints.append(f"{text}\n{done.stdout[-1500:]}{done.stderr}")
+    return jump["over_failures"]
 
 
 def main():
     stiff = {}
     with tempfile.TemporaryDirectory(prefix="arch_") as name:
         folder = pathlib.Path(name)
-        check_jumps(folder / "example")
+        check_jumps(folder / "example", "example")
+        if check_jumps(folder / "tetrahedra", "tetrahedra", f"Mesh/File={TETRAHEDRA}", "Constants/kn=1e10") == 0:
+            complaints.append("tetrahedra, friction 0.7: no jump leads over a place where the path cannot be computed; look for another test of it")
         spatial_model.mesh(folder, "arch", GEOMETRY)
         for stiffness in STIFFNESSES:
             out, code, summary, text = spatial_model.run(FUGA, folder / f"arch_{stiffness}.prm", parameters(stiffness))

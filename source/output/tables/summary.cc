@@ -110,7 +110,8 @@ namespace fuga
                         {"size", path.jump.size},
                         {"released_energy", path.jump.released},
                         {"friction_work", path.jump.dissipated},
-                        {"followed", path.n_followed_jumps}};
+                        {"followed", path.n_followed_jumps},
+                        {"over_failures", path.n_failures}};
       json["zero_length_steps"] = path.n_zero_steps;
       json["schemes_tried"]     = path.n_schemes;
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},
