@@ -156,6 +156,24 @@ namespace fuga
     return info == 0;
   }
 
+  bool
+  invert_positive_definite(DenseMatrix &A)
+  {
+    if (A.empty())
+      return true;
+    count_factorisation(cube(A) / 2); // a sixth for the factors
+    const int n     = to_int(A.n_rows());
+    lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, A.data(), n);
+    expect_success(info, "dpotrf");
+    if (info == 0)
+      info = LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, A.data(), n);
+    expect_success(info, "dpotri");
+    for (std::size_t j = 0; j < A.n_columns(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        A(i, j) = A(j, i);
+    return info == 0;
+  }
+
   LuFactors::LuFactors(DenseMatrix &&matrix, const Scaling scaling)
     : factors(std::move(matrix))
     , row_scale(factors.n_rows(), 1.)

@@ -106,12 +106,11 @@ namespace fuga
     // How does the contact go on from here? The rates of all elements on a boundary decide
     // together.
     boundary.set_scales(state, course.factors, widening_of_tolerances());
-    // A step without length may end at a boundary that it does not reach: where all forces and jumps
-    // vanish together, the last digit of the load time is worth more than their rounding.
+    // A step without length may end at a boundary that it does not reach: where all forces and
+    // jumps vanish together, the last digit of the load time is worth more than their rounding.
     if (standstill.n_steps() > 0)
-      boundary.take_unresolved(last_rates,
-                               std::numeric_limits<double>::epsilon() * state.t *
-                                 widening_of_tolerances());
+      boundary.take_unresolved(
+        last_rates, std::numeric_limits<double>::epsilon() * state.t * widening_of_tolerances());
     const Continuation continuation = decide(state, course, observer, result);
     if (!continuation.exists)
       {

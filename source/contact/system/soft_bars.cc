@@ -227,20 +227,25 @@ namespace fuga
     DenseMatrix H             = deformation_stiffness(submatrix(W, soft, soft), C, G);
     const DenseMatrix S_rc    = submatrix(W, others, soft);
 
-    // All right-hand sides at once: Y = Z [C, S_cr, F_c].
-    DenseMatrix Y(n_c, n_c + n_r + n_p);
+    if (!invert_positive_definite(H))
+      throw_unheld();
+    remove_motions(H, G);
+    H = transposed(H);
+    remove_motions(H, G);              // now Z
+    DenseMatrix given(n_c, n_r + n_p); // [S_cr, F_c]
     for (std::size_t i = 0; i < n_c; ++i)
       {
-        Y(i, i) = C[i];
         for (std::size_t j = 0; j < n_r; ++j)
-          Y(i, n_c + j) = S_rc(j, i);
+          given(i, j) = S_rc(j, i);
         for (std::size_t j = 0; j < n_p; ++j)
-          Y(i, n_c + n_r + j) = R(soft[i], j);
+          given(i, n_r + j) = R(soft[i], j);
       }
-    remove_motions(Y, G);
-    if (!solve_positive_definite(H, Y))
-      throw_unheld();
-    remove_motions(Y, G);
+    const DenseMatrix answer = multiply(H, given);
+    DenseMatrix Y(n_c, n_c + n_r + n_p); // Z [C, S_cr, F_c]
+    std::copy_n(answer.data(), n_c * (n_r + n_p), Y.column(n_c));
+    for (std::size_t j = 0; j < n_c; ++j)
+      for (std::size_t i = 0; i < n_c; ++i)
+        Y(i, j) = H(i, j) * C[j];
 
     const DenseMatrix coupling = multiply(S_rc, Y);
     scale_rows(Y, C);

@@ -124,6 +124,11 @@ namespace fuga
   bool
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B);
 
+  /** A ← A⁻¹ of a symmetric positive definite matrix; false as above. For as many right-hand sides
+   * as A has columns this is half of the work. */
+  bool
+  invert_positive_definite(DenseMatrix &A);
+
   /**
    * LU factors of a square matrix with partial pivoting. Unless its scaling is to be kept, its rows
    * and columns are brought to one size before by powers of two: bars of any stiffness stand side
