@@ -17,6 +17,9 @@ namespace fuga
     /** Share of it that is enough where forces are small differences of their terms, the last digit
      * of which it is: what begins to slip must not begin off its cone. */
     constexpr double of_small_differences = 1e-4;
+    /** The largest it becomes in space, where directions of slip follow the forces: beyond it
+     * elements would open that still press. */
+    constexpr double most_in_space = 1e-2;
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
@@ -78,7 +81,8 @@ namespace fuga
         given[i] += std::abs(R(i, j) * factors[j]);
     for (std::size_t i = 0; i < state.water.size(); ++i)
       given[i] += std::abs(state.water[i]);
-    const double least_share   = std::min(1., of_small_differences * widening * widening);
+    const double least_share =
+      std::min(has_cones ? most_in_space : 1., of_small_differences * widening * widening);
     const double largest_force = std::max(max_abs(given), max_abs(state.forces));
     double largest_jump        = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
