@@ -17,9 +17,9 @@ namespace fuga
     /** Share of it that is enough where forces are small differences of their terms, the last digit
      * of which it is: what begins to slip must not begin off its cone. */
     constexpr double of_small_differences = 1e-4;
-    /** The largest it becomes in space, where directions of slip follow the forces: beyond it
-     * elements would open that still press. */
-    constexpr double most_in_space = 1e-2;
+    /** The same in space, beside the forces that act: with less of it slips begin and rest again
+     * and again where rigid joints cross, with more elements begin to slip off their cones. */
+    constexpr double of_small_differences_in_space = 1e-2;
     /** The same for rates, which come out of a linear solution. */
     constexpr double rate_tolerance = 1e-10;
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
@@ -81,9 +81,9 @@ namespace fuga
         given[i] += std::abs(R(i, j) * factors[j]);
     for (std::size_t i = 0; i < state.water.size(); ++i)
       given[i] += std::abs(state.water[i]);
-    const double least_share =
-      std::min(has_cones ? most_in_space : 1., of_small_differences * widening * widening);
-    const double largest_force = std::max(max_abs(given), max_abs(state.forces));
+    const double least_share   = has_cones ? of_small_differences_in_space
+                                           : std::min(1., of_small_differences * widening * widening);
+    const double largest_force = std::max(has_cones ? 0. : max_abs(given), max_abs(state.forces));
     double largest_jump        = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
