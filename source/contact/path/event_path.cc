@@ -70,7 +70,6 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
-    last_rates        = {};
     while (state.t < history.end() || state.is_unsettled())
       {
         make_cut(state, result, observer);
@@ -108,7 +107,9 @@ namespace fuga
     boundary.set_scales(state, course.factors, widening_of_tolerances());
     // A step without length may end at a boundary that it does not reach: where all forces and
     // jumps vanish together, the last digit of the load time is worth more than their rounding.
-    if (standstill.n_steps() > 0)
+    if (standstill.n_steps() == 0)
+      last_rates = {};
+    else
       boundary.take_unresolved(
         last_rates, std::numeric_limits<double>::epsilon() * state.t * widening_of_tolerances());
     const Continuation continuation = decide(state, course, observer, result);

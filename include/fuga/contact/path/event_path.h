@@ -132,7 +132,7 @@ namespace fuga
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
-    /** Those of the last step. */
+    /** Those of the last step, if it was one without length. */
     JointRates last_rates;
   };
 } // namespace fuga
