@@ -3,7 +3,6 @@
 
 #include "stress/cut_polygon.h"
 
-#include "stress/parts_of_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,17 +47,7 @@ namespace fuga::stress
   std::size_t
   CutPolygon::n_bodies() const
   {
-    std::size_t result = 0;
-    for (const Part &part : parts)
-      result = std::max(result, part.body + 1);
-    return result;
-  }
-
-  CutPolygon::Edge
-  CutPolygon::edge(const Part &part, const std::size_t i)
-  {
-    const std::size_t a = part.corners[i], b = part.corners[(i + 1) % part.corners.size()];
-    return {{std::min(a, b), std::max(a, b)}};
+    return number_of_bodies(parts);
   }
 
   // Every part that has the edge gets the new vertex, so that parts fit together.
@@ -69,7 +58,7 @@ namespace fuga::stress
     vertices.push_back(place);
     for (Part &part : parts)
       for (std::size_t i = 0; i < part.corners.size(); ++i)
-        if (edge(part, i) == at)
+        if (edge(part.corners, i) == at)
           {
             part.corners.insert(part.corners.begin() + static_cast<std::ptrdiff_t>(i) + 1, vertex);
             break;
@@ -91,7 +80,7 @@ namespace fuga::stress
       height.push_back(normal[0] * vertex[0] + normal[1] * vertex[1] - offset);
     for (std::size_t p = 0; p < parts.size(); ++p)
       for (std::size_t i = 0; which[parts[p].body] && i < parts[p].corners.size(); ++i)
-        if (const Edge at = edge(parts[p], i); height[at[0]] * height[at[1]] < 0.)
+        if (const Edge at = edge(parts[p].corners, i); height[at[0]] * height[at[1]] < 0.)
           {
             divide(at,
                    between(vertices[at[0]],
@@ -124,27 +113,19 @@ namespace fuga::stress
       }
   }
 
-  // A body that a line leaves in several pieces is several bodies.
   void
   CutPolygon::number_bodies()
   {
-    std::map<Edge, std::vector<std::size_t>> neighbors;
+    std::map<Edge, std::vector<std::size_t>> parts_at;
     for (std::size_t p = 0; p < parts.size(); ++p)
       for (std::size_t i = 0; i < parts[p].corners.size(); ++i)
-        neighbors[edge(parts[p], i)].push_back(p);
-    std::vector<std::size_t> body;
-    std::vector<std::vector<std::size_t>> beside;
-    for (const Part &part : parts)
-      {
-        body.push_back(part.body);
-        beside.emplace_back();
-        for (std::size_t i = 0; i < part.corners.size(); ++i)
-          for (const std::size_t q : neighbors[edge(part, i)])
-            beside.back().push_back(q);
-      }
-    const std::vector<std::size_t> number = number_bodies_of_parts(body, beside);
+        parts_at[edge(parts[p].corners, i)].push_back(p);
+    std::vector<std::vector<std::size_t>> beside(parts.size());
     for (std::size_t p = 0; p < parts.size(); ++p)
-      parts[p].body = number[p];
+      for (std::size_t i = 0; i < parts[p].corners.size(); ++i)
+        for (const std::size_t q : parts_at[edge(parts[p].corners, i)])
+          beside[p].push_back(q);
+    stress::number_bodies(parts, beside);
   }
 
   bool
@@ -195,7 +176,7 @@ namespace fuga::stress
             std::array<std::size_t, 3> middle;
             for (std::size_t i = 0; i < 3; ++i)
               {
-                const Edge at             = edge(part, i);
+                const Edge at             = edge(part.corners, i);
                 const auto [place, added] = middles.emplace(at, vertices.size());
                 if (added)
                   vertices.push_back(between(vertices[at[0]], vertices[at[1]], 0.5));
@@ -220,7 +201,7 @@ namespace fuga::stress
     std::map<Edge, std::vector<std::size_t>> bodies_at;
     for (const Part &part : parts)
       for (std::size_t i = 0; i < part.corners.size(); ++i)
-        bodies_at[edge(part, i)].push_back(part.body);
+        bodies_at[edge(part.corners, i)].push_back(part.body);
     FaceGroups result;
     for (const auto &[at, both] : bodies_at)
       if (both.size() == 1 || both[0] != both[1])
@@ -237,7 +218,7 @@ namespace fuga::stress
     std::map<std::string, Point> result;
     for (const Part &part : parts)
       for (std::size_t i = 0; i < part.corners.size(); ++i)
-        if (const auto side = sides.find(edge(part, i)); side != sides.end())
+        if (const auto side = sides.find(edge(part.corners, i)); side != sides.end())
           {
             const Point &a      = vertices[part.corners[i]],
                         &b      = vertices[part.corners[(i + 1) % part.corners.size()]];
@@ -280,7 +261,7 @@ namespace fuga::stress
     for (const Part &part : parts)
       for (std::size_t i = 0; i < part.corners.size(); ++i)
         {
-          const Edge at = edge(part, i);
+          const Edge at = edge(part.corners, i);
           result.push_back(distance(vertices[at[0]], vertices[at[1]]));
         }
     return result;
@@ -302,7 +283,7 @@ namespace fuga::stress
     for (const Part &part : parts)
       for (std::size_t i = 0; i < 3; ++i)
         {
-          const Edge at       = edge(part, i);
+          const Edge at       = edge(part.corners, i);
           const double length = distance(vertices[at[0]], vertices[at[1]]);
           result              = std::max(result, length * length / (2. * area(part)));
         }

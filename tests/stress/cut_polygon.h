@@ -4,6 +4,7 @@
 #ifndef fuga_tests_stress_cut_polygon_h
 #define fuga_tests_stress_cut_polygon_h
 
+#include "stress/parts_of_bodies.h"
 #include "stress/scene_data.h"
 
 #include <array>
@@ -74,9 +75,6 @@ namespace fuga::stress
     offset() const override;
 
   private:
-    /** Two vertices, lower number first. */
-    using Edge = std::array<std::size_t, 2>;
-
     /** Convex, counterclockwise; corners where another part begins are listed though the edge goes
      * straight on. */
     struct Part
@@ -90,8 +88,6 @@ namespace fuga::stress
     /** Numbers of the polygon's sides. */
     std::map<Edge, std::size_t> sides;
 
-    static Edge
-    edge(const Part &part, const std::size_t i);
     FaceGroups
     faces() const override;
     std::size_t

@@ -4,7 +4,6 @@
 #include "stress/cut_polyhedron.h"
 
 #include "stress/cut_polyhedron_points.h"
-#include "stress/parts_of_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,17 +28,7 @@ namespace fuga::stress
   std::size_t
   CutPolyhedron::n_bodies() const
   {
-    std::size_t result = 0;
-    for (const Part &part : parts)
-      result = std::max(result, part.body + 1);
-    return result;
-  }
-
-  CutPolyhedron::Edge
-  CutPolyhedron::edge(const Face &face, const std::size_t i)
-  {
-    const std::size_t a = face.corners[i], b = face.corners[(i + 1) % face.corners.size()];
-    return {{std::min(a, b), std::max(a, b)}};
+    return number_of_bodies(parts);
   }
 
   std::vector<std::vector<std::size_t>>
@@ -99,7 +88,7 @@ namespace fuga::stress
     std::map<Edge, std::size_t> divided;
     for (std::size_t f = 0; f < all_faces.size(); ++f)
       for (std::size_t i = 0; is_cut[f] && i < all_faces[f].corners.size(); ++i)
-        if (const Edge at = edge(all_faces[f], i);
+        if (const Edge at = edge(all_faces[f].corners, i);
             height[at[0]] * height[at[1]] < 0. && divided.emplace(at, vertices.size()).second)
           {
             const double share = height[at[0]] / (height[at[0]] - height[at[1]]);
@@ -113,7 +102,7 @@ namespace fuga::stress
         for (std::size_t i = 0; i < face.corners.size(); ++i)
           {
             corners.push_back(face.corners[i]);
-            if (const auto vertex = divided.find(edge(face, i)); vertex != divided.end())
+            if (const auto vertex = divided.find(edge(face.corners, i)); vertex != divided.end())
               corners.push_back(vertex->second);
           }
         face.corners = corners;
@@ -160,7 +149,7 @@ namespace fuga::stress
     std::map<Edge, unsigned int> count;
     for (const std::size_t f : above)
       for (std::size_t i = 0; i < all_faces[f].corners.size(); ++i)
-        ++count[edge(all_faces[f], i)];
+        ++count[edge(all_faces[f].corners, i)];
     std::map<std::size_t, std::vector<std::size_t>> next;
     for (const auto &[at, n] : count)
       if (n == 1)
@@ -223,23 +212,15 @@ namespace fuga::stress
       }
   }
 
-  // A body that a plane leaves in several pieces is several bodies.
   void
   CutPolyhedron::number_bodies()
   {
     const std::vector<std::vector<std::size_t>> at = parts_at_faces();
-    std::vector<std::size_t> body;
-    std::vector<std::vector<std::size_t>> beside;
-    for (const Part &part : parts)
-      {
-        body.push_back(part.body);
-        beside.emplace_back();
-        for (const std::size_t face : part.faces)
-          beside.back().insert(beside.back().end(), at[face].begin(), at[face].end());
-      }
-    const std::vector<std::size_t> number = number_bodies_of_parts(body, beside);
+    std::vector<std::vector<std::size_t>> beside(parts.size());
     for (std::size_t p = 0; p < parts.size(); ++p)
-      parts[p].body = number[p];
+      for (const std::size_t face : parts[p].faces)
+        beside[p].insert(beside[p].end(), at[face].begin(), at[face].end());
+    stress::number_bodies(parts, beside);
   }
 
   bool

@@ -4,6 +4,7 @@
 #ifndef fuga_tests_stress_cut_polyhedron_h
 #define fuga_tests_stress_cut_polyhedron_h
 
+#include "stress/parts_of_bodies.h"
 #include "stress/scene_data.h"
 
 #include <array>
@@ -78,9 +79,6 @@ namespace fuga::stress
     offset() const override;
 
   private:
-    /** Two vertices, lower number first. */
-    using Edge = std::array<std::size_t, 2>;
-
     /** Plane and convex; its corners go round. Vertices of others on its edges are corners. */
     struct Face
     {
@@ -108,8 +106,6 @@ namespace fuga::stress
     std::vector<Part> parts;
     std::size_t n_sides = 6;
 
-    static Edge
-    edge(const Face &face, const std::size_t i);
     FaceGroups
     faces() const override;
     /** By face. */

@@ -44,7 +44,7 @@ namespace fuga::stress
       for (const std::size_t f : part.faces)
         for (std::size_t i = 0; i < all_faces[f].corners.size(); ++i)
           {
-            const Edge at    = edge(all_faces[f], i);
+            const Edge at    = edge(all_faces[f].corners, i);
             Tetrahedron cell = {{part.center, all_faces[f].center, at[0], at[1]}};
             if (volume(cell) < 0.)
               std::swap(cell[2], cell[3]);
@@ -69,7 +69,8 @@ namespace fuga::stress
           result[face.side == inside ? name_of_joint(first, last)
                                      : fmt::format("{}_s{}", bodies[first].name, face.side)];
         for (std::size_t i = 0; i < face.corners.size(); ++i)
-          group.push_back({face.center + 1, edge(face, i)[0] + 1, edge(face, i)[1] + 1});
+          group.push_back(
+            {face.center + 1, edge(face.corners, i)[0] + 1, edge(face.corners, i)[1] + 1});
       }
     return result;
   }
@@ -124,7 +125,7 @@ namespace fuga::stress
       for (const std::size_t f : part.faces)
         for (std::size_t i = 0; i < all_faces[f].corners.size(); ++i)
           {
-            const Edge at = edge(all_faces[f], i);
+            const Edge at = edge(all_faces[f].corners, i);
             result.push_back(length(sum(vertices[at[0]], -1., vertices[at[1]])));
           }
     return result;

@@ -5,6 +5,13 @@
 
 namespace fuga::stress
 {
+  Edge
+  edge(const std::vector<std::size_t> &corners, const std::size_t i)
+  {
+    const std::size_t a = corners[i], b = corners[(i + 1) % corners.size()];
+    return {{std::min(a, b), std::max(a, b)}};
+  }
+
   std::vector<std::size_t>
   number_bodies_of_parts(const std::vector<std::size_t> &body,
                          const std::vector<std::vector<std::size_t>> &neighbors)
