@@ -122,7 +122,8 @@ namespace fuga
             return true;
           }
         lose_equilibrium(state, continuation, observer, result);
-        if (jump_to_equilibrium(state, shortest_jump, levels, observer, result))
+        if (result.verdict == Verdict::no_continuation &&
+            jump_to_equilibrium(state, shortest_jump, levels, observer, result))
           return true;
         if (result.verdict != Verdict::non_unique_continuation)
           go_beyond_limit(state, 0., observer, result);
@@ -197,8 +198,6 @@ namespace fuga
                                  PathObserver &observer,
                                  PathResult &result)
   {
-    if (result.verdict != Verdict::no_continuation)
-      return false;
     Course course = next_course(state);
     if (course.kind == Course::Kind::loading)
       {
@@ -234,12 +233,11 @@ namespace fuga
     constexpr std::size_t most_failures = 12;
     if (result.verdict != Verdict::done || result.n_failures == most_failures)
       return false;
-    const double ahead = std::ldexp(shortest_jump, static_cast<int>(result.n_failures++));
-    result.verdict     = Verdict::no_continuation;
-    if (jump_to_equilibrium(state, ahead, levels, observer, result))
-      return true;
-    result.verdict = Verdict::done;
-    return false;
+    const double ahead = std::ldexp(shortest_jump, static_cast<int>(result.n_failures));
+    if (!jump_to_equilibrium(state, ahead, levels, observer, result))
+      return false;
+    ++result.n_failures;
+    return true;
   }
 
   void

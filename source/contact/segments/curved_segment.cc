@@ -245,7 +245,7 @@ namespace fuga
       return points[b];
     std::optional<PathPoint> point = solve(tau, interpolate(b - 1, tau));
     if (!point)
-      throw PathFailure(
+      throw NumericalFailure(
         fmt::format("No equilibrium was found behind load time {}.", points[b - 1].state.t));
     return *point;
   }

@@ -154,7 +154,7 @@ namespace fuga
         if (step(curve[from], tau - curve[from].tau, result, error))
           return result.point;
       }
-    throw PathFailure("A level inside a step of the path could not be computed.");
+    throw NumericalFailure("A level inside a step of the path could not be computed.");
   }
 
   std::vector<double>
