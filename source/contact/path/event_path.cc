@@ -5,7 +5,6 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/implicit_step.h>
-#include <fuga/contact/path/slow_motion.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/layer_work.h>
@@ -19,7 +18,17 @@ namespace fuga
   namespace
   {
     /** By which the load grows while it is jumped, of a stage. */
-    constexpr double shortest_jump = 1e-6;
+    constexpr double shortest_jump = 1e-6, longest_jump = 1e-2;
+
+    /** Twice as much where the path has gone on behind the last jump by less than that one was long:
+     * lips that stick and snap by turns would be followed through millions of jumps. */
+    double
+    length_of_jump(const double t, const Jump &last)
+    {
+      return last.found && t - last.t < 2. * last.length
+               ? std::min(2. * last.length, longest_jump)
+               : shortest_jump;
+    }
   } // namespace
 
   EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
@@ -123,7 +132,7 @@ namespace fuga
           }
         lose_equilibrium(state, continuation, observer, result);
         if (result.verdict == Verdict::no_continuation &&
-            jump_to_equilibrium(state, shortest_jump, levels, observer, result))
+            jump_to_equilibrium(state, levels, observer, result))
           return true;
         if (result.verdict != Verdict::non_unique_continuation)
           go_beyond_limit(state, 0., observer, result);
@@ -149,7 +158,7 @@ namespace fuga
       {
         result.verdict = Verdict::no_continuation;
         find_critical_elements(state, result);
-        if (jump_to_equilibrium(state, shortest_jump, levels, observer, result))
+        if (jump_to_equilibrium(state, levels, observer, result))
           return true;
       }
     else if (segment->ends_at_limit())
@@ -191,12 +200,10 @@ namespace fuga
   }
 
   // An equilibrium at the same load may be the present one itself: the load is a little larger.
-  bool
-  EventPath::jump_to_equilibrium(JointState &state,
-                                 const double ahead,
-                                 const std::vector<double> &levels,
-                                 PathObserver &observer,
-                                 PathResult &result)
+  std::optional<JumpEnd>
+  EventPath::equilibrium_ahead(const JointState &state,
+                               const double ahead,
+                               const std::vector<double> &levels)
   {
     Course course = next_course(state);
     if (course.kind == Course::Kind::loading)
@@ -206,15 +213,26 @@ namespace fuga
           std::min({course.t_end, state.t + ahead, has_level ? levels[next_level] : course.t_end});
         course.length = course.t_end - state.t;
       }
-    std::optional<JumpEnd> end;
     try
       {
-        end = find_equilibrium_nearby(elements, system, course, state);
+        return find_equilibrium_nearby(elements, system, course, state);
       }
     catch (const NumericalFailure &)
       {
-        // then none was found
+        return {}; // then none was found
       }
+  }
+
+  bool
+  EventPath::jump_to_equilibrium(JointState &state,
+                                 const std::vector<double> &levels,
+                                 PathObserver &observer,
+                                 PathResult &result)
+  {
+    const double ahead         = length_of_jump(state.t, result.jump);
+    std::optional<JumpEnd> end = equilibrium_ahead(state, ahead, levels);
+    if (!end && ahead > shortest_jump)
+      end = equilibrium_ahead(state, shortest_jump, levels);
     result.jump = end ? end->jump : Jump();
     if (!end || !options.follow_jumps)
       return false;
@@ -223,7 +241,7 @@ namespace fuga
     return true;
   }
 
-  // Each time the load grows twice as much: the path ends where it fails again and again.
+  // The path ends where it fails again and again.
   bool
   EventPath::jump_over_failure(JointState &state,
                                const std::vector<double> &levels,
@@ -233,8 +251,7 @@ namespace fuga
     constexpr std::size_t most_failures = 12;
     if (result.verdict != Verdict::done || result.n_failures == most_failures)
       return false;
-    const double ahead = std::ldexp(shortest_jump, static_cast<int>(result.n_failures));
-    if (!jump_to_equilibrium(state, ahead, levels, observer, result))
+    if (!jump_to_equilibrium(state, levels, observer, result))
       return false;
     ++result.n_failures;
     return true;

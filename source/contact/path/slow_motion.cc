@@ -242,9 +242,10 @@ namespace fuga
           if (std::optional<JointState> equilibrium = step(elements, system, factors, state))
             {
               end.jump.dissipated += friction_work(elements, state, *equilibrium);
-              state          = std::move(*equilibrium);
-              end.jump.found = true;
-              end.jump.t     = from.t;
+              state           = std::move(*equilibrium);
+              end.jump.found  = true;
+              end.jump.t      = from.t;
+              end.jump.length = course.t_end - from.t;
               end.jump.size =
                 largest_difference(jumps_of_bodies(system, factors, state), jumps_before);
               end.jump.released = released_energy(elements, system, from, state);

@@ -5,6 +5,7 @@
 #define fuga_contact_path_event_path_h
 
 #include <fuga/contact/path/contact_path.h>
+#include <fuga/contact/path/slow_motion.h>
 #include <fuga/contact/rates/rate_problem.h>
 
 #include <memory>
@@ -103,10 +104,15 @@ namespace fuga
                    const double last_t);
     YieldingLoad
     yielding_load(const ControlledStep &step, const JointState &state) const;
-    /** Whether the path goes on behind a jump to loads that are larger by @p ahead. */
+    /** One near by, at loads that are larger by @p ahead or as far as the course or the level lets
+     * them grow. */
+    std::optional<JumpEnd>
+    equilibrium_ahead(const JointState &state,
+                      const double ahead,
+                      const std::vector<double> &levels);
+    /** Whether the path goes on behind a jump. */
     bool
     jump_to_equilibrium(JointState &state,
-                        const double ahead,
                         const std::vector<double> &levels,
                         PathObserver &observer,
                         PathResult &result);

@@ -90,8 +90,8 @@ namespace fuga
   struct Jump
   {
     bool found = false;
-    /** Load time before it. */
-    double t = 0.;
+    /** Load time before it, and what it goes on by. */
+    double t = 0., length = 0.;
     /** Largest change of a jump of the joints [m]. */
     double size = 0.;
     /** What bodies, layers and loads give off, and what of it friction takes in a slow motion; the
@@ -103,9 +103,10 @@ namespace fuga
   void
   for_each_field(OneJump &jump, Visitor &&visit)
   {
-    auto &[found, t, size, released, dissipated] = jump;
+    auto &[found, t, length, size, released, dissipated] = jump;
     visit("found", found);
     visit("t", t);
+    visit("length", length);
     visit("size", size);
     visit("released", released);
     visit("dissipated", dissipated);
