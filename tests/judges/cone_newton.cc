@@ -45,16 +45,6 @@ namespace fuga::judges
         result.emplace_back(matrix.column(j), matrix.column(j) + matrix.n_rows());
       return result;
     }
-
-    /** The part of @p v in the bars of one element, and its length. */
-    double
-    length_in(const Vector &v, const std::vector<unsigned int> &bars)
-    {
-      double sum = 0.;
-      for (const unsigned int bar : bars)
-        sum += v[bar] * v[bar];
-      return std::sqrt(sum);
-    }
   } // namespace
 
   ConeNewton::ConeNewton(const DenseMatrix &S,
@@ -64,10 +54,15 @@ namespace fuga::judges
     : elements(std::move(elements_))
     , form(dislocation_form(bonded(S, B, elements), columns_of(load_patterns)))
     , stiffness(stiffness_scales(form.W))
-    , gaps(stiffness.size(), 0.)
   {
-    for (const ConeElement &element : elements)
-      gaps[element.normal_bar] = element.initial_gap;
+  }
+
+  ConeNewton
+  ConeNewton::with(std::vector<ConeElement> others) const
+  {
+    ConeNewton result(*this);
+    result.elements = std::move(others);
+    return result;
   }
 
   Vector
@@ -81,13 +76,42 @@ namespace fuga::judges
   }
 
   Vector
+  ConeNewton::dislocations(const Vector &y, Vector &slope) const
+  {
+    Vector d = y;
+    slope.assign(y.size(), 1.);
+    for (const ConeElement &element : elements)
+      {
+        const std::size_t n = element.normal_bar;
+        d[n] -= element.initial_gap;
+        if (element.is_curved() && y[n] < 0.)
+          {
+            d[n] += element.normal_compliance * element.stress(-y[n]);
+            slope[n] -= element.normal_compliance * element.tangent(-y[n]);
+          }
+      }
+    return d;
+  }
+
+  Vector
   ConeNewton::forces(const Vector &R, const Vector &y) const
   {
-    Vector p = R;
+    Vector p       = R, slope;
+    const Vector d = dislocations(y, slope);
     for (std::size_t j = 0; j < y.size(); ++j)
       for (std::size_t i = 0; i < p.size(); ++i)
-        p[i] -= form.W(i, j) * (y[j] - gaps[j]);
+        p[i] -= form.W(i, j) * d[j];
     return p;
+  }
+
+  double
+  ConeNewton::permitted_part(const Vector &y, const Vector &dy) const
+  {
+    double part = 1.;
+    for (const ConeElement &element : elements)
+      if (const std::size_t n = element.normal_bar; element.is_curved() && dy[n] < 0.)
+        part = std::min(part, .9 * (element.closure_limit + y[n]) / -dy[n]);
+    return part;
   }
 
   double
@@ -106,11 +130,12 @@ namespace fuga::judges
                        DenseMatrix *const jacobian) const
   {
     const Vector p = forces(R, y);
-    Vector F(y.size());
+    Vector F(y.size()), slope;
+    dislocations(y, slope);
     const auto add_force = [&](const std::size_t row, const std::size_t bar, const double factor) {
       if (jacobian != nullptr)
         for (std::size_t j = 0; j < y.size(); ++j)
-          (*jacobian)(row, j) -= factor * form.W(bar, j);
+          (*jacobian)(row, j) -= factor * form.W(bar, j) * slope[j];
     };
     const auto add_jump = [&](const std::size_t row, const std::size_t bar, const double factor) {
       if (jacobian != nullptr)
@@ -120,12 +145,24 @@ namespace fuga::judges
       {
         const std::size_t n = element.normal_bar;
         const double c_n    = scale * stiffness[n];
-        const bool closed   = p[n] + c_n * y[n] < 0.;
-        F[n]                = closed ? -c_n * y[n] : p[n];
-        if (closed)
+        const bool curved   = element.is_curved();
+        const bool closed   = curved ? y[n] < 0. : p[n] + c_n * y[n] < 0.;
+        double pressing = 0., hardening = 0.; // P and, of a curved layer, -dP/da
+        if (closed && curved)
+          {
+            pressing  = element.area * element.stress(-y[n]);
+            hardening = element.area * element.tangent(-y[n]);
+          }
+        else if (closed)
+          pressing = -(p[n] + c_n * y[n]);
+        F[n] = p[n] + pressing;
+        if (closed && !curved)
           add_jump(n, n, -c_n);
         else
-          add_force(n, n, 1.);
+          {
+            add_force(n, n, 1.);
+            add_jump(n, n, -hardening);
+          }
 
         const auto &bars = element.tangential_bars;
         double c_t       = 0.;
@@ -134,7 +171,7 @@ namespace fuga::judges
         Vector trial;
         for (const unsigned int bar : bars)
           trial.push_back(p[bar] + c_t * (y[bar] - before[bar]));
-        const double r       = closed ? -element.friction * (p[n] + c_n * y[n]) : 0.;
+        const double r       = closed ? element.friction * pressing + element.cohesion : 0.;
         const double trial_r = norm(trial);
         for (std::size_t a = 0; a < bars.size(); ++a)
           if (closed && trial_r < r)
@@ -150,8 +187,9 @@ namespace fuga::judges
               if (!closed || trial_r == 0.)
                 continue;
               // r changes with the pressing force, e with the part of the trial force across it.
-              add_force(bars[a], n, e * element.friction);
-              add_jump(bars[a], n, e * element.friction * c_n);
+              if (!curved)
+                add_force(bars[a], n, e * element.friction);
+              add_jump(bars[a], n, e * element.friction * (curved ? hardening : c_n));
               for (std::size_t b = 0; b < bars.size(); ++b)
                 {
                   const double across = (a == b ? 1. : 0.) - e * trial[b] / trial_r;
@@ -188,11 +226,13 @@ namespace fuga::judges
                                               std::min<std::size_t>(history.size(), window)),
                             history.end());
         Vector candidate(y.size());
-        double part = 1., new_merit = 0.;
+        const Vector change(direction.X.column(0), direction.X.column(0) + y.size());
+        double part      = permitted_part(y, change);
+        double new_merit = 0.;
         for (unsigned int halving = 0; halving < max_halvings; ++halving, part *= .5)
           {
             for (std::size_t i = 0; i < y.size(); ++i)
-              candidate[i] = y[i] + part * direction.X(i, 0);
+              candidate[i] = y[i] + part * change[i];
             new_merit = norm(evaluate(R, before, candidate, nullptr));
             if (new_merit <= (1. - 1e-4 * part) * reference)
               break;
@@ -248,53 +288,5 @@ namespace fuga::judges
       }
     result.state = {forces(last, y), y};
     return result;
-  }
-
-  double
-  ConeNewton::residual(const Vector &before, const Vector &factors, const ConeState &state) const
-  {
-    const Vector R     = reactions(factors);
-    const Vector p     = forces(R, state.dislocations);
-    const double force = size(R, state.forces, state.dislocations);
-    double length      = std::max({largest(state.dislocations), largest(gaps), 1e-300});
-    double worst       = 0.;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      worst = std::max(worst, std::abs(p[i] - state.forces[i]) / force);
-    for (const ConeElement &element : elements)
-      {
-        const auto &bars  = element.tangential_bars;
-        const double N    = state.forces[element.normal_bar];
-        const double a    = state.dislocations[element.normal_bar];
-        const double room = element.friction * std::max(0., -N) - length_in(state.forces, bars);
-        worst = std::max({worst, N / force, -a / length, std::min(-N / force, a / length)});
-        if (bars.empty())
-          continue;
-        Vector slip(state.dislocations.size(), 0.);
-        double work = 0.;
-        for (const unsigned int bar : bars)
-          {
-            slip[bar] = state.dislocations[bar] - before[bar];
-            work += state.forces[bar] * slip[bar];
-          }
-        worst = std::max({worst,
-                          -room / force,
-                          std::min(room / force, length_in(slip, bars) / length),
-                          -work / force / length});
-      }
-    return worst;
-  }
-
-  double
-  ConeNewton::distance(const ConeState &a, const ConeState &b, const Vector &factors) const
-  {
-    const double force = size(reactions(factors), a.forces, a.dislocations);
-    const double length =
-      std::max({largest(a.dislocations), largest(b.dislocations), largest(gaps), 1e-300});
-    double worst = 0.;
-    for (std::size_t i = 0; i < a.forces.size(); ++i)
-      worst = std::max({worst,
-                        std::abs(a.forces[i] - b.forces[i]) / force,
-                        std::abs(a.dislocations[i] - b.dislocations[i]) / length});
-    return worst;
   }
 } // namespace fuga::judges

@@ -6,9 +6,13 @@
 
 #include "judges/dislocation_form.h"
 
+#include <functional>
+#include <limits>
+
 namespace fuga::judges
 {
-  /** A contact element in space: linear or rigid layer, Coulomb's circular cone. */
+  /** A contact element in space: linear or rigid layer, or one that closes along a curve;
+   * Coulomb's circular cone. */
   struct ConeElement
   {
     unsigned int normal_bar = 0;
@@ -19,10 +23,22 @@ namespace fuga::judges
     double normal_compliance = 0.;
     double shear_compliance  = 0.;
     double friction          = 0.;
+    /** c A. */
+    double cohesion = 0.;
+    /** Of a curved layer: σ(w) and dσ/dw of a closure w, the first slope of which is
+     * 1/normal_compliance, and the closure that no stress reaches. */
+    std::function<double(double)> stress, tangent;
+    double closure_limit = std::numeric_limits<double>::infinity();
+
+    bool
+    is_curved() const
+    {
+      return stress != nullptr;
+    }
   };
 
-  /** The state at the end of one implicit load increment, by bar: forces p, openings a and slips s.
-   */
+  /** The state at the end of one implicit load increment, by bar: forces p, openings a (less than
+   * zero where a curved layer has closed) and slips s. */
   struct ConeState
   {
     Vector forces, dislocations;
@@ -38,10 +54,11 @@ namespace fuga::judges
    * Contact with circular cones by a semismooth Newton method after Alart and Curnier, in the
    * dislocation form p = R - W d (see DislocationForm; d_n = a - g0, d_t = s):
    *
-   *     N - min(0, N + c_n a) = 0,     T - proj_r(T + c_t (s - s_before)) = 0,     r = f P,
+   *     N - min(0, N + c_n a) = 0,     T - proj_r(T + c_t (s - s_before)) = 0,     r = f P + c A,
    *
    * with the projection onto the disc of radius r, P = -min(0, N + c_n a) the pressing force, and
-   * c from the diagonal of W.
+   * c from the diagonal of W; without c A where the joint is open. Curved layers as in
+   * NewtonEquations: N + P = 0, P = A σ(-a), d_n = a - g0 + ρ σ(-a) where a < 0.
    */
   class ConeNewton
   {
@@ -51,6 +68,10 @@ namespace fuga::judges
                const DenseMatrix &B,
                const DenseMatrix &load_patterns,
                std::vector<ConeElement> elements);
+
+    /** The same bodies and layers with gaps and strengths of others. */
+    ConeNewton
+    with(std::vector<ConeElement> others) const;
 
     /** Whether the bodies are held when all joints are closed, and no bars repeat each other. */
     bool
@@ -80,20 +101,26 @@ namespace fuga::judges
   private:
     Vector
     reactions(const Vector &factors) const;
+    /** d of the unknowns y, and its derivative. */
+    Vector
+    dislocations(const Vector &y, Vector &slope) const;
     Vector
     forces(const Vector &R, const Vector &y) const;
     Vector
     evaluate(const Vector &R, const Vector &before, const Vector &y, DenseMatrix *jacobian) const;
     bool
     newton(const Vector &R, const Vector &before, Vector &y) const;
+    /** Gaps included. */
+    double
+    largest_length(const std::vector<Vector> &lengths) const;
+    double
+    permitted_part(const Vector &y, const Vector &dy) const;
     double
     size(const Vector &R, const Vector &p, const Vector &y) const;
 
-    const std::vector<ConeElement> elements;
-    const DislocationForm form;
-    const Vector stiffness;
-    /** g0 in the normal bars. */
-    Vector gaps;
+    std::vector<ConeElement> elements;
+    DislocationForm form;
+    Vector stiffness;
     /** Factor of c. */
     mutable double scale = 1.;
   };

@@ -16,16 +16,15 @@ namespace
 {
   constexpr double k = 2., f = 0.5;
 
+  /** Stiffness k against the normal and @p k_t against the tangential jumps. */
   ConeNewton
-  one_element(const double k_t)
+  one_element(const double k_t, ConeElement element = {})
   {
     DenseMatrix S(3, 3), unit(3, 3);
     S(0, 0) = k;
     S(1, 1) = S(2, 2) = k_t;
     for (unsigned int i = 0; i < 3; ++i)
       unit(i, i) = 1.;
-    ConeElement element;
-    element.normal_bar      = 0;
     element.tangential_bars = {1, 2};
     element.friction        = f;
     return ConeNewton(S, DenseMatrix(), unit, {element});
@@ -76,6 +75,38 @@ TEST(ConeNewton, SticksInsideTheConeAndOpensUnderTension)
   ASSERT_TRUE(open.converged);
   expect_near(open.state.dislocations, {1.5, 0.5, 1.}); // F/k
   expect_near(open.state.forces, none);
+}
+
+TEST(ConeNewton, CohesionHoldsUntilTheJointOpens)
+{
+  ConeElement bonded;
+  bonded.cohesion         = 1.;
+  const ConeNewton newton = one_element(k, bonded);
+  const Vector none(3, 0.), load = {-5., 3., 4.}; // |T| = 5 > f P + c A = 3.5
+  const ConeStep step = newton.step(none, none, load);
+  ASSERT_TRUE(step.converged);
+  expect_near(step.state.dislocations, {0., 0.45, 0.6}); // (5 - 3.5)/k along (0.6, 0.8)
+  expect_near(step.state.forces, {-5., 2.1, 2.8});
+  EXPECT_LT(newton.residual(none, load, step.state), 1e-13);
+  EXPECT_GT(one_element(k).residual(none, load, step.state), 0.1); // the bond is lost
+  const ConeStep open = newton.step(none, none, {3., 1., 2.});
+  ASSERT_TRUE(open.converged);
+  expect_near(open.state.forces, none);
+}
+
+TEST(ConeNewton, ClosesALayerAlongItsCurve)
+{
+  ConeElement curved;
+  curved.normal_compliance = 1.;
+  curved.stress            = [](const double w) { return w + w * w; };
+  curved.tangent           = [](const double w) { return 1. + 2. * w; };
+  const ConeNewton newton  = one_element(k, curved);
+  const Vector none(3, 0.), load = {-10., 3., 4.}; // k w + w + w² = 10: w = 2, P = 6, f P = 3
+  const ConeStep step = newton.step(none, none, load);
+  ASSERT_TRUE(step.converged);
+  expect_near(step.state.dislocations, {-2., 0.6, 0.8}); // (5 - 3)/k along (0.6, 0.8)
+  expect_near(step.state.forces, {-6., 1.8, 2.4});
+  EXPECT_LT(newton.residual(none, load, step.state), 1e-13);
 }
 
 TEST(ConeNewton, FindsNothingWhereNothingHolds)

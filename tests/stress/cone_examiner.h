@@ -13,9 +13,14 @@
 
 namespace fuga::stress
 {
-  /** What judges::ConeNewton is to know of the elements. */
+  /** Whether judges::ConeNewton knows the layers: any closure, linear or rigid shear. */
+  bool
+  cones_know_layers(const std::vector<ContactElement> &elements);
+
+  /** What it is to know of the elements, with what @p state has left of their strength, and touching
+   * where they touch by then. */
   std::vector<judges::ConeElement>
-  cones_of(const std::vector<ContactElement> &elements);
+  cones_of(const std::vector<ContactElement> &elements, const JointState &state);
 
   judges::ConeState
   cone_state(const std::vector<ContactElement> &elements, const JointState &state);
@@ -35,6 +40,10 @@ namespace fuga::stress
   public:
     ConeExaminer(const Model<3> &model, const JointModel &joint);
 
+    /** Whether layers and strengths in a state are known. */
+    bool
+    can_solve(const JointState &state) const;
+
     StepReport
     examine_step(const JointState &from, const JointState &to) const;
 
@@ -48,7 +57,9 @@ namespace fuga::stress
 
   private:
     bool
-    respects(const ContactElement &element, const JointState &state, const Vector &jumps) const;
+    respects(const judges::ConeElement &element,
+             const judges::ConeState &state,
+             const Vector &jumps) const;
 
     const Model<3> &model;
     const std::vector<ContactElement> &elements;

@@ -75,31 +75,36 @@ namespace fuga::stress
                                                                  : "certificate";
   }
 
+  JointState
+  virgin_state(const JointModel &joint)
+  {
+    JointState state;
+    std::size_t n_bars = 0;
+    for (const ContactElement &element : joint.elements)
+      {
+        n_bars += 1 + element.has_tangential_bar() + element.has_second_tangential_bar();
+        const bool open = element.initial_gap > 0.;
+        state.states.push_back(open ? ContactState::open : ContactState::stick);
+        state.strengths.push_back(virgin_strength(element.friction, element.area));
+        if (open) // lips that never touched have no bond
+          state.strengths.back().cohesion = state.strengths.back().tension = 0.;
+      }
+    state.unreleased.assign(n_bars, 0.);
+    state.dilations.assign(joint.elements.size(), 0.);
+    state.forces.assign(n_bars, 0.);
+    state.dislocations.assign(n_bars, 0.);
+    state.slips.assign(joint.elements.size(), {{0., 0.}});
+    return state;
+  }
+
+  JointState
+  end_of(const PieceSample &sample, const JointModel &joint)
+  {
+    return sample.end.states.empty() ? virgin_state(joint) : sample.end;
+  }
+
   namespace
   {
-    /** Nothing loaded; closed but for initial gaps. */
-    JointState
-    virgin_state(const JointModel &joint)
-    {
-      JointState state;
-      std::size_t n_bars = 0;
-      for (const ContactElement &element : joint.elements)
-        {
-          n_bars += element.has_tangential_bar() ? 2 : 1;
-          const bool open = element.initial_gap > 0.;
-          state.states.push_back(open ? ContactState::open : ContactState::stick);
-          state.strengths.push_back(virgin_strength(element.friction, element.area));
-          if (open) // lips that never touched have no bond
-            state.strengths.back().cohesion = state.strengths.back().tension = 0.;
-        }
-      state.unreleased.assign(n_bars, 0.);
-      state.dilations.assign(joint.elements.size(), 0.);
-      state.forces.assign(n_bars, 0.);
-      state.dislocations.assign(n_bars, 0.);
-      state.slips.assign(joint.elements.size(), {{0., 0.}});
-      return state;
-    }
-
     void
     check_piece(const Examiner &examiner,
                 const PieceSample::Piece &piece,
@@ -169,10 +174,8 @@ namespace fuga::stress
       if (examiner.can_solve(piece.from) &&
           std::chrono::duration<double>(Clock::now() - start).count() < seconds)
         check_piece(examiner, piece, confirmation);
-    // A path may end where it begins.
-    const JointState end = sample.end.states.empty() ? virgin_state(joint) : sample.end;
     if (result.verdict != Verdict::done)
-      confirm_end(examiner, result, end, confirmation);
+      confirm_end(examiner, result, end_of(sample, joint), confirmation);
     else if (confirmation.objection.empty())
       confirmation.by = confirmation_by_pieces(confirmation);
     return confirmation;

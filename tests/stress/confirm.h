@@ -65,6 +65,14 @@ namespace fuga::stress
     double difference = 0.;
   };
 
+  /** Nothing loaded; closed but for initial gaps: a path may end where it begins. */
+  JointState
+  virgin_state(const JointModel &joint);
+
+  /** Where a path has come to. */
+  JointState
+  end_of(const PieceSample &sample, const JointModel &joint);
+
   /** Counts a step to load time @p t. */
   void
   count_piece(const StepReport &report, const double t, Confirmation &confirmation);

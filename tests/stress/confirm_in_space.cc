@@ -185,16 +185,6 @@ namespace fuga::stress
         confirmation.objection = difference;
     }
 
-    /** A path may end where it begins. */
-    JointState
-    end_of(const PieceSample &sample, const std::size_t n_bars)
-    {
-      JointState state = sample.end;
-      state.forces.resize(n_bars, 0.);
-      state.dislocations.resize(n_bars, 0.);
-      return state;
-    }
-
     void
     confirm_end(const ConeExaminer &examiner,
                 const PathResult &result,
@@ -206,8 +196,10 @@ namespace fuga::stress
       const std::array<double, 2> parts = result.verdict == Verdict::no_continuation
                                             ? std::array<double, 2>{{1e-7, 1e-6}}
                                             : std::array<double, 2>{{1e-4, 1e-3}};
-      if (result.verdict == Verdict::limit_load &&
-          examiner.is_mechanism(end, result.mechanism_jumps))
+      if (!examiner.can_solve(end))
+        confirmation.by = "certificate"; // laws or strengths that ConeNewton does not know
+      else if (result.verdict == Verdict::limit_load &&
+               examiner.is_mechanism(end, result.mechanism_jumps))
         confirmation.by = "mechanism";
       else if (std::any_of(parts.begin(), parts.end(), [&](const double part) {
                  return examiner.finds_step_beyond(end, part);
@@ -229,7 +221,8 @@ namespace fuga::stress
       const auto start = Clock::now();
       const ConeExaminer examiner(model, joint);
       const auto check = [&](const PieceSample::Piece &piece) {
-        if (std::chrono::duration<double>(Clock::now() - start).count() < seconds)
+        if (examiner.can_solve(piece.from) &&
+            std::chrono::duration<double>(Clock::now() - start).count() < seconds)
           count_piece(examiner.examine_step(piece.from, piece.to), piece.to.t, confirmation);
       };
       if (sample.last)
@@ -237,8 +230,7 @@ namespace fuga::stress
       for (const PieceSample::Piece &piece : sample.pieces)
         check(piece);
       if (result.verdict != Verdict::done)
-        confirm_end(
-          examiner, result, end_of(sample, model.bodies.rigid_motions().n_rows()), confirmation);
+        confirm_end(examiner, result, end_of(sample, joint), confirmation);
       else if (confirmation.objection.empty())
         confirmation.by = confirmation_by_pieces(confirmation);
     }
@@ -270,10 +262,13 @@ namespace fuga::stress
   try
     {
       if (!scene.plane_section())
-        return ConeExaminer(model, joint)
-                   .finds_step_beyond(end_of(sample, model.bodies.rigid_motions().n_rows()), 1e-4)
-                 ? "; an implicit step goes on"
-                 : "; no implicit step is found either";
+        {
+          const ConeExaminer examiner(model, joint);
+          const JointState end = end_of(sample, joint);
+          return !examiner.can_solve(end) ? "; ConeNewton does not know its laws or strengths"
+                 : examiner.finds_step_beyond(end, 1e-4) ? "; an implicit step goes on"
+                                                         : "; no implicit step is found either";
+        }
       const SectionPath section(*scene.plane_section(), directory);
       return fmt::format("; the plane section: {} at t = {:.9g}",
                          verdict_name(section.result.verdict),

@@ -138,13 +138,14 @@ namespace fuga::stress
     examine_in_space(const Piece &piece)
     {
       const StepView view(piece.step, piece.history, piece.to.part_of_step, piece.largest_jump);
-      const auto elements = view.elements(piece.elements);
+      const auto elements   = view.elements(piece.elements);
+      const JointState from = view.state(elements, piece.from);
       const judges::ConeNewton newton(piece.step.stiffness(),
                                       piece.step.jump_operator(),
                                       piece.step.load_patterns(),
-                                      cones_of(elements));
+                                      cones_of(elements, from));
       return examine_cone_step(newton,
-                               cone_state(elements, view.state(elements, piece.from)),
+                               cone_state(elements, from),
                                piece.history.factors(piece.from.part_of_step),
                                cone_state(elements, view.state(elements, piece.to)),
                                piece.history.factors(piece.to.part_of_step));
@@ -168,7 +169,8 @@ namespace fuga::stress
       begin(PhaseRun<dim> &next)
       {
         phase     = &next;
-        can_solve = judges_know_layers(phase->joint.elements);
+        can_solve = dim == 3 ? cones_know_layers(phase->joint.elements)
+                             : judges_know_layers(phase->joint.elements);
         levels    = 0;
         step      = nullptr;
       }

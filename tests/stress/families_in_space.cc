@@ -4,6 +4,7 @@
 #include "stress/families_in_space.h"
 
 #include "stress/families.h"
+#include "stress/law_draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,18 @@ namespace fuga::stress::families
       return model;
     }
 
+    /** Often what presses the joints together comes first. */
+    void
+    draw_pressing_stages(Random &random, GridModel &section)
+    {
+      if (random.chance(0.6))
+        {
+          section.stages.emplace_back(section.loads.size(), 0.);
+          section.stages[0][0] = 1.;
+        }
+      draw_stages(random, section, random.integer(1, 2));
+    }
+
     SpatialGrid
     extruded_anyhow(Random &random, const GridModel &section)
     {
@@ -51,13 +64,7 @@ namespace fuga::stress::families
   extruded(Random &random)
   {
     GridModel section = draw_section(random);
-    // Often what presses the joints together comes first.
-    if (random.chance(0.6))
-      {
-        section.stages.emplace_back(section.loads.size(), 0.);
-        section.stages[0][0] = 1.;
-      }
-    draw_stages(random, section, random.integer(1, 2));
+    draw_pressing_stages(random, section);
     return extruded_anyhow(random, section);
   }
 
@@ -66,6 +73,19 @@ namespace fuga::stress::families
   {
     GridModel section = draw_section(random);
     draw_reversals(random, section, random.integer(1, 4));
+    return extruded_anyhow(random, section);
+  }
+
+  SpatialGrid
+  extruded_with_laws(Random &random)
+  {
+    GridModel section   = draw_section(random);
+    const Scales scales = scales_of(random, section);
+    set_layers(section, [&] { return any_layer_or_bond(random, scales); });
+    if (random.chance(0.5))
+      draw_pressing_stages(random, section);
+    else
+      draw_reversals(random, section, random.integer(1, 4));
     return extruded_anyhow(random, section);
   }
 
@@ -225,5 +245,41 @@ namespace fuga::stress::families
     draw_all_layers(random, model);
     add_weight_and_pushes(random, model, {"wedge_top"}, 1.);
     return model;
+  }
+
+  namespace
+  {
+    /** In place of the layers of a scene under its weight: any strength on any layer. */
+    template <typename Scene>
+    Scene
+    with_any_layers(Random &random, Scene scene)
+    {
+      double heaviest = 0.;
+      for (const SceneData::Body &body : scene.bodies)
+        heaviest = std::max(heaviest, body.weight);
+      const Scales scales = scales_of(scene, heaviest * scene.width());
+      set_layers(scene, [&] { return any_layer_or_bond(random, scales); });
+      return scene;
+    }
+  } // namespace
+
+  SpatialGrid
+  blocks_with_laws(Random &random)
+  {
+    return with_any_layers(random,
+                           random.one_of<SpatialGrid (*)(Random &)>(
+                             {blocks_in_space, pair_in_space, wedge_in_space})(random));
+  }
+
+  CutPolyhedron
+  polyhedra_with_laws(Random &random)
+  {
+    return with_any_layers(random, polyhedra(random));
+  }
+
+  SpatialGrid
+  motion_in_space_with_laws(Random &random)
+  {
+    return with_any_layers(random, motion_in_space(random));
   }
 } // namespace fuga::stress::families

@@ -26,6 +26,14 @@ namespace fuga::stress::families
   motion_in_space(Random &random);
   CutPolyhedron
   polyhedra(Random &random);
+  SpatialGrid
+  extruded_with_laws(Random &random);
+  SpatialGrid
+  blocks_with_laws(Random &random);
+  CutPolyhedron
+  polyhedra_with_laws(Random &random);
+  SpatialGrid
+  motion_in_space_with_laws(Random &random);
 
   /** Layers with which a joint in space can be followed, stiffness from 1e-1 to 1e6 of a body's. */
   Layer

@@ -123,7 +123,7 @@ namespace fuga::stress
   } // namespace
 
   Scales
-  scales_of(Random &random, const SceneData &model)
+  scales_of(const SceneData &model, const double pressure)
   {
     double stiffest = 0.;
     Scales scales;
@@ -133,10 +133,16 @@ namespace fuga::stress
         stiffest       = std::max(stiffest, body.young_modulus);
         scales.softest = std::min(scales.softest, body.young_modulus);
       }
-    scales.pressure   = draw_pressure(random, model);
+    scales.pressure   = pressure;
     scales.compliance = model.width() / stiffest;
     scales.length     = scales.compliance * scales.pressure;
     return scales;
+  }
+
+  Scales
+  scales_of(Random &random, const SceneData &model)
+  {
+    return scales_of(model, draw_pressure(random, model));
   }
 
   Layer
@@ -256,6 +262,24 @@ namespace fuga::stress
       }
     if (!coupled && random.chance(0.3))
       dilate(random, layer, scales, left);
+    return layer;
+  }
+
+  Layer
+  any_layer_or_bond(Random &random, const Scales &scales)
+  {
+    Layer layer;
+    if (random.chance(0.2))
+      {
+        layer = straight_layer(random, scales);
+        if (random.chance(0.5))
+          make_curved(random, layer, scales);
+        bond(random, layer, scales);
+      }
+    else
+      layer = any_layer(random, scales);
+    if (random.chance(0.1))
+      layer.initial_gap = fmt::format("{}", scales.length * random.power_of_ten(-2., 1.));
     return layer;
   }
 } // namespace fuga::stress

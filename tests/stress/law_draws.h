@@ -21,6 +21,10 @@ namespace fuga::stress
   };
 
   Scales
+  scales_of(const SceneData &model, const double pressure);
+
+  /** With a pressure that is drawn. */
+  Scales
   scales_of(Random &random, const SceneData &model);
 
   /** Rigid or linear bars with friction, 1e-4 to 1e3 as soft as the stiffest body. */
@@ -49,6 +53,10 @@ namespace fuga::stress
   /** Any strength on any layer, of what fits together. */
   Layer
   any_layer(Random &random, const Scales &scales);
+
+  /** The same, or one whose bond may carry tension; now and then with an initial gap. */
+  Layer
+  any_layer_or_bond(Random &random, const Scales &scales);
 } // namespace fuga::stress
 
 #endif

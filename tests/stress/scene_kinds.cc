@@ -160,6 +160,18 @@ namespace fuga::stress
       {"motion in space",
        "blocks and wedges under loads at once or shaking",
        families::motion_in_space},
+      {"extruded with laws",
+       "plane scenes made spatial with any strength on any layer",
+       families::extruded_with_laws},
+      {"blocks with laws",
+       "blocks, pairs and wedges in space with any strength on any layer",
+       families::blocks_with_laws},
+      {"polyhedra with laws",
+       "random polyhedra with any strength on any layer",
+       families::polyhedra_with_laws},
+      {"motion in space with laws",
+       "motions in space with any strength on any layer",
+       families::motion_in_space_with_laws},
     };
     return kinds;
   }
