@@ -256,6 +256,33 @@ namespace fuga::tests
       }
   }
 
+  // Without any load law (9) has no curvature to go by, and trial steps are too long. The load that
+  // closes the layer by a given w is S w + A σ(w); what friction leaves of the shear slides.
+  TEST(TurningSegment, SlidesFromTheApexOnLawNine)
+  {
+    constexpr double stiffness = 2., friction = 0.4, closure = 0.02;
+    const double pressing = area * stress(closure), slip = (5. - friction * pressing) / stiffness;
+    ToySystem system;
+    system.S = DenseMatrix(3, 3);
+    system.F = DenseMatrix(3, 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      system.S(i, i) = stiffness;
+    system.F(0, 0)        = -(stiffness * closure + pressing);
+    system.F(1, 0)        = 3.;
+    system.F(2, 0)        = 4.;
+    const ConeJoint joint = layered_joint({false, friction, 0., 0.});
+    const ConeRun run(system, joint.elements, LoadHistory({0., 1.}, {{0.}, {1.}}), {1.});
+    ASSERT_EQ(run.result.verdict, Verdict::done);
+    const JointState &end = run.record.levels.back();
+    EXPECT_NEAR(end.forces[0], -pressing, 1e-10);
+    for (std::size_t a = 0; a < 2; ++a)
+      {
+        const double e = a == 0 ? 0.6 : 0.8;
+        EXPECT_NEAR(end.forces[1 + a], friction * pressing * e, 1e-10);
+        EXPECT_NEAR(end.slips[0][a], slip * e, 1e-10);
+      }
+  }
+
   // Equal steps, each from where the one before ended, as a level inside a long step is found.
   TEST(TurningSegment, KeepsItsOrderOnNonlinearLayers)
   {

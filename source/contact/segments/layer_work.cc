@@ -64,18 +64,17 @@ namespace fuga
       return max_abs(multiply(context.system.reactions(), course.factors_at(tau)));
     }
 
-    /** By how much the loads of @p course can make the energies larger than the largest loads so far
-     * have made them: the square of their growth. */
+    /** By how much the loads of @p course can make the energies larger than the largest loads up to
+     * @p tau have made them: the square of their growth. */
     double
     growth_of_energy(const PathContext &context,
                      const Course &course,
                      const double tau,
-                     IterationCount &count)
+                     const IterationCount &count)
     {
-      count.largest_load  = std::max(count.largest_load, size_of_loads(context, course, tau));
-      const double growth = count.largest_load > 0.
-                              ? size_of_loads(context, course, course.length) / count.largest_load
-                              : std::numeric_limits<double>::infinity();
+      const double largest = std::max(count.largest_load, size_of_loads(context, course, tau));
+      const double growth  = largest > 0. ? size_of_loads(context, course, course.length) / largest
+                                          : std::numeric_limits<double>::infinity();
       return std::max(1., growth * growth);
     }
 
