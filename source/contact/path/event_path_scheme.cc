@@ -46,7 +46,8 @@ namespace fuga
 
   // Gives the boundary elements the states of the working scheme. The rates that led to it know
   // nothing of the strength that it costs: of the forces that have to be given up, nor, where an
-  // element slides from the apex of its cone and has no force to give up, of the friction it loses.
+  // element has no force to give up, of the friction it loses as it slides from the apex of its
+  // cone, or of the bond that would hold its shear as it opens.
   bool
   EventPath::adopt_scheme(JointState &state,
                           const std::vector<BoundaryElement> &set,
@@ -69,7 +70,7 @@ namespace fuga
                                         boundary.force_tolerance(elements[k].normal_bar),
                                         state));
         events.back().n_branches = n_branches;
-        costs_strength |= is_slipping(state.states[k]) && !(state.strengths[k] == strength);
+        costs_strength |= !(state.strengths[k] == strength);
       }
     report(events, state, observer, result);
     return costs_strength || state.unreleased != unreleased;
