@@ -257,7 +257,8 @@ namespace fuga::tests
   }
 
   // Without any load law (9) has no curvature to go by, and trial steps are too long. The load that
-  // closes the layer by a given w is S w + A σ(w); what friction leaves of the shear slides.
+  // closes the layer by a given w is S w + A σ(w); what friction leaves of the shear slides, and
+  // stays where it is while the load does.
   TEST(TurningSegment, SlidesFromTheApexOnLawNine)
   {
     constexpr double stiffness = 2., friction = 0.4, closure = 0.02;
@@ -271,7 +272,7 @@ namespace fuga::tests
     system.F(1, 0)        = 3.;
     system.F(2, 0)        = 4.;
     const ConeJoint joint = layered_joint({false, friction, 0., 0.});
-    const ConeRun run(system, joint.elements, LoadHistory({0., 1.}, {{0.}, {1.}}), {1.});
+    const ConeRun run(system, joint.elements, LoadHistory({0., 1., 2.}, {{0.}, {1.}, {1.}}), {2.});
     ASSERT_EQ(run.result.verdict, Verdict::done);
     const JointState &end = run.record.levels.back();
     EXPECT_NEAR(end.forces[0], -pressing, 1e-10);

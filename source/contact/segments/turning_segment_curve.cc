@@ -120,8 +120,11 @@ namespace fuga
     for (const std::size_t k : turning)
       rise.push_back(start.state.strengths[k].dilatancy);
 
+    // Where nothing drives nothing slips.
+    const double drive = driving_force();
     const double slip_noise =
-      force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / driving_force();
+      drive > 0. ? force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / drive
+                 : 0.;
     JointState &state = to.point.state;
     state             = from.point.state;
     to.stage          = from.stage;
