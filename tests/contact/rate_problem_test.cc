@@ -186,6 +186,44 @@ TEST(RateProblem, UniqueUpToTheCriticalFriction)
   expect_count("most continuations, C_n = 3.21", 2., above.largest);
 }
 
+// V10's node with a rigid joint, f = 2, on its strength: a slip ṡ takes the reserve to q + (1 - 2 ∙
+// 0.6) ṡ. With q > 0 there are two continuations, with q < 0 none. Of thirteen such nodes, more
+// than all combinations are tried of, one has none.
+TEST(RateProblem, RulesOutWhatIsTooMuchToBeTried)
+{
+  constexpr std::size_t n = 13;
+  const ToyJoint joint(n, 1., make_rigid_law(), make_rigid_law(), {2., 0.});
+  ToySystem system;
+  system.S = system.F = DenseMatrix(2 * n, 2 * n);
+  JointState state;
+  std::vector<BoundaryElement> set;
+  Vector reactions;
+  for (std::size_t k = 0; k < n; ++k)
+    {
+      for (const std::size_t i : {2 * k, 2 * k + 1})
+        system.S(i, i) = system.F(i, i) = 1.;
+      system.S(2 * k, 2 * k + 1) = system.S(2 * k + 1, 2 * k) = -0.6;
+      state.states.push_back(ContactState::slip_forward);
+      state.forces.insert(state.forces.end(), {-1., 2.});
+      state.dislocations.insert(state.dislocations.end(), {0., 0.});
+      state.slips.push_back({{0., 0.}});
+      state.dilations.push_back(0.);
+      state.strengths.push_back(virgin_strength(joint.elements[k].friction, 1.));
+      state.unreleased.insert(state.unreleased.end(), {0., 0.});
+      set.push_back({k, false, ShearPosition::at_strength, 1.});
+      reactions.insert(reactions.end(), {0., -1.});
+    }
+  const LayeredSystem layered(system, joint.elements);
+  WorkingScheme scheme(joint.elements, layered);
+  RateProblem problem(joint.elements, layered, scheme);
+  ASSERT_FALSE(problem.can_be_enumerated(set));
+  EXPECT_TRUE(problem.solve(state, set, {reactions, {}, {}}).exists);
+  reactions.back()         = 1.;
+  const Continuation found = problem.solve(state, set, {reactions, {}, {}});
+  EXPECT_FALSE(found.exists);
+  EXPECT_TRUE(found.is_ruled_out);
+}
+
 // One element on its cone, f = 0.5, N = -1, T = (0.5, 0), on a body of stiffness 1: a load along
 // its slip at the rate 1e-6 makes it slip at that rate, nothing else resists. If its slip has just
 // come to rest and it is held, it stays stuck and its force takes the load.

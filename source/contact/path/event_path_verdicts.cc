@@ -132,7 +132,7 @@ namespace fuga
                                  const std::vector<BoundaryElement> &set,
                                  PathResult &result) const
   {
-    result.critical.all_counted = rate_problem.can_be_enumerated(set);
+    result.critical.all_counted = continuation.is_ruled_out || rate_problem.can_be_enumerated(set);
     if (result.critical.all_counted)
       return;
     if (has_cones)

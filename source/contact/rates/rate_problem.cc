@@ -103,6 +103,8 @@ namespace fuga
         result.exists = true;
         result.rates  = found.front().rates;
       }
+    else
+      search_all(state, set, drive, result);
     return result;
   }
 

@@ -22,13 +22,10 @@ namespace fuga
     constexpr double accepted_defect = 1e-8;
     /** The same for a solution in double precision. */
     constexpr double accepted_double_defect = 1e-12;
-    /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
-     * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
-     * scheme. */
-    constexpr double largest_motion = 1e8;
-    /** The same in units of the force that drives its own rows, or of what rounding may leave
-     * there: a larger answer is that of a matrix made of rounding. Forces of other bars, where the
-     * structure is statically determinate, have no stiffness to be measured by. */
+    /** As WorkingScheme::largest_motion in units of the force that drives its own rows, or of what
+     * rounding may leave there: a larger answer is that of a matrix made of rounding. Forces of
+     * other bars, where the structure is statically determinate, have no stiffness to be measured
+     * by. */
     constexpr double largest_answer = 1e13, rounding_of_drive = 1e-14;
     /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
      * as long as each divides the defect by two. */

@@ -24,7 +24,8 @@ namespace fuga
     enumeration,
     /** Lexicographic Lemke on the whole boundary set. */
     lemke,
-    /** Single switching from many first guesses and Lemke with several covering vectors. */
+    /** Single switching from many first guesses and Lemke with several covering vectors, then all
+     * combinations, divided until each is ruled out. */
     search
   };
 
@@ -38,6 +39,8 @@ namespace fuga
     /** Elements lose strength as they take these states: the rates do not hold. */
     bool costs_strength = false;
     RateMethod method   = RateMethod::block_switching;
+    /** If none exists: that is certain, since a proof rules out every combination of states. */
+    bool is_ruled_out = false;
     /** If none exists: the motion that meets the least resistance, if one was found. */
     bool has_mechanism = false;
     JointRates mechanism;
@@ -270,6 +273,12 @@ namespace fuga
                     const std::vector<BoundaryElement> &set,
                     const Drive &drive,
                     Continuation &result);
+    /** Searches what is left when all else has failed; finds a continuation or rules it out. */
+    bool
+    search_all(const JointState &state,
+               const std::vector<BoundaryElement> &set,
+               const Drive &drive,
+               Continuation &result);
 
     std::vector<Branch>
     branches_of_cones(const JointState &state,

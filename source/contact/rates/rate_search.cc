@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fuga/contact/rates/boundary_lcp.h>
+#include <fuga/contact/rates/lcp_search.h>
+#include <fuga/contact/rates/rate_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  namespace
+  {
+    /** What opens may slip in both directions in eq. 7: only where it could already, or has no
+     * tangential bar, are its solutions all that there are. */
+    bool
+    has_all_states(const BoundaryElement &candidate, const ContactElement &element)
+    {
+      return !candidate.grazing || candidate.shear == ShearPosition::at_apex ||
+             !element.has_tangential_bar();
+    }
+
+    /** What RateProblem may take for zero: of forces in the largest motion that is none of a
+     * mechanism, of jumps in any, which is not more than what its parts leave together. */
+    LcpNoise
+    noise_of(const BoundaryLcp &lcp,
+             const JointState &state,
+             const std::vector<ContactElement> &elements,
+             const LayeredSystem &system,
+             const Drive &drive)
+    {
+      double driving_force = 0.;
+      for (std::size_t i = 0; i < drive.reactions.size(); ++i)
+        driving_force =
+          std::max({driving_force,
+                    std::abs(drive.reactions[i]) / system.scale(i),
+                    drive.strength.empty() ? 0. : std::abs(drive.strength[i]) / system.scale(i)});
+      LcpNoise result;
+      result.largest_unknown = WorkingScheme::largest_motion * driving_force;
+      JointRates largest;
+      largest.forces.assign(system.n_bars(), 0.);
+      for (std::size_t i = 0; i < system.n_bars(); ++i)
+        largest.dislocations.push_back(result.largest_unknown / system.scale(i));
+      const ContactBoundary::RateNoise noise(system, largest, drive);
+      result.at_rest = ContactBoundary::RateNoise(system, lcp.stuck, drive).jump();
+      Drive no_drive;
+      no_drive.reactions.assign(system.n_bars(), 0.);
+      for (std::size_t j = 0; j < lcp.size(); ++j)
+        {
+          const BoundaryLcp::Unknown &unknown = lcp.unknowns[j];
+          const ContactElement &element       = elements[unknown.element];
+          const double normal                 = noise.force(element.normal_bar);
+          const double reserve =
+            unknown.state == ContactState::open
+              ? normal
+              : noise.force(unknown.bar) + state.strengths[unknown.element].friction * normal;
+          result.reserves.push_back(lcp.scale[j] * reserve);
+          result.unknowns.push_back(1. / lcp.scale[j]);
+          result.growth.push_back(
+            lcp.scale[j] * ContactBoundary::RateNoise(system, lcp.responses[j], no_drive).jump());
+        }
+      return result;
+    }
+  } // namespace
+
+  bool
+  RateProblem::search_all(const JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const Drive &drive,
+                          Continuation &result)
+  {
+    const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
+    if (!lcp)
+      return false;
+    const LcpSearch found =
+      search_lcp(lcp->M, lcp->q, noise_of(*lcp, state, elements, system, drive));
+    if (found.end == SearchEnd::found)
+      {
+        take_states(*lcp, set, found.z);
+        return switch_states(state, set, drive, Stride::one_at_a_time, result);
+      }
+    result.is_ruled_out =
+      found.end == SearchEnd::none &&
+      std::all_of(set.begin(), set.end(), [&](const BoundaryElement &candidate) {
+        return has_all_states(candidate, elements[candidate.element]);
+      });
+    return false;
+  }
+} // namespace fuga
