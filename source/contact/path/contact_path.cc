@@ -89,6 +89,8 @@ namespace fuga
     cut        = PathCut();
     cut.state  = state;
     cut.result = so_far;
+    // What follows upon a jump of an earlier step does so in another time.
+    cut.result.jump.length = 0.;
     return follow_from_cut({}, observer);
   }
 

@@ -20,12 +20,12 @@ namespace fuga
     /** By which the load grows while it is jumped, of a stage. */
     constexpr double shortest_jump = 1e-6, longest_jump = 1e-2;
 
-    /** Twice as much where the path has gone on behind the last jump by less than that one was long:
-     * lips that stick and snap by turns would be followed through millions of jumps. */
+    /** Twice as much where the path has gone on behind the last jump by less than that one was
+     * long: lips that stick and snap by turns would be followed through millions of jumps. */
     double
     length_of_jump(const double t, const Jump &last)
     {
-      return last.found && t - last.t < 2. * last.length
+      return last.length > 0. && t - last.t < 2. * last.length
                ? std::min(2. * last.length, longest_jump)
                : shortest_jump;
     }
