@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include "judges/linear_solve.h"
+
 #include <fuga/contact/rates/lcp_search.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <random>
 
 using namespace fuga;
@@ -20,34 +22,6 @@ namespace
     return {Vector(n, of_reserves), Vector(n, 1.), rounding, Vector(n, 0.), 1e3};
   }
 
-  /** Solves A x = b by Gauss-Jordan elimination; nothing of use if A is singular. */
-  Vector
-  eliminate(DenseMatrix A, Vector b)
-  {
-    const std::size_t n = b.size();
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        std::size_t pivot = k;
-        for (std::size_t i = k; i < n; ++i)
-          if (std::abs(A(i, k)) > std::abs(A(pivot, k)))
-            pivot = i;
-        for (std::size_t j = 0; j < n; ++j)
-          std::swap(A(k, j), A(pivot, j));
-        std::swap(b[k], b[pivot]);
-        for (std::size_t i = 0; i < n; ++i)
-          if (i != k)
-            {
-              const double factor = A(i, k) / A(k, k);
-              for (std::size_t j = 0; j < n; ++j)
-                A(i, j) -= factor * A(k, j);
-              b[i] -= factor * b[k];
-            }
-      }
-    for (std::size_t k = 0; k < n; ++k)
-      b[k] /= A(k, k);
-    return b;
-  }
-
   /** Whether one of the 2ⁿ complementary bases is admissible: columns of w - M z = q. */
   bool
   has_solution(const DenseMatrix &M, const Vector &q)
@@ -59,10 +33,10 @@ namespace
         for (std::size_t j = 0; j < n; ++j)
           for (std::size_t i = 0; i < n; ++i)
             basis(i, j) = (chosen >> j) % 2 == 1 ? -M(i, j) : i == j ? 1. : 0.;
-        bool admissible = true;
-        for (const double value : eliminate(basis, q))
-          admissible = admissible && value >= 0.;
-        if (admissible)
+        const judges::LinearSolution x = judges::solve_linear(basis, q);
+        if (x.regular && std::all_of(x.X.column(0), x.X.column(0) + n, [](const double value) {
+              return value >= 0.;
+            }))
           return true;
       }
     return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/boundary_lcp.h>
 #include <fuga/contact/rates/lcp_search.h>
 #include <fuga/contact/rates/rate_problem.h>
@@ -37,7 +38,7 @@ namespace fuga
                     std::abs(drive.reactions[i]) / system.scale(i),
                     drive.strength.empty() ? 0. : std::abs(drive.strength[i]) / system.scale(i)});
       LcpNoise result;
-      result.largest_unknown = WorkingScheme::largest_motion * driving_force;
+      result.largest_unknown = largest_motion * driving_force;
       JointRates largest;
       largest.forces.assign(system.n_bars(), 0.);
       for (std::size_t i = 0; i < system.n_bars(); ++i)
@@ -64,7 +65,7 @@ namespace fuga
     }
   } // namespace
 
-  bool
+  void
   RateProblem::search_all(const JointState &state,
                           const std::vector<BoundaryElement> &set,
                           const Drive &drive,
@@ -72,19 +73,19 @@ namespace fuga
   {
     const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
     if (!lcp)
-      return false;
+      return;
     const LcpSearch found =
       search_lcp(lcp->M, lcp->q, noise_of(*lcp, state, elements, system, drive));
     if (found.end == SearchEnd::found)
       {
         take_states(*lcp, set, found.z);
-        return switch_states(state, set, drive, Stride::one_at_a_time, result);
+        switch_states(state, set, drive, Stride::one_at_a_time, result);
+        return;
       }
     result.is_ruled_out =
       found.end == SearchEnd::none &&
       std::all_of(set.begin(), set.end(), [&](const BoundaryElement &candidate) {
         return has_all_states(candidate, elements[candidate.element]);
       });
-    return false;
   }
 } // namespace fuga

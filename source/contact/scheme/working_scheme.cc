@@ -4,6 +4,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/base/numerics/accurate.h>
 #include <fuga/base/numerics/blas.h>
+#include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace fuga
     constexpr double accepted_defect = 1e-8;
     /** The same for a solution in double precision. */
     constexpr double accepted_double_defect = 1e-12;
-    /** As WorkingScheme::largest_motion in units of the force that drives its own rows, or of what
+    /** As largest_motion in units of the force that drives its own rows, or of what
      * rounding may leave there: a larger answer is that of a matrix made of rounding. Forces of
      * other bars, where the structure is statically determinate, have no stiffness to be measured
      * by. */

@@ -8,6 +8,11 @@
 
 namespace fuga
 {
+  /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
+   * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft scheme.
+   */
+  constexpr double largest_motion = 1e8;
+
   /** The way in which equilibrium is lost. */
   enum class MechanismKind
   {

@@ -274,7 +274,7 @@ namespace fuga
                     const Drive &drive,
                     Continuation &result);
     /** Searches what is left when all else has failed; finds a continuation or rules it out. */
-    bool
+    void
     search_all(const JointState &state,
                const std::vector<BoundaryElement> &set,
                const Drive &drive,

@@ -109,11 +109,6 @@ namespace fuga
   public:
     WorkingScheme(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
-    /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
-     * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft
-     * scheme. */
-    static constexpr double largest_motion = 1e8;
-
     ContactState
     state(const std::size_t element) const
     {
