@@ -55,7 +55,7 @@ TEST(CondensedSystem, stiffness_of_a_floating_body)
 
   Vector values(S.n_rows());
   const int n = static_cast<int>(S.n_rows());
-  LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'L', n, S.data(), n, values.data());
+  LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'U', n, S.data(), n, values.data());
   EXPECT_GT(values[0], -1e-12 * size);
   EXPECT_LT(values[2], 1e-12 * size);
   EXPECT_GT(values[3], 1e-6 * size);

@@ -89,7 +89,7 @@ namespace fuga
     const auto n = static_cast<lapack_int>(A.n_rows());
     result.values.resize(A.n_rows());
     if (n > 0 &&
-        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', n, A.data(), n, result.values.data()) != 0)
+        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'U', n, A.data(), n, result.values.data()) != 0)
       throw NumericalFailure("The eigenvalues of a symmetric matrix were not found (LAPACK).");
     result.vectors = std::move(A);
     put_largest_first(result);

@@ -31,7 +31,7 @@ namespace fuga
     {
       const int n = static_cast<int>(gram.n_rows());
       Vector values(gram.n_rows());
-      if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', n, gram.data(), n, values.data()) != 0)
+      if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'U', n, gram.data(), n, values.data()) != 0)
         throw NumericalFailure("The check of the supports failed (LAPACK dsyev).");
       std::size_t n_null = 0;
       while (n_null < values.size() && values[n_null] <= null_tolerance * values.back())
