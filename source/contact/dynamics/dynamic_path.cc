@@ -226,6 +226,8 @@ namespace fuga
     start.t          = 0.;
     take_water(JointState(), start);
     Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered()), {}};
+    attempt.record.stop_if(
+      [this, number](const StepRecord &record) { return is_hopeless(record, number); });
     try
       {
         attempt.result = step.path.follow_step(start, result, attempt.record);
@@ -251,14 +253,33 @@ namespace fuga
   {
     if (!attempt.failure.empty())
       return false;
-    if (number == grid.halvings)
-      return true;
+    return number == grid.halvings || cost_of_events(attempt.record, number) +
+                                          cost_of_rest(attempt.record, grid.length_of(number)) <=
+                                        allowed_cost(attempt.record);
+  }
+
+  // Hundreds of events may follow upon an impact. Where the first ones cost that much, shorter
+  // steps will count, and the rest of this one is not followed.
+  bool
+  DynamicPath::is_hopeless(const StepRecord &record, const unsigned int number) const
+  {
+    constexpr double far_beyond = 10.;
+    return number < grid.halvings &&
+           cost_of_events(record, number) > far_beyond * allowed_cost(record);
+  }
+
+  double
+  DynamicPath::cost_of_events(const StepRecord &record, const unsigned int number) const
+  {
     const double length = grid.length_of(number);
-    const double rate   = std::max(largest_rate, attempt.record.largest_change() / length);
-    const double cost =
-      attempt.record.cost_of_events(length, rate) + cost_of_rest(attempt.record, length);
-    const double scale = std::max(ledger.largest, std::abs(attempt.record.joint_work()));
-    return cost <= grid.event_tolerance * scale + ledger.rounding;
+    return record.cost_of_events(length, std::max(largest_rate, record.largest_change() / length));
+  }
+
+  double
+  DynamicPath::allowed_cost(const StepRecord &record) const
+  {
+    return grid.event_tolerance * std::max(ledger.largest, std::abs(record.joint_work())) +
+           ledger.rounding;
   }
 
   void

@@ -117,7 +117,7 @@ namespace fuga
             const unsigned int bar = element.bar(i);
             const double mean      = 0.5 * (first.forces[bar] + last.forces[bar]);
             energy += work[bar] - mean * changes[bar];
-            result += std::abs(impulse[bar] / last.t - mean) * length * rate;
+            result += std::abs(impulse[bar] - last.t * mean) * length * rate;
           }
         result += std::abs(energy);
       }

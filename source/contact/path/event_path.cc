@@ -79,7 +79,7 @@ namespace fuga
     JointState state  = cut.state;
     PathResult result = cut.result;
     standstill        = Standstill();
-    while (state.t < history.end() || state.is_unsettled())
+    while ((state.t < history.end() || state.is_unsettled()) && observer.wants_more())
       {
         make_cut(state, result, observer);
         try

@@ -63,7 +63,7 @@ namespace fuga
   {
     JointState state  = cut.state;
     PathResult result = cut.result;
-    while (state.t < history.end())
+    while (state.t < history.end() && observer.wants_more())
       {
         make_cut(state, result, observer);
         double t = history.next_corner(state.t);

@@ -43,6 +43,12 @@ namespace fuga
     return observer.wants_cuts();
   }
 
+  bool
+  ReportCounter::wants_more() const
+  {
+    return observer.wants_more();
+  }
+
   void
   ReportCounter::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {

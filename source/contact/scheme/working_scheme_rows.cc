@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
@@ -20,6 +21,16 @@ namespace fuga
     /** An inverse of a matrix of unit diagonal with entries G leaves an error of ε G² in the next
      * pivot: a singular matrix may then seem regular, but with G above 1/√ε = 7e7. */
     constexpr double largest_exchanged = 1e7;
+
+    /** What the layer adds to the entry of two rows. */
+    double
+    layer_entry(const SchemeRow &row, const SchemeRow &of)
+    {
+      double value = 0.;
+      for (std::size_t b = 0; b < of.column.size() && row.element == of.element; ++b)
+        value += row.stiffness[b] * of.column[b];
+      return value;
+    }
   } // namespace
 
   std::vector<SchemeRow>
@@ -52,22 +63,30 @@ namespace fuga
           double force = 0.;
           for (std::size_t a = 0; a < element.n_bars(); ++a)
             if (row.own[a] != 0.)
-              force += row.own[a] * W(of_element.bar(b), element.bar(a));
-          if (row.element == of.element)
-            force += row.stiffness[b];
+              force += row.own[a] * W(element.bar(a), of_element.bar(b));
           value += of.column[b] * force;
         }
-    return value;
+    return value + layer_entry(row, of);
   }
 
+  // Column by column: what an unknown does to the forces of all bars is read by every row.
   DenseMatrix
   WorkingScheme::active_matrix() const
   {
-    const std::size_t n = rows.size();
+    const DenseMatrix &W = system.stiffness();
+    const std::size_t n  = rows.size();
     DenseMatrix M(n, n);
+    Vector forces(W.n_rows());
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        M(i, j) = entry(rows[i], rows[j]);
+      {
+        const ContactElement &element = elements[rows[j].element];
+        std::fill(forces.begin(), forces.end(), 0.);
+        for (std::size_t b = 0; b < element.n_bars(); ++b)
+          if (rows[j].column[b] != 0.)
+            blas::axpy(W.n_rows(), rows[j].column[b], W.column(element.bar(b)), forces.data());
+        for (std::size_t i = 0; i < n; ++i)
+          M(i, j) = forces_in(rows[i], forces) + layer_entry(rows[i], rows[j]);
+      }
     return M;
   }
 

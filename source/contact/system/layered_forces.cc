@@ -122,8 +122,19 @@ namespace fuga
         saddle_factors->solve(change);
         for (std::size_t i = 0; i < n_x; ++i)
           x[i] += change[i];
+        double largest_change = 0., size = 0.;
         for (std::size_t i = 0; i < n_p; ++i)
-          p[i] += static_cast<long double>(change[n_x + i]) * saddle_scale;
+          {
+            const long double difference =
+              static_cast<long double>(change[n_x + i]) * saddle_scale;
+            p[i] += difference;
+            largest_change =
+              std::max(largest_change, std::abs(static_cast<double>(difference)) / scales[i]);
+            size = std::max(size, std::abs(static_cast<double>(p[i])) / scales[i]);
+          }
+        // The first sweep begins with forces, but without the displacements that belong to them.
+        if (sweep > 0 && largest_change <= last_change * size)
+          break;
       }
     forces.assign(p.begin(), p.end());
   }

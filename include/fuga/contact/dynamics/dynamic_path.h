@@ -122,6 +122,17 @@ namespace fuga
     bool
     is_good(const Attempt &attempt, const unsigned int number) const;
 
+    /** Events cost far more than is allowed already, before the end of the step. */
+    bool
+    is_hopeless(const StepRecord &record, const unsigned int number) const;
+
+    double
+    cost_of_events(const StepRecord &record, const unsigned int number) const;
+
+    /** What events may cost [MNm]. */
+    double
+    allowed_cost(const StepRecord &record) const;
+
     void
     accept(const Attempt &attempt,
            const unsigned int number,

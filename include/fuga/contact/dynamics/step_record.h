@@ -27,6 +27,19 @@ namespace fuga
                const std::vector<ContactElement> &elements,
                const LayeredSystem &system);
 
+    /** A path whose record is @p hopeless is not followed any further. */
+    void
+    stop_if(std::function<bool(const StepRecord &)> hopeless)
+    {
+      is_hopeless = std::move(hopeless);
+    }
+
+    bool
+    wants_more() const override
+    {
+      return !is_hopeless || !is_hopeless(*this);
+    }
+
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override;
     void
@@ -69,7 +82,7 @@ namespace fuga
     work_of_means() const;
 
     /**
-     * What events within the step cost [MNm]: the time integration knows of (p_n + p)/2 only. Sum
+     * What events within the step cost [MNm], as far as it is done: the time integration knows of (p_n + p)/2 only. Sum
      * over the elements of the difference between the work of this mean on the jump and
      * joint_work(), and of that between the mean and the mean along the path, an impulse, whose
      * work on lips that move with @p rate [m/s] comes later. @p length: of the step [s].
@@ -100,6 +113,7 @@ namespace fuga
     Vector work, impulse;
     /** Work that is known to half of the change of the forces only. */
     double cost_of_jumps = 0.;
+    std::function<bool(const StepRecord &)> is_hopeless;
     /** Called with this object, which may have moved since. */
     using Report = std::function<void(const StepRecord &, PathObserver &)>;
     std::vector<Report> reports;

@@ -47,6 +47,14 @@ namespace fuga
       return false;
     }
 
+    /** Whether the path is to go on behind what it has reported. If not, its result is that of the
+     * part which was followed. */
+    virtual bool
+    wants_more() const
+    {
+      return true;
+    }
+
     /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
     virtual void
     advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;

@@ -25,6 +25,8 @@ namespace fuga
 
     bool
     wants_cuts() const override;
+    bool
+    wants_more() const override;
     void
     advanced(const PathPoint &from, const PathPoint &to, const double length) override;
     void
