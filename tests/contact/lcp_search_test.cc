@@ -3,7 +3,7 @@
 
 #include "judges/linear_solve.h"
 
-#include <fuga/contact/rates/lcp_search.h>
+#include <fuga/base/numerics/lcp_search.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace
   LcpNoise
   noise(const std::size_t n, const double of_reserves = rounding)
   {
-    return {Vector(n, of_reserves), Vector(n, 1.), rounding, Vector(n, 0.), 1e3};
+    return {Vector(n, of_reserves), Vector(n, 1.), Vector(n, 0.), rounding, Vector(n, 0.), 1e3};
   }
 
   /** Whether one of the 2ⁿ complementary bases is admissible: columns of w - M z = q. */
@@ -141,6 +141,40 @@ TEST(LcpSearch, NoiseGrowsWithTheLargestUnknown)
   EXPECT_EQ(search_lcp(M, {-1., 1.}, limits).end, SearchEnd::none);
   limits.growth[1] = 0.3;
   EXPECT_NE(search_lcp(M, {-1., 1.}, limits).end, SearchEnd::none);
+}
+
+// w = -1 - z is nowhere zero but for a noise of 0.3 z, and it is for one of 1.3 z from z = 10/3 on.
+TEST(LcpSearch, NoiseOfReservesGrowsWithTheUnknowns)
+{
+  DenseMatrix M(1, 1);
+  M(0, 0)                = -1.;
+  LcpNoise limits        = noise(1);
+  limits.largest_unknown = 4.;
+  limits.unknowns        = {0.};
+  limits.shares          = {1.};
+  limits.growth          = {0.3};
+  EXPECT_EQ(search_lcp(M, {-1.}, limits).end, SearchEnd::none);
+  limits.growth = {1.3};
+  EXPECT_NE(search_lcp(M, {-1.}, limits).end, SearchEnd::none);
+}
+
+// w1 = -1 - z1 + z2 and w2 = 1/2 - z2: z2 would be at least 1 + z1 and at most 1/2, and a millionth
+// of z1 + z2 more or less for each makes no difference, however large they are; half of it does,
+// with z = (0, 1). The sum of both is a proof in which z2 has no factor.
+TEST(LcpSearch, NoiseOfAnUnknownWithoutFactorHasALimit)
+{
+  DenseMatrix M(2, 2);
+  M(0, 0)                = -1.;
+  M(0, 1)                = 1.;
+  M(1, 1)                = -1.;
+  LcpNoise limits        = noise(2);
+  limits.largest_unknown = 1e8;
+  limits.growth          = {1., 1.};
+  limits.unknowns        = {0., 0.};
+  limits.shares          = {1e-6, 1e-6};
+  EXPECT_EQ(search_lcp(M, {-1., 0.5}, limits).end, SearchEnd::none);
+  limits.shares = {0.5, 0.5};
+  EXPECT_NE(search_lcp(M, {-1., 0.5}, limits).end, SearchEnd::none);
 }
 
 TEST(LcpSearch, SaysWhenItsBudgetIsUsedUp)

@@ -56,14 +56,9 @@ namespace fuga
     if (outcome != Outcome::solved)
       {
         find_mechanism(background, result);
-        result.by_search =
-          !result.has_mechanism && is_small() && search(result, [] { return true; });
+        result.by_search = !result.has_mechanism && search_or_prove(background, drive, result);
         if (!result.by_search)
-          {
-            if (!result.has_mechanism)
-              result.barrier = find_barrier(background, drive);
-            return result;
-          }
+          return result;
       }
     slip_where_neutral();
     take_solution(result);
@@ -195,7 +190,6 @@ namespace fuga
   double
   ConeRateProblem::noise(const std::size_t row) const
   {
-    constexpr double rate_tolerance = 1e-10;
     return rate_tolerance * (std::abs(r[row]) + diagonal[row] * max_abs(v));
   }
 

@@ -18,11 +18,20 @@ namespace fuga
     constexpr double free_work = 1e-7;
     /** A jump below this share of the largest is none. */
     constexpr double no_jump = 1e-6;
+    /** The layer may take up this share of the largest jump of a motion that it does not resist. */
+    constexpr double free_layer = 0.02;
   } // namespace
 
+  // A layer that is soft beside all others answers with a force that is none beside theirs, and yet
+  // it is not free: its lips do not move as the bodies do.
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system)
   {
+    const double largest = max_abs(system.jumps(motion.dislocations, motion.forces));
+    for (std::size_t i = 0; i < motion.forces.size(); ++i)
+      if (!system.is_curved(i) &&
+          std::abs(system.compliance(i) * motion.forces[i]) > free_layer * largest)
+        return false;
     const double size = system.scaled_size(motion.dislocations);
     double resistance = 0., work = 0.;
     for (std::size_t i = 0; i < motion.forces.size(); ++i)

@@ -54,6 +54,7 @@ namespace fuga
     result.n_schemes                = found.n_schemes;
     result.has_mechanism            = found.has_mechanism;
     result.mechanism                = found.mechanism;
+    result.is_ruled_out             = found.is_ruled_out;
     result.barrier                  = found.barrier;
     result.met_negative_determinant = found.exists && found.determinant_sign < 0;
     if (found.by_search)

@@ -3,7 +3,7 @@
 
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/boundary_lcp.h>
-#include <fuga/contact/rates/lcp_search.h>
+#include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/rates/rate_problem.h>
 
 #include <algorithm>
@@ -58,6 +58,7 @@ namespace fuga
               : noise.force(unknown.bar) + state.strengths[unknown.element].friction * normal;
           result.reserves.push_back(lcp.scale[j] * reserve);
           result.unknowns.push_back(1. / lcp.scale[j]);
+          result.shares.push_back(0.);
           result.growth.push_back(
             lcp.scale[j] * ContactBoundary::RateNoise(system, lcp.responses[j], no_drive).jump());
         }

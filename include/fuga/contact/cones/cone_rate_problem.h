@@ -4,6 +4,7 @@
 #ifndef fuga_contact_cones_cone_rate_problem_h
 #define fuga_contact_cones_cone_rate_problem_h
 
+#include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/cones/cone_program.h>
 #include <fuga/contact/element/contact_boundary.h>
 #include <fuga/contact/scheme/working_scheme.h>
@@ -26,6 +27,8 @@ namespace fuga
     /** Set if nothing exists because a motion meets no resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
+    /** If nothing exists: that is certain, since a proof rules out every combination of states. */
+    bool is_ruled_out = false;
     /** Otherwise a virtual motion that may show that no rates exist: find_barrier(). */
     std::optional<JointRates> barrier;
     /** λ̇, where the load is an unknown. */
@@ -197,6 +200,14 @@ namespace fuga
     /** Calls @p note at every solution until it returns true; then the candidates keep it. */
     bool
     search(ConeContinuation &result, const std::function<bool()> &note);
+    /** The last resort: returns whether a search found a solution; if not, @p result may say why. */
+    bool
+    search_or_prove(WorkingScheme &background, const Drive &drive, ConeContinuation &result);
+    /** Only where all directions of slip are given. */
+    bool
+    search_with_proof(ConeContinuation &result);
+    LcpNoise
+    noise_of_slips() const;
     Vector
     on_boundaries(const Vector &forces, const bool by_work) const;
     void
@@ -261,6 +272,8 @@ namespace fuga
     change_rate(const std::size_t row, const double change);
     void
     refresh_forces();
+    /** Of the terms of a rate, what counts as none. */
+    static constexpr double rate_tolerance = 1e-10;
     double
     noise(const std::size_t row) const;
     /** The tangential rows of a candidate in v, q or the diagonal; the second is zero if it has

@@ -3,7 +3,7 @@
 
 #include <fuga/base/interruption.h>
 #include <fuga/base/numerics/blas.h>
-#include <fuga/contact/rates/lcp_search.h>
+#include <fuga/base/numerics/lcp_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,8 @@ namespace fuga
       {
         begin();
         for (std::size_t j = 0; j < n; ++j)
-          zero[j] = std::max(zero[j], zero_of_noise * noise.reserves[j]);
+          zero[j] = std::max(zero[j],
+                             zero_of_noise * (noise.reserves[j] + noise.shares[j] * noise.at_rest));
       }
 
       LcpSearch
@@ -241,27 +242,53 @@ namespace fuga
         return x;
       }
 
-      /** Whether the row of a basic variable that nothing moves rules the part out. What a large
-       * unknown may take from the left by its noise it adds itself, if it has a factor. */
+      /** Whether the row of a basic variable that nothing moves rules the part out. Basic unknowns
+       * have no factor in it, and any noise of theirs would grow with them beyond bounds: a little
+       * of their own rows gives them factors that are larger than it. */
       bool
       is_proof(const std::size_t row) const
       {
-        const double sign = table(row, n) < 0. ? 1. : -1.;
+        constexpr double more_than_noise = 2.;
+        Vector of_rows(n, 0.), noise_of_unknowns(n);
+        of_rows[row] = table(row, n) < 0. ? 1. : -1.;
+        if (rules_out(multipliers(of_rows), noise_of_unknowns))
+          return true;
+        for (std::size_t i = 0; i < n; ++i)
+          if (i != row && basic[i] >= n && !is_zero[basic[i]])
+            of_rows[i] = more_than_noise * noise_of_unknowns[basic[i] - n];
+        return rules_out(multipliers(of_rows), noise_of_unknowns);
+      }
+
+      /** The y of a sum of rows of the tableau. */
+      Vector
+      multipliers(const Vector &of_rows) const
+      {
         Vector y(n, 0.);
-        if (basic[row] < n)
-          y[basic[row]] = sign;
+        for (std::size_t i = 0; i < n; ++i)
+          if (basic[i] < n)
+            y[basic[i]] = of_rows[i];
         for (std::size_t j = 0; j < n; ++j)
           if (other[j] < n)
-            y[other[j]] =
-              is_zero[other[j]] ? -sign * table(row, j) : std::max(0., -sign * table(row, j));
-        double right = 0., uncertain = 0.;
+            {
+              const double sum = -blas::dot(n, of_rows.data(), table.column(j));
+              y[other[j]]      = is_zero[other[j]] ? sum : std::max(0., sum);
+            }
+        return y;
+      }
+
+      /** Whether y is a proof. What a large unknown may take from the left by its noise it adds
+       * itself, if it has a factor. */
+      bool
+      rules_out(const Vector &y, Vector &noise_of_unknowns) const
+      {
+        double right = 0., uncertain = 0., noisy = 0.;
         for (std::size_t i = 0; i < n; ++i)
           {
             right += y[i] * q[i];
             uncertain += std::abs(y[i]) * (noise.reserves[i] + rounding_of_matrix * std::abs(q[i]));
+            noisy += std::abs(y[i]) * noise.shares[i];
           }
         Vector factors(n, 0.), terms(n, 0.);
-        double noisy = 0.;
         for (std::size_t j = 0; j < n; ++j)
           {
             for (std::size_t i = 0; i < n; ++i)
@@ -273,10 +300,11 @@ namespace fuga
           }
         uncertain += noisy * noise.at_rest;
         for (std::size_t j = 0; j < n; ++j)
-          if (!is_zero[n + j])
-            uncertain +=
-              std::max(0., rounding_of_matrix * terms[j] + noisy * noise.growth[j] - factors[j]) *
-              noise.largest_unknown;
+          {
+            noise_of_unknowns[j] = rounding_of_matrix * terms[j] + noisy * noise.growth[j];
+            if (!is_zero[n + j])
+              uncertain += std::max(0., noise_of_unknowns[j] - factors[j]) * noise.largest_unknown;
+          }
         return right < -uncertain;
       }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_contact_rates_lcp_search_h
-#define fuga_contact_rates_lcp_search_h
+#ifndef fuga_base_numerics_lcp_search_h
+#define fuga_base_numerics_lcp_search_h
 
 #include <fuga/base/numerics/dense_matrix.h>
 
@@ -13,9 +13,9 @@ namespace fuga
   {
     /** By which an entry of q + M z may be off zero or below it. */
     Vector reserves;
-    /** The same for an entry of z: its part of a number that grows with all of them from what it is
-     * at z = 0, by `growth` per unit of each. */
-    Vector unknowns;
+    /** The same for an entry of z, and what an entry of q + M z is allowed besides: their parts of
+     * a number that grows with all z from what it is at z = 0, by `growth` per unit of each. */
+    Vector unknowns, shares;
     double at_rest = 0.;
     Vector growth;
     /** No entry of z is larger. */
