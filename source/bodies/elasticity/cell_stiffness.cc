@@ -32,6 +32,43 @@ namespace fuga
   }
 
 
+  // Any rotation near that of the cell serves, but what it does has to be taken out to the last
+  // digit of u.
+  template <int dim>
+  void
+  CellStiffness<dim>::take_deformation(const std::size_t cell, const Vector &u, Vector &local) const
+  {
+    const unsigned int *nodes      = discretization.cell_nodes(cell);
+    const unsigned int first_shift = discretization.is_axisymmetric() ? 1 : 0;
+    local.resize(n_nodes * dim);
+    dealii::Tensor<2, dim> slope;
+    for (std::size_t a = 0; a < n_nodes; ++a)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          local[a * dim + c] = u[nodes[a] * dim + c];
+          if (c >= first_shift)
+            local[a * dim + c] -= u[nodes[0] * dim + c];
+          slope[c] += local[a * dim + c] * values.gradient(a, 0);
+        }
+    if (discretization.is_axisymmetric())
+      return;
+    const dealii::Tensor<2, dim> rotation = 0.5 * (slope - transpose(slope));
+    for (std::size_t a = 1; a < n_nodes; ++a)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          long double w = u[nodes[a] * dim + c];
+          w -= u[nodes[0] * dim + c];
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              long double arm = discretization.position(nodes[a])[d];
+              arm -= discretization.position(nodes[0])[d];
+              w -= rotation[c][d] * arm;
+            }
+          local[a * dim + c] = static_cast<double>(w);
+        }
+  }
+
+
   template <int dim>
   void
   CellStiffness<dim>::compute()

@@ -222,14 +222,8 @@ namespace fuga
       {
         if (!discretization.is_own(cell) || (only && !(*only)[discretization.cell_body(cell)]))
           continue;
-        const unsigned int *nodes = discretization.cell_nodes(cell);
-        // A shift of the whole cell causes no force, and no rounding error either; but a growing
-        // radius does cause forces.
-        for (std::size_t i = 0; i < n_local; ++i)
-          local[i] =
-            u[nodes[i / dim] * dim + i % dim] -
-            (i % dim == 0 && discretization.is_axisymmetric() ? 0. : u[nodes[0] * dim + i % dim]);
         const double *K = stiffness.of(cell);
+        stiffness.take_deformation(cell, u, local);
         for (std::size_t i = 0; i < n_local; ++i)
           force[i] = std::inner_product(local.begin(), local.end(), K + i * n_local, 0.);
         action(cell, local, force, K);

@@ -23,6 +23,15 @@ namespace fuga
     const double *
     of(const std::size_t cell);
 
+    /**
+     * Displacements of the nodes of @p cell, that of the last call of of(), without a rigid motion: a
+     * shift, and the rotation at a point of the cell. It causes no force, and no rounding error
+     * either, which in a slender cell that turns would be larger than the forces. In axisymmetry a
+     * shift along the axis only.
+     */
+    void
+    take_deformation(const std::size_t cell, const Vector &u, Vector &local) const;
+
   private:
     void
     compute();

@@ -56,7 +56,7 @@ namespace fuga
     cell_energies(const Vector &u) const;
 
   private:
-    /** Calls @p action(cell, u of the cell relative to its first node, forces, stiffness) for every
+    /** Calls @p action(cell, u of the cell without its rigid motion, forces, stiffness) for every
      * own cell, or those of some bodies only. */
     template <typename Action>
     void
