@@ -208,6 +208,10 @@ namespace fuga
     search_with_proof(ConeContinuation &result);
     LcpNoise
     noise_of_slips() const;
+    /** Through the states of all others while those of @p may_open are given; nothing if what opens
+     * is without support. */
+    std::optional<LcpSearch>
+    search_slips(const std::vector<std::size_t> &may_open, const std::vector<bool> &opened) const;
     Vector
     on_boundaries(const Vector &forces, const bool by_work) const;
     void
