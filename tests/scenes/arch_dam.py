@@ -9,8 +9,8 @@ stage; each state is certified by equilibrium of the bodies, computed without th
 stiff joints the states no longer depend on the stiffness: those at 1e11 kPa/m are those of rigid joints.
 
 The example of doc/examples/arch_dam.md with friction 0.7 passes maxima of the load before which other slips come to rest: it jumps
-to equilibria near by, certified as well, and reaches its end; so does the dam on tetrahedra with stiffer joints, where slips turn so fast
-before a maximum that the path cannot be computed.
+to equilibria near by, certified as well, and reaches its end; so does the dam on tetrahedra with stiffer joints, and the one with less friction,
+where the path cannot be computed at one place and jumps over it.
 
 usage: arch_dam.py FUGA
 """
@@ -154,11 +154,11 @@ def final_states(out):
 
 def check_jumps(out, name, *changes):
     """How many of the jumps lead over places where the path could not be computed."""
-    options = [word for change in ("Constants/f=0.7", "Output/Fields=never") + changes for word in ("--set", change)]
+    options = [word for change in ("Output/Fields=never",) + changes for word in ("--set", change)]
     done = subprocess.run([FUGA, EXAMPLE, "--output-dir", out, "--quiet"] + options, capture_output=True, text=True, check=False)
     summary = json.loads((out / "summary.json").read_text())
     jump = summary["events"].get("jump", {"followed": 0, "over_failures": 0})
-    text = f"{name}, friction 0.7: exit code {done.returncode}, {jump['followed']} jumps"
+    text = f"{name}: exit code {done.returncode}, {jump['followed']} jumps"
     print(f"{text}, certificate {summary['certificate']['worst']:.1e}")
     if done.returncode != 0 or jump["followed"] == 0:
         complaints.append(f"{text}\n{done.stdout[-1500:]}{done.stderr}")
@@ -169,9 +169,10 @@ def main():
     stiff = {}
     with tempfile.TemporaryDirectory(prefix="arch_") as name:
         folder = pathlib.Path(name)
-        check_jumps(folder / "example", "example")
-        if check_jumps(folder / "tetrahedra", "tetrahedra", f"Mesh/File={TETRAHEDRA}", "Constants/kn=1e10") == 0:
-            complaints.append("tetrahedra, friction 0.7: no jump leads over a place where the path cannot be computed; look for another test of it")
+        check_jumps(folder / "example", "example, friction 0.7", "Constants/f=0.7")
+        check_jumps(folder / "tetrahedra", "tetrahedra, friction 0.7", "Constants/f=0.7", f"Mesh/File={TETRAHEDRA}", "Constants/kn=1e10")
+        if check_jumps(folder / "friction", "friction 0.5", "Constants/f=0.5", "Constants/kn=1e9") == 0:
+            complaints.append("friction 0.5: no jump leads over a place where the path cannot be computed; look for another test of it")
         spatial_model.mesh(folder, "arch", GEOMETRY)
         for stiffness in STIFFNESSES:
             out, code, summary, text = spatial_model.run(FUGA, folder / f"arch_{stiffness}.prm", parameters(stiffness))

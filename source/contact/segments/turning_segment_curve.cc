@@ -191,7 +191,10 @@ namespace fuga
     error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /
                        (turning_step_tolerance * force_scale + force_noise(to.point.state)));
-    error = std::max({error, work_defect(from, to, length, work), rise_defect(from, to, length)});
+    error = std::max({error,
+                      work_defect(from, to, length, work),
+                      turn_defect(from, to, length),
+                      rise_defect(from, to, length)});
     if (context.scheme.is_nonlinear())
       {
         const StepEnergy energy =

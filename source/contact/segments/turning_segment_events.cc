@@ -174,6 +174,22 @@ namespace fuga
       };
       return {{along(0), along(1)}};
     }
+
+    /** The same of its shear force. */
+    std::array<CubicOnUnitInterval, 2>
+    shear_between(const ContactElement &element,
+                  const PathPoint &a,
+                  const PathPoint &b,
+                  const double length)
+    {
+      const auto along = [&](const std::size_t bar) {
+        return CubicOnUnitInterval(a.state.forces[bar],
+                                   a.rates.forces[bar] * length,
+                                   b.state.forces[bar],
+                                   b.rates.forces[bar] * length);
+      };
+      return {{along(element.bar(1)), along(element.bar(2))}};
+    }
   } // namespace
 
   // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
@@ -192,18 +208,40 @@ namespace fuga
       {
         const ContactElement &element = context.elements[k];
         const auto slip               = slip_between(element, k, a, b, length);
+        const auto force              = shear_between(element, a, b, length);
         for (std::size_t i = 0; i < 2; ++i)
-          {
-            const std::size_t bar = element.bar(1 + i);
-            const CubicOnUnitInterval force(a.state.forces[bar],
-                                            a.rates.forces[bar] * length,
-                                            b.state.forces[bar],
-                                            b.rates.forces[bar] * length);
-            of_cubics += work_of(force, slip[i]);
-          }
+          of_cubics += work_of(force[i], slip[i]);
       }
     return std::abs(of_cubics - work) /
            (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
+  }
+
+  // How far such an observer sees an element slip across its force, as work, relative to the share
+  // of the work of the bars that is allowed, or to rounding: in the virgin state bars have done no
+  // work yet. Behind an event directions may turn quickly into others, and close to a limit slips
+  // bend more and more: the method's own error tells neither.
+  double
+  TurningSegment::turn_defect(const Station &from, const Station &to, const double length) const
+  {
+    constexpr double allowed_share = 1e-10;
+    const PathPoint &a = from.point, &b = to.point;
+    double worst = 0.;
+    for (const std::size_t k : turning)
+      {
+        const ContactElement &element = context.elements[k];
+        const auto slip               = slip_between(element, k, a, b, length);
+        const auto force              = shear_between(element, a, b, length);
+        for (const double x : {0.25, 0.5, 0.75})
+          worst = std::max(
+            worst,
+            std::abs(force[0].value(x) * slip[1].slope(x) - force[1].value(x) * slip[0].slope(x)));
+      }
+    const Vector jumps = context.system.jumps(b.state.dislocations, b.state.forces);
+    double of_bars     = 0.;
+    for (std::size_t bar = 0; bar < jumps.size(); ++bar)
+      of_bars += std::abs(jumps[bar] * b.state.forces[bar]);
+    const double rounding = std::numeric_limits<double>::epsilon() * force_scale * jump_scale;
+    return worst > 0. ? worst / (allowed_share * of_bars + rounding) : 0.;
   }
 
   // What an observer that takes slips for cubics between the ends of a step gets wrong in the rise

@@ -136,6 +136,9 @@ namespace fuga
                 const double length,
                 const double work) const;
     double
+    turn_defect(const Station &from, const Station &to, const double length) const;
+
+    double
     rise_defect(const Station &from, const Station &to, const double length) const;
     double
     first_event(const Station &a, const Station &b) const;
