@@ -136,6 +136,64 @@ namespace fuga
   }
 
 
+  // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
+  template <int dim>
+  Vector
+  CondensedOperator<dim>::lip_stiffness(const SymmetricTriplets &matrix) const
+  {
+    const auto &coordinates  = model.interface_coordinates();
+    const unsigned int first = coordinates.first_interface_coordinate();
+    Vector result(coordinates.n_interface(), 0.);
+    for (std::size_t k = 0; k < matrix.values.size(); ++k)
+      if (matrix.rows[k] == matrix.columns[k] && matrix.rows[k] > static_cast<int>(first))
+        result[static_cast<std::size_t>(matrix.rows[k] - 1) - first] += matrix.values[k];
+    processes::sum(result);
+    return result;
+  }
+
+
+  // A jump that the bodies follow without deformation meets no resistance; what elimination leaves
+  // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
+  template <int dim>
+  void
+  CondensedOperator<dim>::remove_rounding(const Vector &lips)
+  {
+    const double rounding = 64. * std::numeric_limits<double>::epsilon();
+    for (std::size_t i = 0; i < lips.size(); ++i)
+      if (std::abs(S(i, i)) <= rounding * lips[i])
+        for (std::size_t j = 0; j < lips.size(); ++j)
+          S(i, j) = S(j, i) = 0.;
+  }
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::find_rigid_motions()
+  {
+    const auto &coordinates = model.interface_coordinates();
+    motions =
+      DenseMatrix(model.contact_bars().bars().size(), model.rigid_pieces().n_free_motions());
+    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+      {
+        const Vector jump = model.contact_bars().jumps(model.rigid_pieces().free_motion(k));
+        std::copy(jump.begin(), jump.end(), motions.column(k));
+      }
+    motion_coordinates = motions;
+    if (const DenseMatrix &B = coordinates.jump_operator(); !B.empty() && motions.n_columns() > 0)
+      {
+        // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
+        DenseMatrix gram   = multiply_transposed(B, B);
+        motion_coordinates = multiply_transposed(B, motions);
+        if (!solve_positive_definite(gram, motion_coordinates))
+          throw NumericalFailure(
+            "The jumps of the joints do not determine the motion of the bodies.");
+      }
+    projection = std::make_unique<RigidProjection>(motion_coordinates);
+    if (!matrix_free_solver)
+      projection->project_stiffness(S);
+  }
+
+
   template <int dim>
   DenseMatrix
   CondensedOperator<dim>::condense(const std::vector<LoadPattern> &patterns,

@@ -3,9 +3,6 @@
 
 #include <fuga/bodies/solvers/rigid_projection.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace fuga
 {
   RigidProjection::RigidProjection(const DenseMatrix &motions) : R(motions)
@@ -23,26 +20,6 @@ namespace fuga
     for (std::size_t i = 0; i < R.n_rows(); ++i)
       for (std::size_t k = 0; k < R.n_columns(); ++k)
         Q(i, k) = transposed(k, i);
-  }
-
-
-  double
-  RigidProjection::rounding(const DenseMatrix &S) const
-  {
-    double largest = 0., size = 0.;
-    for (std::size_t k = 0; k < R.n_columns(); ++k)
-      for (std::size_t i = 0; i < S.n_columns(); ++i)
-        {
-          double force = 0., terms = 0.; // S = Sᵀ
-          for (std::size_t j = 0; j < S.n_rows(); ++j)
-            {
-              force += S(j, i) * R(j, k);
-              terms += std::abs(S(j, i) * R(j, k));
-            }
-          largest = std::max(largest, std::abs(force));
-          size    = std::max(size, terms);
-        }
-    return size > 0. ? largest / size : 0.;
   }
 
 

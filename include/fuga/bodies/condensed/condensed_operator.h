@@ -126,16 +126,11 @@ namespace fuga
     Vector
     lip_stiffness(const SymmetricTriplets &matrix) const;
 
-    /** From S. */
     void
     remove_rounding(const Vector &lips);
 
     void
     find_rigid_motions();
-
-    /** S again, without the rounding of the elimination; costs as many solutions as jumps. */
-    DenseMatrix
-    stiffness_of_unit_jumps() const;
 
     DenseMatrix
     loads_out_of_balance(const std::vector<LoadPattern> &patterns) const;

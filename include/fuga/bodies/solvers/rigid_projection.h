@@ -20,11 +20,6 @@ namespace fuga
     /** @p motions: R; its columns are independent if the bars hold the bodies. */
     explicit RigidProjection(const DenseMatrix &motions);
 
-    /** The largest force of S R, which is zero but for the rounding of S, beside the sum of the
-     * sizes of its terms, the largest such sum. */
-    double
-    rounding(const DenseMatrix &S) const;
-
     void
     project_stiffness(DenseMatrix &S) const;
 
