@@ -94,6 +94,14 @@ namespace fuga
   }
 
   double
+  work_across(const std::array<CubicOnUnitInterval, 2> &force,
+              const std::array<CubicOnUnitInterval, 2> &slip,
+              const double x)
+  {
+    return std::abs(force[0].value(x) * slip[1].slope(x) - force[1].value(x) * slip[0].slope(x));
+  }
+
+  double
   detour(const CubicOnUnitInterval &first, const CubicOnUnitInterval &second)
   {
     const double chord[] = {first.value(1.) - first.value(0.), second.value(1.) - second.value(0.)};

@@ -15,18 +15,6 @@ namespace fuga
     /** Along a piece of the path, by the two tangents. */
     using CubicsInPlane = std::array<CubicOnUnitInterval, 2>;
 
-    /** An element slips along its force: the part of the slip across it, times the force, at both
-     * ends and in the middle of the piece, where the slopes of the cubics are best. */
-    double
-    work_across(const CubicsInPlane &T, const CubicsInPlane &slip)
-    {
-      double result = 0.;
-      for (const double x : {0., 0.5, 1.})
-        result = std::max(
-          result, std::abs(T[0].value(x) * slip[1].slope(x) - T[1].value(x) * slip[0].slope(x)));
-      return result;
-    }
-
     /** A smooth piece of the path; quantities along it are cubics of x ∈ [0, 1]. */
     struct Piece
     {
@@ -110,8 +98,10 @@ namespace fuga
         const CubicsInPlane T = {
           {piece.force(element.tangential_bar), piece.force(element.second_tangential_bar)}};
         result += work_of(T[1], slip[1]);
+        // At both ends and in the middle of the piece, where the slopes of the cubics are best.
         if (slipping)
-          wrong_slip_work = std::max(wrong_slip_work, work_across(T, slip));
+          for (const double x : {0., 0.5, 1.})
+            wrong_slip_work = std::max(wrong_slip_work, work_across(T, slip, x));
       }
     if (slipping && strength.dilatancy > 0.)
       result += work_of(piece.force(element.normal_bar),

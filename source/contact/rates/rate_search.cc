@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/boundary_lcp.h>
-#include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/rates/rate_problem.h>
 
 #include <algorithm>

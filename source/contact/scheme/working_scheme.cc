@@ -74,7 +74,7 @@ namespace fuga
   }
 
   double
-  WorkingScheme::forces_in(const SchemeRow &row, const Vector &forces) const
+  WorkingScheme::forces_in(const SchemeRow &row, const double *forces) const
   {
     const ContactElement &element = elements[row.element];
     double value                  = 0.;
@@ -173,7 +173,7 @@ namespace fuga
     std::vector<Number> active(rows.size(), 0.);
     Vector defect(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
-      defect[i] = forces_in(rows[i], force_offset) - rhs[i];
+      defect[i] = forces_in(rows[i], force_offset.data()) - rhs[i];
     double worst = std::numeric_limits<double>::infinity();
     double last  = worst;
     for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
@@ -207,8 +207,8 @@ namespace fuga
       {
         const double scale = system.scale(rows[i].bar);
         driving_force      = std::max(driving_force, std::abs(rhs[i]) / scale);
-        driving_rows =
-          std::max(driving_rows, std::abs(forces_in(rows[i], force_offset) - rhs[i]) / scale);
+        driving_rows       = std::max(driving_rows,
+                                std::abs(forces_in(rows[i], force_offset.data()) - rhs[i]) / scale);
       }
     const double largest =
       std::min(largest_motion * driving_force,
@@ -275,7 +275,7 @@ namespace fuga
         const double scale = system.scale(rows[i].bar);
         M(i, i) += added_stiffness * scale * scale;
         rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
-        defect[i] = forces_in(rows[i], drive.reactions) - rhs[i];
+        defect[i] = forces_in(rows[i], drive.reactions.data()) - rhs[i];
         driving_force = std::max(driving_force, std::abs(rhs[i]) / scale);
       }
     const LuFactors factors(std::move(M));

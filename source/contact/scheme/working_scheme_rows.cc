@@ -53,19 +53,11 @@ namespace fuga
   double
   WorkingScheme::entry(const SchemeRow &row, const SchemeRow &of) const
   {
-    const DenseMatrix &W             = system.stiffness();
-    const ContactElement &element    = elements[row.element];
     const ContactElement &of_element = elements[of.element];
     double value                     = 0.;
     for (std::size_t b = 0; b < of_element.n_bars(); ++b)
       if (of.column[b] != 0.)
-        {
-          double force = 0.;
-          for (std::size_t a = 0; a < element.n_bars(); ++a)
-            if (row.own[a] != 0.)
-              force += row.own[a] * W(element.bar(a), of_element.bar(b));
-          value += of.column[b] * force;
-        }
+        value += of.column[b] * forces_in(row, system.stiffness().column(of_element.bar(b)));
     return value + layer_entry(row, of);
   }
 
@@ -85,7 +77,7 @@ namespace fuga
           if (rows[j].column[b] != 0.)
             blas::axpy(W.n_rows(), rows[j].column[b], W.column(element.bar(b)), forces.data());
         for (std::size_t i = 0; i < n; ++i)
-          M(i, j) = forces_in(rows[i], forces) + layer_entry(rows[i], rows[j]);
+          M(i, j) = forces_in(rows[i], forces.data()) + layer_entry(rows[i], rows[j]);
       }
     return M;
   }

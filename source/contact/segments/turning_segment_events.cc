@@ -232,16 +232,16 @@ namespace fuga
         const auto slip               = slip_between(element, k, a, b, length);
         const auto force              = shear_between(element, a, b, length);
         for (const double x : {0.25, 0.5, 0.75})
-          worst = std::max(
-            worst,
-            std::abs(force[0].value(x) * slip[1].slope(x) - force[1].value(x) * slip[0].slope(x)));
+          worst = std::max(worst, work_across(force, slip, x));
       }
+    if (worst == 0.)
+      return 0.;
     const Vector jumps = context.system.jumps(b.state.dislocations, b.state.forces);
     double of_bars     = 0.;
     for (std::size_t bar = 0; bar < jumps.size(); ++bar)
       of_bars += std::abs(jumps[bar] * b.state.forces[bar]);
     const double rounding = std::numeric_limits<double>::epsilon() * force_scale * jump_scale;
-    return worst > 0. ? worst / (allowed_share * of_bars + rounding) : 0.;
+    return worst / (allowed_share * of_bars + rounding);
   }
 
   // What an observer that takes slips for cubics between the ends of a step gets wrong in the rise

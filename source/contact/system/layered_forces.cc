@@ -15,6 +15,17 @@ namespace fuga
     /** Change of the first sweep, in units of LayeredSystem::scale() and of the largest force, by
      * which W is wrong at most: what the next one would change is the square of it. */
     constexpr double last_change = 1e-8;
+
+    /** The largest force in these units. */
+    template <typename Number>
+    double
+    size_of(const std::vector<Number> &forces, const Vector &scales)
+    {
+      double size = 0.;
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        size = std::max(size, static_cast<double>(std::abs(forces[i])) / scales[i]);
+      return size;
+    }
   } // namespace
 
   // A unit force in a bar of compliance D moves the lips by D; to a share of this the bodies, of
@@ -78,15 +89,14 @@ namespace fuga
         for (std::size_t j = 0; j < n_bars(); ++j)
           elastic_jumps[j] = compliances[j] * static_cast<double>(residual[j]);
         blas::symv(n_bars(), W.data(), n_bars(), elastic_jumps.data(), taken.data());
-        double change = 0., size = 0.;
+        const double size = size_of(forces, scales);
+        Vector change(n_bars());
         for (std::size_t j = 0; j < n_bars(); ++j)
           {
-            const double difference = static_cast<double>(residual[j]) - taken[j];
-            change                  = std::max(change, std::abs(difference) / scales[j]);
-            size                    = std::max(size, std::abs(forces[j]) / scales[j]);
-            forces[j] += difference;
+            change[j] = static_cast<double>(residual[j]) - taken[j];
+            forces[j] += change[j];
           }
-        if (change <= last_change * size)
+        if (size_of(change, scales) <= last_change * size)
           break;
       }
   }
@@ -122,18 +132,14 @@ namespace fuga
         saddle_factors->solve(change);
         for (std::size_t i = 0; i < n_x; ++i)
           x[i] += change[i];
-        double largest_change = 0., size = 0.;
+        Accurate of_forces(n_p);
         for (std::size_t i = 0; i < n_p; ++i)
           {
-            const long double difference =
-              static_cast<long double>(change[n_x + i]) * saddle_scale;
-            p[i] += difference;
-            largest_change =
-              std::max(largest_change, std::abs(static_cast<double>(difference)) / scales[i]);
-            size = std::max(size, std::abs(static_cast<double>(p[i])) / scales[i]);
+            of_forces[i] = static_cast<long double>(change[n_x + i]) * saddle_scale;
+            p[i] += of_forces[i];
           }
         // The first sweep begins with forces, but without the displacements that belong to them.
-        if (sweep > 0 && largest_change <= last_change * size)
+        if (sweep > 0 && size_of(of_forces, scales) <= last_change * size_of(p, scales))
           break;
       }
     forces.assign(p.begin(), p.end());

@@ -4,6 +4,8 @@
 #ifndef fuga_base_numerics_cubic_h
 #define fuga_base_numerics_cubic_h
 
+#include <array>
+
 namespace fuga
 {
   /** The cubic on [0, 1] with given values and derivatives at both ends (Hermite). */
@@ -41,6 +43,12 @@ namespace fuga
   /** ∫ force d(jump), exact for cubics. */
   double
   work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump);
+
+  /** |f × s'| at @p x: how far a slip s, by its two tangents, leads across the force f. */
+  double
+  work_across(const std::array<CubicOnUnitInterval, 2> &force,
+              const std::array<CubicOnUnitInterval, 2> &slip,
+              const double x);
 
   /** How much longer the way along two cubics is than the chord between its ends, by Gauss's rule
    * with three points: ∫ |s'| - e·s' with e along the chord. Without a turn it is zero, whatever

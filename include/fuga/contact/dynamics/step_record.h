@@ -82,9 +82,10 @@ namespace fuga
     work_of_means() const;
 
     /**
-     * What events within the step cost [MNm], as far as it is done: the time integration knows of (p_n + p)/2 only. Sum
-     * over the elements of the difference between the work of this mean on the jump and
-     * joint_work(), and of that between the mean and the mean along the path, an impulse, whose
+     * What events within the step cost [MNm], as far as it is done: the time integration knows of
+     * (p_n + p)/2 only. Sum over the elements of the difference between the work of this mean on
+     * the jump and joint_work(), and of that between the mean and the mean along the path, an
+     * impulse, whose
      * work on lips that move with @p rate [m/s] comes later. @p length: of the step [s].
      */
     double

@@ -280,9 +280,9 @@ namespace fuga
     /** What a unit of the unknown of @p of does to the equation of @p row. */
     double
     entry(const SchemeRow &row, const SchemeRow &of) const;
-    /** own · p */
+    /** own · p, with the forces of all bars. */
     double
-    forces_in(const SchemeRow &row, const Vector &forces) const;
+    forces_in(const SchemeRow &row, const double *forces) const;
     DenseMatrix
     active_matrix() const;
     bool
