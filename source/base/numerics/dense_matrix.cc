@@ -119,13 +119,28 @@ namespace fuga
       y[i] += factor * x[i];
   }
 
+  namespace
+  {
+    double
+    largest_of(const double *begin, const std::size_t n)
+    {
+      double largest = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(begin[i]));
+      return largest;
+    }
+  } // namespace
+
   double
   max_abs(const Vector &x)
   {
-    double largest = 0.;
-    for (const double value : x)
-      largest = std::max(largest, std::abs(value));
-    return largest;
+    return largest_of(x.data(), x.size());
+  }
+
+  double
+  max_abs(const DenseMatrix &A)
+  {
+    return largest_of(A.data(), A.n_rows() * A.n_columns());
   }
 
   double

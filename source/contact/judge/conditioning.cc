@@ -143,7 +143,8 @@ namespace fuga
   conditioning(const std::function<std::unique_ptr<ContactPath>(const LoadHistory &)> &make_path,
                const LayeredSystem &system,
                const LoadHistory &history,
-               const std::vector<double> &levels)
+               const std::vector<double> &levels,
+               const std::function<bool(const Conditioning &)> &enough)
   {
     // A numerical failure is an end like any other.
     const auto follow = [&](const LoadHistory &loads, LevelRecord &record) {
@@ -162,7 +163,7 @@ namespace fuga
     const std::optional<Verdict> verdict = follow(history, record);
     Conditioning worst;
     worst.last_digit = beside(record.last_digit, record.forces);
-    for (int k = 1; k <= n_changes; ++k)
+    for (int k = 1; k <= n_changes && !(enough && enough(worst)); ++k)
       {
         LevelRecord other(system);
         worst.change                         = k * last_digits;

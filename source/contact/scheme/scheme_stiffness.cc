@@ -4,6 +4,8 @@
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
+#include <limits>
+
 namespace fuga
 {
   // An unknown bar feels it as force of its layer only.
@@ -20,15 +22,72 @@ namespace fuga
     return value;
   }
 
+  namespace
+  {
+    /** Adds M⁻¹ (@p C - M @p x), as @p inverse gives it, to @p x; the largest entry of that. */
+    double
+    correct(const UpdatedInverse &inverse,
+            const DenseMatrix &M,
+            const DenseMatrix &C,
+            DenseMatrix &x)
+    {
+      DenseMatrix defect = multiply(M, x);
+      for (std::size_t j = 0; j < C.n_columns(); ++j)
+        for (std::size_t i = 0; i < C.n_rows(); ++i)
+          defect(i, j) = C(i, j) - defect(i, j);
+      const DenseMatrix correction = inverse.solve(defect);
+      for (std::size_t j = 0; j < C.n_columns(); ++j)
+        blas::axpy(C.n_rows(), 1., correction.column(j), x.column(j));
+      return max_abs(correction);
+    }
+
+    /** M⁻¹ C by the inverse of a matrix near M; nothing where that is not near enough for a few
+     * sweeps to reach rounding. */
+    std::optional<DenseMatrix>
+    solution_by_inverse_nearby(const UpdatedInverse &inverse,
+                               const DenseMatrix &M,
+                               const DenseMatrix &C)
+    {
+      constexpr int max_sweeps  = 8;
+      constexpr double rounding = std::numeric_limits<double>::epsilon(), slow = 0.3,
+                       accepted = 1e3 * rounding;
+      DenseMatrix x             = inverse.solve(C);
+      double last               = max_abs(x);
+      for (int sweep = 0; sweep < max_sweeps; ++sweep)
+        {
+          const double change = correct(inverse, M, C, x), size = max_abs(x);
+          if (change <= rounding * size)
+            return x;
+          if (!(change <= slow * last))
+            return change <= accepted * size ? std::optional(std::move(x)) : std::nullopt;
+          last = change;
+        }
+      return {};
+    }
+  } // namespace
+
+  // One sweep of refinement at least, as forces of open elements are differences of large terms.
+  std::optional<DenseMatrix>
+  WorkingScheme::solve_all(const DenseMatrix &C)
+  {
+    if (stale)
+      {
+        if (std::optional<DenseMatrix> x = solution_by_inverse_nearby(inverse, active_matrix(), C))
+          return x;
+        if ((singular = !rebuild()))
+          return {};
+      }
+    DenseMatrix x = inverse.solve(C);
+    correct(inverse, active_matrix(), C, x);
+    return x;
+  }
+
   // With C what the imposed dislocations do to the rows and M the active matrix the forces lose
-  // W_bb - W_ba M⁻¹ C. One sweep of refinement, as forces of open elements are differences of large
-  // terms.
+  // W_bb - W_ba M⁻¹ C.
   std::optional<DenseMatrix>
   WorkingScheme::stiffness_against(const std::vector<std::size_t> &bars)
   {
     if (!bring_up_to_date())
-      return {};
-    if (stale && (singular = !rebuild()))
       return {};
     const DenseMatrix &W = system.stiffness();
     const std::size_t m = rows.size(), n = bars.size();
@@ -50,15 +109,10 @@ namespace fuga
             for (std::size_t i = 0; i < n; ++i)
               of_rows(i, j) += share * W(bars[i], element.bar(a));
       }
-    DenseMatrix x      = inverse.solve(C);
-    DenseMatrix defect = multiply(active_matrix(), x);
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < m; ++i)
-        defect(i, j) = C(i, j) - defect(i, j);
-    const DenseMatrix correction = inverse.solve(defect);
-    for (std::size_t j = 0; j < n; ++j)
-      blas::axpy(m, 1., correction.column(j), x.column(j));
-    const DenseMatrix lost = multiply(of_rows, x);
+    const std::optional<DenseMatrix> x = solve_all(C);
+    if (!x)
+      return {};
+    const DenseMatrix lost = multiply(of_rows, *x);
     for (std::size_t j = 0; j < n; ++j)
       blas::axpy(n, -1., lost.column(j), result.column(j));
     return result;

@@ -73,23 +73,30 @@ namespace fuga
   // Only bodies that are condensed and at rest are asked.
   template <int dim>
   std::string
-  doubt_about_data(const PhaseRun<dim> &phase, const Certificate &worst)
+  doubt_about_data(const PhaseRun<dim> &phase, const Certificate &worst, RunLog &log)
   {
     if (phase.motion || !phase.model.bodies.has_stiffness())
       return {};
     const std::vector<ContactElement> &elements = phase.joint.elements;
     PathOptions options                         = phase.model.path_options();
     options.beyond_limit                        = false;
-    const Conditioning found                    = conditioning(
+    // The certificate is in doubt or, of a path that failed, its end.
+    const bool is_certified = worst.worst() <= phase.parameters.solver.certificate_bound;
+    const auto is_explained = [&](const Conditioning &conditioning) {
+      return is_certified ? conditioning.other_end : conditioning.explains(worst.worst());
+    };
+    log.line(
+      fmt::format("The path {}: it is followed again, under loads changed in their last digits",
+                  is_certified ? "failed" : "violates the bound of its certificate"));
+    const Conditioning found = conditioning(
       [&](const LoadHistory &loads) {
         return std::make_unique<EventPath>(elements, phase.layered, loads, options);
       },
       phase.layered,
       phase.loading,
-      phase.model.loads.levels);
-    // The certificate is in doubt or, of a path that failed, its end.
-    const bool is_certified = worst.worst() <= phase.parameters.solver.certificate_bound;
-    if (is_certified ? !found.other_end : !found.explains(worst.worst()))
+      phase.model.loads.levels,
+      is_explained);
+    if (!is_explained(found))
       return {};
 
     const Units &u = phase.parameters.output.units;
@@ -152,9 +159,9 @@ namespace fuga
   }
 
   template std::string
-  doubt_about_data(const PhaseRun<2> &, const Certificate &);
+  doubt_about_data(const PhaseRun<2> &, const Certificate &, RunLog &);
   template std::string
-  doubt_about_data(const PhaseRun<3> &, const Certificate &);
+  doubt_about_data(const PhaseRun<3> &, const Certificate &, RunLog &);
   template std::string
   limit_of_law(const PhaseRun<2> &, const JointState &);
   template std::string

@@ -150,7 +150,7 @@ namespace fuga
 
   template <int dim>
   void
-  Simulation<dim>::conclude(const NumericalFailure &failure, RunOutcome &outcome) const
+  Simulation<dim>::conclude(const NumericalFailure &failure, RunOutcome &outcome)
   {
     const JointState &last = journal.record.last_state;
     outcome.verdict        = "numerical failure";
@@ -190,9 +190,10 @@ namespace fuga
 
   template <int dim>
   std::string
-  Simulation<dim>::doubt() const
+  Simulation<dim>::doubt()
   {
-    return from_the_beginning ? doubt_about_data(phase, journal.record.worst) : std::string();
+    return from_the_beginning ? doubt_about_data(phase, journal.record.worst, journal.log)
+                              : std::string();
   }
 
   // What a finished motion has to say of the monitors stands in the tables.

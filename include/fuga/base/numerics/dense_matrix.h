@@ -113,6 +113,9 @@ namespace fuga
   double
   max_abs(const Vector &x);
 
+  double
+  max_abs(const DenseMatrix &A);
+
   /** The largest diagonal entry, 0 if none is positive. */
   double
   largest_diagonal(const DenseMatrix &A);

@@ -48,13 +48,15 @@ namespace fuga
    * Follows a path from its beginning and again with all loads larger by some 1e-15: what a double
    * can just tell. An answer that moves by as much as it violates the contact conditions is known
    * no better, whatever the solver does. Costs several paths: for answers that are in doubt.
-   * @p make_path makes the path under given loads.
+   * @p make_path makes the path under given loads. No further one is followed once what was found
+   * is @p enough.
    */
   Conditioning
   conditioning(const std::function<std::unique_ptr<ContactPath>(const LoadHistory &)> &make_path,
                const LayeredSystem &system,
                const LoadHistory &history,
-               const std::vector<double> &levels);
+               const std::vector<double> &levels,
+               const std::function<bool(const Conditioning &)> &enough = {});
 } // namespace fuga
 
 #endif

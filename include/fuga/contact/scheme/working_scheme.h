@@ -305,6 +305,9 @@ namespace fuga
      * would. */
     double
     imposed_entry(const SchemeRow &row, const std::size_t bar) const;
+    /** M⁻¹ C; nothing if M is singular. */
+    std::optional<DenseMatrix>
+    solve_all(const DenseMatrix &C);
     std::optional<JointRates>
     solve(const Vector &rhs, Vector force_offset);
     template <typename Number>

@@ -87,13 +87,13 @@ namespace fuga
     conclude(PathResult found, RunOutcome &outcome);
     /** The verdict of a path that could not be followed for the reason that @p failure gives. */
     void
-    conclude(const NumericalFailure &failure, RunOutcome &outcome) const;
+    conclude(const NumericalFailure &failure, RunOutcome &outcome);
     /** Follows each search for a factor of safety from the end of the loads. */
     std::vector<SafetyFactor>
     find_safety(const PathResult &loaded);
     /** Empty unless it is the data that are ill-conditioned, see doubt_about_data(). */
     std::string
-    doubt() const;
+    doubt();
     PathResult
     resume_motion(const Checkpoint &checkpoint);
     void
