@@ -31,6 +31,10 @@ namespace fuga
     /** In space no force tolerance is below this share of the largest: a few times the rounding of
      * the largest forces. */
     constexpr double smallest_share = 1e-3;
+    /** Nor does it grow, in space, beyond this share of the forces that act, be steps without
+     * length ever so many: an element that opens with a force, or slips off its cone, is no
+     * equilibrium. */
+    constexpr double largest_share = 1e-10;
 
     /** The smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c > 0. */
     double
@@ -88,8 +92,11 @@ namespace fuga
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
         const double terms = given[i] + system.scale(i) * scaled_dislocation;
+        const double size  = std::min(terms, std::max(least_share * terms, largest_force));
         force_tolerances[i] =
-          relative * std::min(terms, std::max(least_share * terms, largest_force));
+          has_cones ? std::min(relative * size,
+                               std::max(value_tolerance * size, largest_share * largest_force))
+                    : relative * size;
         const double parts = std::max(std::abs(state.dislocations[i]),
                                       system.compliance(i) * std::abs(state.forces[i]));
         largest_jump       = std::max(

@@ -213,7 +213,8 @@ namespace fuga
   StraightSegment::advance_forces(const double tau, JointState &state) const
   {
     constexpr std::size_t exchanges_between = 8;
-    if (course.kind != Course::Kind::loading || context.system.refines_forces() ||
+    if (course.kind != Course::Kind::loading ||
+        context.system.refines_forces(state.dislocations, state.forces) ||
         context.scheme.memory().exchanges.size() % exchanges_between == 0)
       return false;
     set_loads(context, course, tau, state);

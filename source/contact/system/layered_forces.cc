@@ -37,6 +37,16 @@ namespace fuga
     return rounding * largest_diagonal(bodies.stiffness()) * max_abs(compliances) > lost;
   }
 
+  // Where joints cross, dislocations that the bodies cannot follow press against what little
+  // compliance there is: forces are small differences of W d.
+  bool
+  LayeredSystem::refines_forces(const Vector &dislocations, const Vector &forces) const
+  {
+    constexpr double small_difference = 1e-3;
+    return delicate || (saddle_factors &&
+                        size_of(forces, scales) < small_difference * scaled_size(dislocations));
+  }
+
   // F a; on rigid motions the resultants of the loads, free of the rounding of the condensation.
   Accurate
   LayeredSystem::loads_on_bodies(const Accurate &factors) const
@@ -56,9 +66,11 @@ namespace fuga
     Vector p = multiply(R, factors);
     subtract_response(dislocations, p);
     add_water(water, p);
+    if (!refines_forces(dislocations, p))
+      return p;
     if (saddle_factors)
       refine_with_jump_operator(factors, dislocations, water, p);
-    else if (delicate)
+    else
       refine_in_jumps(factors, dislocations, water, p);
     return p;
   }

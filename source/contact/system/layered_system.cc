@@ -58,10 +58,10 @@ namespace fuga
     const double smallest = largest > 0. ? 1e-14 * largest : 1.;
     for (std::size_t i = 0; i < compliances.size(); ++i)
       scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
-    if (delicate)
+    if (delicate || saddle_factors)
       rigid_motions.emplace(system);
     add_imposed_jumps(system);
-    if (!saddle_factors)
+    if (!delicate || !saddle_factors)
       return;
     refine_responses();
     symmetrise(W);
@@ -136,10 +136,9 @@ namespace fuga
     if (factors.reciprocal_condition() < smallest_trusted_condition)
       throw_repeated_bars();
     factors.solve(rhs);
-    delicate = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
-    if (delicate)
-      saddle_factors = std::move(factors);
-    saddle_scale = scale;
+    delicate       = factors.reciprocal_condition() < harmless_condition || has_soft_joint();
+    saddle_factors = std::move(factors);
+    saddle_scale   = scale;
 
     W = DenseMatrix(n_p, n_p);
     R = DenseMatrix(n_p, F.n_columns());

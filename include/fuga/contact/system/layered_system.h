@@ -112,19 +112,17 @@ namespace fuga
 
     /**
      * Forces p = R a - W d, and those of the water ω if it is not empty. Where a joint is so much
-     * softer than the bodies that the digits of p decide about their deformation, p is refined
-     * until it satisfies the equations of the ContactSystem, of which W is but the inverse.
+     * softer than the bodies that the digits of p decide about their deformation, or where p is a
+     * small difference, it is refined until it satisfies the equations of the ContactSystem, of
+     * which W is but the inverse.
      */
     Vector
     forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
 
-    /** Whether forces() refines: then rates of forces, which come from W alone, do not add up to
-     * them. */
+    /** Whether forces() refines @p forces such as these: then rates of forces, which come from W
+     * alone, do not add up to them. */
     bool
-    refines_forces() const
-    {
-      return delicate;
-    }
+    refines_forces(const Vector &dislocations, const Vector &forces) const;
 
     /** p -= W d, for forces and dislocations or the rates of both. */
     void
@@ -171,8 +169,8 @@ namespace fuga
     loads_on_bodies(const Accurate &factors) const;
 
     const ContactSystem &bodies;
-    /** Whether forces() refines; with a jump operator by these factors of the saddle point matrix,
-     * scaled. */
+    /** Whether forces() refines whatever the state; with a jump operator by these factors of the
+     * saddle point matrix, scaled. */
     bool delicate = false;
     std::optional<RigidBasis> rigid_motions;
     std::optional<LuFactors> saddle_factors;
