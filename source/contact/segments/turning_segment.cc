@@ -189,10 +189,18 @@ namespace fuga
 
   // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
   bool
-  TurningSegment::turns_back() const
+  TurningSegment::turns_back(const double negligible_load) const
   {
-    constexpr double negligible_load = 1e-9;
     return rates_diverge(2, negligible_load * std::max(1., course.t_end));
+  }
+
+  // A load that gives way to the motion has no end.
+  bool
+  TurningSegment::is_below_end_of_path(const double near_limit, const double near_maximum)
+  {
+    at_limit         = !course.yielding && grows_beyond_bounds(near_limit);
+    at_turning_point = !course.yielding && !at_limit && turns_back(near_maximum);
+    return at_limit || at_turning_point;
   }
 
   // Of the bar whose rate g has grown most, whatever else moves steadily; g as a whole or what it

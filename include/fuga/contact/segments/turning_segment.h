@@ -155,7 +155,11 @@ namespace fuga
     std::optional<Station>
     locate(const Station &from, const Station &passed);
     bool
-    turns_back() const;
+    turns_back(const double negligible_load) const;
+    /** Whether the load cannot grow by more than these parts of a stage, to a limit or to a
+     * maximum; notes which. */
+    bool
+    is_below_end_of_path(const double near_limit, const double near_maximum);
     /** Rates of slip grow like (τ* - τ)^(-1/@p exponent), and τ* is no further than @p within. */
     bool
     rates_diverge(const int exponent, const double within) const;
