@@ -228,9 +228,9 @@ namespace fuga
   {
     end                   = 0.; // as far as the curve is known, if a step fails
     const double shortest = 1e-13 * parameter_scale(), short_step = 1e-7 * parameter_scale();
-    // Parts of a stage by which the path may end below a limit, or a maximum of the load: if it can
-    // be followed, if not.
-    constexpr double near_limit = 1e-8, near_maximum = 1e-9, near_enough = 1e-6;
+    // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
+    // be followed.
+    constexpr double near_limit = 1e-8, near_maximum = 1e-9;
     double length = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_segments_turning_segment_h
 #define fuga_contact_segments_turning_segment_h
 
+#include <fuga/contact/segments/diverging_rates.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/contact/segments/turning_stage.h>
 
@@ -160,9 +161,8 @@ namespace fuga
      * maximum; notes which. */
     bool
     is_below_end_of_path(const double near_limit, const double near_maximum);
-    /** Rates of slip grow like (τ* - τ)^(-1/@p exponent), and τ* is no further than @p within. */
-    bool
-    rates_diverge(const int exponent, const double within) const;
+    std::vector<CurvePoint>
+    points_of_curve() const;
     double
     rate_tolerance(const Station &station) const;
 
