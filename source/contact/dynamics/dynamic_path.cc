@@ -274,8 +274,11 @@ namespace fuga
 
     observer.began_step(of_step, history_of_step);
     attempt.record.replay(observer);
-    state    = attempt.record.end_of_motion();
-    result   = attempt.result;
+    const bool has_jumped = attempt.result.n_followed_jumps > result.n_followed_jumps;
+    state                 = attempt.record.end_of_motion();
+    result                = attempt.result;
+    if (has_jumped)
+      result.jump.t = state.t; // the path knows the time of the step only
     result.t = state.t;
     reach_levels(levels, state, observer);
     observer.ended_step(state);

@@ -128,6 +128,14 @@ namespace fuga
     zero_gap = std::max(zero_gap, length * max_abs(rates.dislocations));
   }
 
+  bool
+  ContactBoundary::take_for_closed(const double gap)
+  {
+    const bool is_wider = gap > zero_gap;
+    zero_gap            = std::max(zero_gap, gap);
+    return is_wider;
+  }
+
   std::vector<BoundaryElement>
   ContactBoundary::elements_on_boundary(const JointState &state) const
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/tangent_vector.h>
 
@@ -41,6 +42,24 @@ namespace fuga
       }
     return size > 0. &&
            (resistance <= free_force * size || std::abs(work) <= free_work * size * size);
+  }
+
+  double
+  widest_gap_closed(const JointRates &motion,
+                    const std::vector<ContactElement> &elements,
+                    const LayeredSystem &system,
+                    const JointState &state)
+  {
+    const double largest_rate = max_abs(system.jumps(motion.dislocations, motion.forces));
+    const double closed =
+      closed_to_motions * max_abs(system.jumps(state.dislocations, state.forces));
+    double widest = 0.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (state.states[k] == ContactState::open &&
+          lip_opening_rate(elements[k], state, motion) < -no_jump * largest_rate)
+        if (const double gap = lip_opening(elements[k], state, k); gap <= closed)
+          widest = std::max(widest, gap);
+    return widest;
   }
 
   Vector

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/blas.h>
+#include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/tangent_vector.h>
 
@@ -13,18 +14,17 @@ namespace fuga
 {
   namespace
   {
-    /** Forces below this share of the largest of a state, and gaps below this share of its largest
-     * jump, are zero. */
-    constexpr double on_boundary = 1e-8;
-    /** Where all has been unloaded what is left of the largest of the run is this share. */
+    /** Forces below this share of the largest of a state are zero. */
+    constexpr double no_force_share = 1e-8;
+    /** Where all has been unloaded, what is below this share of the largest of the run is left by
+     * rounding. */
     constexpr double left_by_rounding = 1e-11;
 
     double
-    nothing_beside(const double now, const double largest_of_run)
+    nothing_beside(const double share, const double now, const double largest_of_run)
     {
-      return std::max(on_boundary * now, left_by_rounding * largest_of_run);
+      return std::max(share * now, left_by_rounding * largest_of_run);
     }
-
 
     /** Where the load approaches its limit asymptotically the path ends while the motion still
      * meets a small resistance. */
@@ -59,10 +59,11 @@ namespace fuga
     const ContactElement &element = elements[k];
     const Strength &left          = state.strengths[k];
     const std::size_t n           = element.normal_bar;
-    const double no_force         = nothing_beside(max_abs(state.forces), largest_force);
-    const double N                = state.forces[n];
-    const double gap              = element.initial_gap + delta[n] - state.dilations[k];
-    if (state.states[k] == ContactState::open && gap > nothing_beside(max_abs(delta), largest_jump))
+    const double no_force = nothing_beside(no_force_share, max_abs(state.forces), largest_force);
+    const double N        = state.forces[n];
+    const double gap      = element.initial_gap + delta[n] - state.dilations[k];
+    if (state.states[k] == ContactState::open &&
+        gap > nothing_beside(closed_to_motions, max_abs(delta), largest_jump))
       return {Kind::open, 0., {}, 0., false};
     const bool at_apex    = left.tension <= no_force && N >= -no_force;
     const bool at_tension = left.tension > no_force && N >= left.tension - no_force;

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/element/layer_response.h>
+#include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/path/implicit_step.h>
 #include <fuga/contact/segments/course.h>
@@ -121,7 +122,12 @@ namespace fuga
     else
       boundary.take_unresolved(
         last_rates, std::numeric_limits<double>::epsilon() * state.t * widening_of_tolerances());
-    const Continuation continuation = decide(state, course, observer, result);
+    Continuation continuation = decide(state, course, observer, result);
+    // A motion is no limit where it closes what a rounding error has left open.
+    while (
+      !continuation.exists && continuation.has_mechanism &&
+      boundary.take_for_closed(widest_gap_closed(continuation.mechanism, elements, system, state)))
+      continuation = decide(state, course, observer, result);
     if (!continuation.exists)
       {
         if (result.verdict != Verdict::non_unique_continuation &&

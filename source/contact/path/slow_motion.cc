@@ -211,7 +211,9 @@ namespace fuga
 
     const double stiffness    = largest_diagonal(bodies.stiffness());
     const Vector jumps_before = jumps_of_bodies(system, course.factors, from);
-    const double reach  = far * std::max(max_abs(jumps_before), max_abs(from.forces) / stiffness);
+    // What bodies have moved before a step of time is in its imposed jumps.
+    const double reach  = far * std::max(max_abs(system.jumps(from.dislocations, from.forces)),
+                                        max_abs(from.forces) / stiffness);
     double resistance   = first_resistance * stiffness;
     Vector jumps        = jumps_before;
     double force_before = 0.;

@@ -6,6 +6,7 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
+#include <fuga/contact/segments/diverging_rates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,9 @@ namespace fuga
             at_limit = true;
             return taus.back();
           }
+        at_turning_point = !next && turns_back();
+        if (at_turning_point)
+          return taus.back();
         if (!next)
           give_up();
         const std::size_t b = insert(tau, std::move(*next), lost);
@@ -139,6 +143,16 @@ namespace fuga
           dot(context.scheme.slip_direction_of(k), sum(to.slips[k], -1., from.slips[k])) < -noise)
         return true;
     return false;
+  }
+
+  // Where the load has a maximum there is no equilibrium behind it, however short the step.
+  bool
+  CurvedSegment::turns_back() const
+  {
+    std::vector<CurvePoint> curve;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      curve.push_back({taus[i], &points[i]});
+    return rates_diverge(curve, 2, near_enough * std::max(1., course.t_end));
   }
 
   void

@@ -6,10 +6,8 @@
 #include <fuga/contact/segments/turning_segment.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace fuga
 {
@@ -45,29 +43,6 @@ namespace fuga
           result.push_back(0.5 * (W(a, a) + W(b, b)));
         }
       return result;
-    }
-
-    /** Whether 1/g^n lies on a line that falls to zero @p within the last τ. */
-    bool
-    diverges(const Vector &tau, const Vector &g, const int exponent, const double within)
-    {
-      constexpr double bend = 0.1, smaller = 1. / 1.2;
-      std::array<double, 3> place, value;
-      std::size_t n = 0;
-      double limit  = std::numeric_limits<double>::infinity();
-      for (std::size_t i = g.size(); i-- > 0 && n < 3;)
-        if (g[i] > 0. && g[i] <= limit)
-          {
-            place[n]   = tau[i];
-            value[n++] = std::pow(g[i], -exponent);
-            limit      = smaller * g[i];
-          }
-      if (n < 3)
-        return false;
-      const double last   = (value[0] - value[1]) / (place[0] - place[1]);
-      const double before = (value[1] - value[2]) / (place[1] - place[2]);
-      return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
-             -value[0] / last <= within;
     }
   } // namespace
 
@@ -184,48 +159,32 @@ namespace fuga
     // Out of the virgin state any growth is large.
     return jump > 0. && load * growth >= jump &&
            max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
-           rates_diverge(1, load);
+           rates_diverge(points_of_curve(), 1, load);
+  }
+
+  std::vector<CurvePoint>
+  TurningSegment::points_of_curve() const
+  {
+    std::vector<CurvePoint> result;
+    for (const Station &station : curve)
+      result.push_back({station.tau, &station.point});
+    return result;
   }
 
   // Before a maximum of the load at τ* the rates of slip grow like (τ* - τ)^(-1/2).
   bool
-  TurningSegment::turns_back() const
+  TurningSegment::turns_back(const double negligible_load) const
   {
-    constexpr double negligible_load = 1e-9;
-    return rates_diverge(2, negligible_load * std::max(1., course.t_end));
+    return rates_diverge(points_of_curve(), 2, negligible_load * std::max(1., course.t_end));
   }
 
-  // Of the bar whose rate g has grown most, whatever else moves steadily; g as a whole or what it
-  // has grown by, for steady motion may be a part of it. Two slopes of 1/g^n are compared, between
-  // the last point and those at which g was smaller by a sixth each time: others that come to rest
-  // near τ* cut the path into short pieces.
+  // A load that gives way to the motion has no end.
   bool
-  TurningSegment::rates_diverge(const int exponent, const double within) const
+  TurningSegment::is_below_end_of_path(const double near_limit, const double near_maximum)
   {
-    const auto rate = [this](const std::size_t i, const std::size_t bar) {
-      return curve[i].point.rates.dislocations[bar];
-    };
-    std::size_t fastest = 0;
-    double growth       = 0.;
-    for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
-      if (const double grown = std::abs(rate(curve.size() - 1, bar)) - std::abs(rate(0, bar));
-          grown > growth)
-        {
-          fastest = bar;
-          growth  = grown;
-        }
-    for (const double steady : {0., rate(0, fastest)})
-      {
-        Vector tau, speeds;
-        for (std::size_t i = 0; i < curve.size(); ++i)
-          {
-            tau.push_back(curve[i].tau);
-            speeds.push_back(std::abs(rate(i, fastest) - steady));
-          }
-        if (diverges(tau, speeds, exponent, within))
-          return true;
-      }
-    return false;
+    at_limit         = !course.yielding && grows_beyond_bounds(near_limit);
+    at_turning_point = !course.yielding && !at_limit && turns_back(near_maximum);
+    return at_limit || at_turning_point;
   }
 
   // What closed layers still deform is no part of the mechanism.

@@ -228,8 +228,9 @@ namespace fuga
   {
     end                   = 0.; // as far as the curve is known, if a step fails
     const double shortest = 1e-13 * parameter_scale(), short_step = 1e-7 * parameter_scale();
-    // Parts of a stage by which the path may end below a limit: if it can be followed, if not.
-    constexpr double near_limit = 1e-8, near_enough = 1e-6;
+    // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
+    // be followed.
+    constexpr double near_limit = 1e-8, near_maximum = 1e-9;
     double length = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
@@ -239,15 +240,12 @@ namespace fuga
       {
         Station from = curve.back();
         check_number_of_steps(curve.size(), from.point.state.t);
-        length           = std::min(length, course.length - from.tau);
-        at_limit         = !course.yielding && grows_beyond_bounds(near_limit);
-        at_turning_point = !course.yielding && !at_limit && turns_back();
-        if (at_limit || at_turning_point || loses_control(from))
+        length = std::min(length, course.length - from.tau);
+        if (is_below_end_of_path(near_limit, near_maximum) || loses_control(from))
           break;
         if (length < shortest && course.length - from.tau > shortest)
           {
-            at_limit = !course.yielding && grows_beyond_bounds(near_enough);
-            if (at_limit)
+            if (is_below_end_of_path(near_enough, near_enough))
               break;
             throw PathFailure(fmt::format(
               "The path cannot be followed beyond load time {}: even the shortest step fails.",
@@ -287,7 +285,8 @@ namespace fuga
         length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
       }
     // An event may come just before the maximum.
-    at_turning_point = at_turning_point || (!course.yielding && !at_limit && turns_back());
-    return end       = curve.back().tau;
+    at_turning_point =
+      at_turning_point || (!course.yielding && !at_limit && turns_back(near_maximum));
+    return end = curve.back().tau;
   }
 } // namespace fuga

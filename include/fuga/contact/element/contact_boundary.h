@@ -74,6 +74,10 @@ namespace fuga
     void
     take_unresolved(const JointRates &rates, const double length);
 
+    /** Gaps up to @p gap count as closed. Whether fewer did before. */
+    bool
+    take_for_closed(const double gap);
+
     /** All elements on a boundary, slipping ones included. */
     std::vector<BoundaryElement>
     elements_on_boundary(const JointState &state) const;

@@ -29,6 +29,18 @@ namespace fuga
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system);
 
+  /** Share of the largest jump below which open lips are closed to a motion: one that closes them
+   * moves nothing freely, and proves no limit load. */
+  constexpr double closed_to_motions = 1e-8;
+
+  /** The widest gap of open lips that are closed to motions and that @p motion closes; zero if
+   * there is none [m]. */
+  double
+  widest_gap_closed(const JointRates &motion,
+                    const std::vector<ContactElement> &elements,
+                    const LayeredSystem &system,
+                    const JointState &state);
+
   /** Jumps of a motion, scaled to a largest value of one. */
   Vector
   mechanism_jumps(const JointRates &motion, const LayeredSystem &system);

@@ -40,6 +40,11 @@ namespace fuga
     {
       return at_limit;
     }
+    bool
+    ends_at_turning_point() const override
+    {
+      return at_turning_point;
+    }
     std::vector<std::size_t>
     resticking() const override;
     double
@@ -74,6 +79,8 @@ namespace fuga
     interpolate(const std::size_t a, const double tau) const;
     bool
     slips_back(const JointState &from, const JointState &to) const;
+    bool
+    turns_back() const;
     bool
     is_reduction() const
     {
@@ -117,8 +124,9 @@ namespace fuga
     double largest_jump = 0.;
     std::vector<std::size_t> lost_slip;
     /** Of the scheme at the start of a strength reduction. */
-    int determinant_sign = 0;
-    bool at_limit        = false;
+    int determinant_sign  = 0;
+    bool at_limit         = false;
+    bool at_turning_point = false;
   };
 } // namespace fuga
 

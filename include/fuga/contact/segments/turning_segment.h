@@ -4,6 +4,7 @@
 #ifndef fuga_contact_segments_turning_segment_h
 #define fuga_contact_segments_turning_segment_h
 
+#include <fuga/contact/segments/diverging_rates.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/contact/segments/turning_stage.h>
 
@@ -155,10 +156,13 @@ namespace fuga
     std::optional<Station>
     locate(const Station &from, const Station &passed);
     bool
-    turns_back() const;
-    /** Rates of slip grow like (τ* - τ)^(-1/@p exponent), and τ* is no further than @p within. */
+    turns_back(const double negligible_load) const;
+    /** Whether the load cannot grow by more than these parts of a stage, to a limit or to a
+     * maximum; notes which. */
     bool
-    rates_diverge(const int exponent, const double within) const;
+    is_below_end_of_path(const double near_limit, const double near_maximum);
+    std::vector<CurvePoint>
+    points_of_curve() const;
     double
     rate_tolerance(const Station &station) const;
 
