@@ -6,7 +6,6 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/diverging_rates.h>
 
 #include <algorithm>
 #include <cmath>

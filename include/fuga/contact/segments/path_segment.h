@@ -125,6 +125,23 @@ namespace fuga
     std::optional<PathPoint> end_point;
   };
 
+  /** Parts of a stage by which a path may end below a limit, or a maximum of the load, where it
+   * cannot be followed up to it. */
+  constexpr double near_enough = 1e-6;
+
+  /** Station i of a curve, as a place and as a point. */
+  struct CurvePoint
+  {
+    double tau             = 0.;
+    const PathPoint *point = nullptr;
+  };
+
+  /** Whether the rates of dislocation along @p curve grow like (τ* - τ)^(-1/@p exponent), and τ* is
+   * no further from its end than @p within: with 1 the motion grows beyond bounds, with 2 the load
+   * has a maximum at τ*. */
+  bool
+  rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within);
+
   /** @throws NumericalFailure if @p n_steps along one curve are more than any needs, at load time
    * @p t. */
   void

@@ -4,7 +4,6 @@
 #ifndef fuga_contact_segments_turning_segment_h
 #define fuga_contact_segments_turning_segment_h
 
-#include <fuga/contact/segments/diverging_rates.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/contact/segments/turning_stage.h>
 
