@@ -70,15 +70,16 @@ namespace fuga
   std::optional<DenseMatrix>
   WorkingScheme::solve_all(const DenseMatrix &C)
   {
+    const DenseMatrix M = active_matrix();
     if (stale)
       {
-        if (std::optional<DenseMatrix> x = solution_by_inverse_nearby(inverse, active_matrix(), C))
+        if (std::optional<DenseMatrix> x = solution_by_inverse_nearby(inverse, M, C))
           return x;
         if ((singular = !rebuild()))
           return {};
       }
     DenseMatrix x = inverse.solve(C);
-    correct(inverse, active_matrix(), C, x);
+    correct(inverse, M, C, x);
     return x;
   }
 

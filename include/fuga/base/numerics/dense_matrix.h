@@ -113,6 +113,7 @@ namespace fuga
   double
   max_abs(const Vector &x);
 
+  /** The largest absolute value of an entry. */
   double
   max_abs(const DenseMatrix &A);
 
