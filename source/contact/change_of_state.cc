@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/layer_response.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,5 +95,36 @@ namespace fuga
       }
     strength.cohesion = strength.tension = 0.;
     strength.friction                    = strength.share * residual_friction(element.friction);
+  }
+
+  bool
+  lose_strength_in_step(const std::vector<ContactElement> &elements,
+                        const JointState &end,
+                        const std::function<TangentVector(std::size_t)> &direction_of,
+                        const double no_force,
+                        JointState &start)
+  {
+    JointState before = end;
+    before.states     = start.states;
+    before.strengths  = start.strengths;
+    bool any          = false;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      {
+        const ContactElement &element = elements[k];
+        const bool breaks =
+          start.strengths[k].has_bond() &&
+          end.forces[element.normal_bar] > tensile_strength(element, end, k) + no_force;
+        if (!breaks && (element.friction.is_plain() || end.states[k] == start.states[k]))
+          continue;
+        change_state(element,
+                     k,
+                     breaks ? ContactState::open : end.states[k],
+                     direction_of(k),
+                     no_force,
+                     before);
+        any |= !(before.strengths[k] == start.strengths[k]);
+        start.strengths[k] = before.strengths[k];
+      }
+    return any;
   }
 } // namespace fuga

@@ -12,11 +12,17 @@ namespace fuga
   namespace
   {
     bool
-    is_linear(const JointParameters &joint)
+    is_rigid(const LayerLaw law, const double compliance)
     {
-      return joint.normal_law == LayerLaw::linear && joint.shear_law == LayerLaw::linear &&
-             joint.shear_growth.kind == ShearGrowth::Kind::none && joint.normal_compliance > 0. &&
-             (joint.shear_compliance > 0. || joint.friction.is_frictionless());
+      return law == LayerLaw::rigid || (law == LayerLaw::linear && compliance == 0.);
+    }
+
+    bool
+    is_rigid(const JointParameters &joint)
+    {
+      return is_rigid(joint.normal_law, joint.normal_compliance) ||
+             (is_rigid(joint.shear_law, joint.shear_compliance) &&
+              !joint.friction.is_frictionless());
     }
 
     bool
@@ -52,10 +58,8 @@ namespace fuga
     if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))
       return "water that comes into opening joints is";
     for (const JointParameters &joint : parameters.joints)
-      if (!is_linear(joint) || !joint.friction.is_plain())
-        return fmt::format("what joint '{}' has (layers other than linear ones, cohesion, tensile "
-                           "strength, residual friction, dilatancy) is",
-                           joint.definition.name);
+      if (is_rigid(joint))
+        return fmt::format("joint '{}', whose layer is rigid, is", joint.definition.name);
     return {};
   }
 } // namespace fuga

@@ -100,6 +100,39 @@ TEST(Iterative, MatrixFreeStageEnds)
   EXPECT_LE(deviation(steps.values("T1", 2.), events.values("T1", 2.)), 1e-9);
 }
 
+// The paper's third variant: a joint of law (9).
+TEST(Iterative, MatrixFreeStageEndsOfLawNine)
+{
+  const SceneRun events = run_with("direct", "paper_3_cubic_root.prm", {"Stages/push/Levels=1"});
+  const SceneRun steps  = run_with("iterative matrix-free",
+                                  "paper_3_cubic_root.prm",
+                                  {"Stages/push/Levels=1", "Solver/Follow=stage ends"});
+  EXPECT_EQ(steps.exit_code, 0);
+  EXPECT_LE(steps.certificate(), 1e-9);
+  EXPECT_EQ(steps.states(2.), events.states(2.));
+  EXPECT_LE(deviation(steps.values("N", 2.), events.values("N", 2.)), 1e-9);
+  EXPECT_LE(deviation(steps.values("T1", 2.), events.values("T1", 2.)), 1e-9);
+}
+
+// Bonds that break with the first slip, lips that rise, friction that falls: steps from level to
+// level, with the stiffness of the interface and without it.
+TEST(Iterative, MatrixFreeStepsWithBonds)
+{
+  const std::vector<std::string> settings = {"Solver/Follow=stage ends",
+                                             "Joints/base/Cohesion=100",
+                                             "Joints/base/Tensile strength=50",
+                                             "Joints/base/Bond lost by=slip",
+                                             "Joints/base/Residual friction coefficient=0.5",
+                                             "Joints/base/Dilatancy angle=3"};
+  const SceneRun schemes                  = run_with("direct", "scene_g_f06.prm", settings);
+  const SceneRun steps = run_with("iterative matrix-free", "scene_g_f06.prm", settings);
+  EXPECT_EQ(steps.exit_code, 0);
+  EXPECT_LE(steps.certificate(), 1e-9);
+  EXPECT_EQ(steps.states(2.), schemes.states(2.));
+  EXPECT_LE(deviation(steps.values("N", 2.), schemes.values("N", 2.)), 1e-9);
+  EXPECT_LE(deviation(steps.values("T1", 2.), schemes.values("T1", 2.)), 1e-9);
+}
+
 // On cones the slips turn while the load grows, and a step takes their last direction: the scheme
 // is that of the events, forces are close (every step less is an error of first order in a slip of
 // a few elements), and all conditions hold to the bound of the certificate.

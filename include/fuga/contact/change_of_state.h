@@ -7,6 +7,8 @@
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/joint_state.h>
 
+#include <functional>
+
 namespace fuga
 {
   /**
@@ -33,6 +35,20 @@ namespace fuga
              const std::size_t k,
              const double no_force,
              JointState &state);
+
+  /**
+   * What a step from @p start costs if it ends in @p end: bonds that would have to carry more than
+   * they can break; elements that begin to slip although they have lost nothing for it lose what
+   * that costs, and those that open as well. Takes it from the strengths of @p start, but for the
+   * dilatancy, and returns whether it is anything: then @p end is no equilibrium.
+   * @p direction_of(k): that of slip.
+   */
+  bool
+  lose_strength_in_step(const std::vector<ContactElement> &elements,
+                        const JointState &end,
+                        const std::function<TangentVector(std::size_t)> &direction_of,
+                        const double no_force,
+                        JointState &start);
 } // namespace fuga
 
 #endif

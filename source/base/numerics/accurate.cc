@@ -90,9 +90,11 @@ namespace fuga
     work::now().accurate_operations += A.n_rows() * A.n_columns();
     for (std::size_t j = 0; j < A.n_columns(); ++j)
       {
+        // Its matrices, of the jumps, have a few entries in every column.
         long double sum = 0.L;
         for (std::size_t i = 0; i < A.n_rows(); ++i)
-          sum += A(i, j) * x[i];
+          if (A(i, j) != 0.)
+            sum += A(i, j) * x[i];
         y[j] += sign * sum;
       }
   }

@@ -176,4 +176,117 @@ namespace fuga
         candidate.strength = candidate.friction * std::max(-q[candidate.row], 0.);
     return determinant_sign != 0;
   }
+
+  // At the apex the force of Alart and Curnier's projection, the present one and the stiffness of
+  // each bar times its rate, tells the state; slip and strength such that Newton starts from it.
+  ConeRateProblem::Demand
+  ConeRateProblem::demand(const Candidate &candidate) const
+  {
+    const std::size_t n      = candidate.row;
+    const double f           = candidate.friction;
+    const bool open          = candidate.state == ContactState::open;
+    const double no_force    = noise(n);
+    const double no_velocity = no_force / diagonal[n];
+    Demand demand{candidate.state, candidate.direction, candidate.slip, candidate.strength, 0.};
+    if (candidate.at_apex || candidate.grazing)
+      {
+        const double tension = q[n] - candidate.tension_rate;
+        if (!open && tension > no_force)
+          {
+            demand.violation = tension;
+            demand.state     = ContactState::open;
+            return demand;
+          }
+        if (open && v[n] >= -no_velocity)
+          return demand;
+        if (open)
+          demand.violation = -v[n] * diagonal[n];
+      }
+    const auto change_to = [&](const ContactState state) {
+      demand.state = state;
+      demand.slip = demand.strength = 0.;
+      return demand;
+    };
+    if (candidate.n_tangents == 0)
+      return change_to(ContactState::stick);
+
+    const TangentVector q_t = tangential_rows(candidate, q), v_t = tangential_rows(candidate, v);
+    const double stiffness = shear_stiffness(candidate);
+    const double no_shear  = shear_noise(candidate);
+    if (is_slipping(candidate.state))
+      {
+        if (candidate.slip >= -no_shear / stiffness)
+          return demand;
+        demand.violation = -candidate.slip * stiffness;
+        return change_to(ContactState::stick);
+      }
+    if (!candidate.at_apex)
+      {
+        demand.violation =
+          std::max(0., dot(candidate.direction, q_t) + f * q[n] - candidate.strength_rate);
+        return change_to(demand.violation > no_shear ? ContactState::slip_forward
+                                                     : ContactState::stick);
+      }
+    const double strength = f * std::max(open ? -v[n] * diagonal[n] : -q[n], 0.);
+    const TangentVector shear =
+      open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
+    const double excess = length(shear) - strength;
+    if (excess <= no_shear)
+      return change_to(ContactState::stick);
+    return {ContactState::slip_forward,
+            {{shear[0] / length(shear), shear[1] / length(shear)}},
+            excess / stiffness,
+            strength,
+            std::max(demand.violation, excess)};
+  }
+
+  void
+  ConeRateProblem::follow(const Demand &demand, Candidate &candidate)
+  {
+    candidate.state     = demand.state;
+    candidate.direction = demand.direction;
+    candidate.slip      = demand.slip;
+    candidate.strength  = demand.strength;
+  }
+
+  bool
+  ConeRateProblem::update_scheme(const bool one_by_one)
+  {
+    Demand worst;
+    Candidate *worst_of_all = nullptr;
+    bool changed            = false;
+    for (Candidate &candidate : candidates)
+      {
+        const Demand wanted = demand(candidate);
+        if (wanted.state == candidate.state)
+          continue;
+        changed = true;
+        if (!one_by_one)
+          follow(wanted, candidate);
+        else if (worst_of_all == nullptr || wanted.violation > worst.violation)
+          {
+            worst        = wanted;
+            worst_of_all = &candidate;
+          }
+      }
+    if (worst_of_all != nullptr)
+      follow(worst, *worst_of_all);
+    return changed;
+  }
+
+  // Directions at the apex have come to rest as well.
+  bool
+  ConeRateProblem::is_settled() const
+  {
+    for (const Candidate &candidate : candidates)
+      if (candidate.at_apex && is_slipping(candidate.state))
+        {
+          const std::size_t n = candidate.row;
+          for (std::size_t i = 0; i < candidate.n_tangents; ++i)
+            if (std::abs(q[n + 1 + i] + candidate.friction * q[n] * candidate.direction[i]) >
+                noise(n + 1 + i) + candidate.friction * noise(n))
+              return false;
+        }
+    return true;
+  }
 } // namespace fuga

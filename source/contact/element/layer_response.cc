@@ -286,9 +286,11 @@ namespace fuga
   // Under tension a bond has less strength, and so has one that is released; otherwise a tension is
   // rounding.
   double
-  shear_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  shear_strength(const ContactElement &element,
+                 const JointState &at,
+                 const std::size_t k,
+                 const double N)
   {
-    const double N        = at.forces[element.normal_bar];
     const bool is_bonded  = at.strengths[k].tension > 0. || unreleased_tension(element, at) > 0.;
     const double pressing = is_bonded ? -N : std::max(-N, 0.);
     return std::max(0., at.strengths[k].friction * pressing + cohesive_strength(element, at, k));

@@ -243,35 +243,16 @@ namespace fuga
     return sum(present_slip(element, state, k), -1., start.slips[k]);
   }
 
-  // Bonds that would have to carry more than they can break; elements that begin to slip although
-  // they have lost nothing for it lose what that costs, and those that open as well. Equilibrium is
-  // then looked for again.
+  // Equilibrium is then looked for again.
   bool
   ImplicitStep::lose_strength(JointState &state)
   {
-    JointState before     = state;
-    before.states         = start.states;
-    const double no_force = violation_rounding * max_abs(state.forces);
-    bool any              = false;
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        const bool breaks =
-          start.strengths[k].has_bond() &&
-          state.forces[element.normal_bar] > tensile_strength(element, state, k) + no_force;
-        if (!breaks && (element.friction.is_plain() || state.states[k] == start.states[k]))
-          continue;
-        const double dilatancy = start.strengths[k].dilatancy;
-        change_state(element,
-                     k,
-                     breaks ? ContactState::open : state.states[k],
-                     context.scheme.slip_direction_of(k),
-                     no_force,
-                     before);
-        any |= !(before.strengths[k] == state.strengths[k]);
-        start.strengths[k]           = before.strengths[k];
-        start.strengths[k].dilatancy = dilatancy;
-      }
+    const bool any = lose_strength_in_step(
+      context.elements,
+      state,
+      [this](const std::size_t k) { return context.scheme.slip_direction_of(k); },
+      violation_rounding * max_abs(state.forces),
+      start);
     if (any)
       take_demands(state);
     return any;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/path/matrix_free_path.h>
 #include <fuga/contact/system/layered_system.h>
 
@@ -19,26 +21,21 @@ namespace fuga
     /** Of a linear solution: while schemes change, and when they do not any more. */
     constexpr double rough = 1e-3, fine = 1e-9;
     constexpr int max_steps = 80;
-
-    std::array<unsigned int, 3>
-    bars_of(const ContactElement &element)
-    {
-      return {element.normal_bar, element.tangential_bar, element.second_tangential_bar};
-    }
+    /** Schemes lead further if the residual may grow at first, but not for ever: they would come
+     * round again. */
+    constexpr int free_steps         = 10;
+    constexpr double harmless_growth = 1.5;
   } // namespace
 
   std::string
   unavailable_without_stiffness(const ContactElement &element)
   {
-    const auto is_linear = [](const ComplianceLaw &law) {
-      return law.kind() == ComplianceKind::linear;
+    const auto is_rigid = [](const ComplianceLaw &law) {
+      return law.kind() == ComplianceKind::rigid;
     };
-    if (!is_linear(*element.normal_law) ||
-        (element.has_tangential_bar() && !is_linear(*element.shear_law)) ||
-        element.coupling != nullptr)
-      return "layers other than linear ones";
-    if (!element.friction.is_plain())
-      return "cohesion, tensile strength, residual friction and dilatancy";
+    if (is_rigid(*element.normal_law) ||
+        (element.has_tangential_bar() && is_rigid(*element.shear_law)))
+      return "rigid layers";
     return {};
   }
 
@@ -79,57 +76,6 @@ namespace fuga
     return result;
   }
 
-  // A closed layer gives N by the closure; the shear that it would carry without further slip is
-  // put back onto the cone, in its own direction.
-  MatrixFreePath::Response
-  MatrixFreePath::respond(const std::size_t k, const Vector &jumps, const Vector &slips) const
-  {
-    const ContactElement &element = elements[k];
-    Response result;
-    const double gap = element.initial_gap + jumps[element.normal_bar];
-    if (gap > 0.)
-      return result;
-    const double C_n     = 1. / bar_compliance(*element.normal_law, element.area);
-    result.state         = ContactState::stick;
-    result.forces[0]     = C_n * gap;
-    result.tangent[0][0] = C_n;
-    if (!element.has_tangential_bar())
-      return result;
-
-    const double C_t      = 1. / bar_compliance(*element.shear_law, element.area);
-    const double strength = -element.friction.coefficient * result.forces[0];
-    const auto bars       = bars_of(element);
-    const std::size_t n   = element.n_bars();
-    double size           = 0.;
-    for (std::size_t i = 1; i < n; ++i)
-      {
-        result.forces[i] = C_t * (jumps[bars[i]] - slips[bars[i]]);
-        size             = std::hypot(size, result.forces[i]);
-      }
-    if (size <= strength)
-      {
-        for (std::size_t i = 1; i < n; ++i)
-          result.tangent[i][i] = C_t;
-        return result;
-      }
-    std::array<double, 3> direction{};
-    for (std::size_t i = 1; i < n; ++i)
-      {
-        direction[i]         = result.forces[i] / size;
-        result.forces[i]     = strength * direction[i];
-        result.tangent[i][0] = -element.friction.coefficient * C_n * direction[i];
-      }
-    if (n == 3)
-      for (std::size_t i = 1; i < n; ++i)
-        for (std::size_t j = 1; j < n; ++j)
-          result.tangent[i][j] =
-            strength / size * C_t * ((i == j ? 1. : 0.) - direction[i] * direction[j]);
-    // With two tangents the direction is that of T, and the sign says nothing.
-    result.state =
-      n == 2 && direction[1] < 0. ? ContactState::slip_backward : ContactState::slip_forward;
-    return result;
-  }
-
   Vector
   MatrixFreePath::imposed_jumps(const double t) const
   {
@@ -146,18 +92,47 @@ namespace fuga
       jumps[i] += trial.x[i];
     trial.states.resize(elements.size());
     trial.tangents.resize(elements.size());
+    trial.slips.resize(elements.size());
+    trial.dilations.resize(elements.size());
+    trial.has_risen.resize(elements.size());
     trial.forces.assign(n_bars, 0.);
+    ReturnMapping mapping(elements, from, jumps);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
-        const Response response = respond(k, jumps, from.dislocations);
-        trial.states[k]         = response.state;
-        trial.tangents[k]       = response.tangent;
+        const StepResponse response = mapping.respond(k);
+        trial.states[k]             = response.state;
+        trial.tangents[k]           = response.tangent;
+        trial.slips[k]              = response.slip;
+        trial.dilations[k]          = response.dilation;
+        trial.has_risen[k]          = response.has_risen;
         for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
-          trial.forces[bars_of(elements[k])[i]] = response.forces[i];
+          trial.forces[elements[k].bar(i)] = response.forces[i];
       }
     trial.residual = multiply(bodies.load_patterns(), history.factors(t));
     for (std::size_t i = 0; i < n_bars; ++i)
       trial.residual[i] -= trial.Sx[i] + trial.forces[i];
+  }
+
+  // No layer knows anything behind its closure limit.
+  double
+  MatrixFreePath::largest_share(const JointState &from,
+                                const double t,
+                                const Trial &at,
+                                const Vector &step) const
+  {
+    constexpr double fraction_to_limit = 0.9;
+    const Vector imposed               = imposed_jumps(t);
+    double share                       = 1.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (const ContactElement &element = elements[k]; has_nonlinear_closure(element))
+        {
+          const std::size_t n  = element.normal_bar;
+          const double closure = from.dilations[k] - element.initial_gap - at.x[n] - imposed[n];
+          const double room    = fraction_to_limit * (closure_limit(element) - closure);
+          if (-step[n] > room)
+            share = std::min(share, room / -step[n]);
+        }
+    return share;
   }
 
   // The full step unless the error would grow; S x is known along the step, so trying costs
@@ -166,15 +141,19 @@ namespace fuga
   MatrixFreePath::line_search(const JointState &from,
                               const double t,
                               const Trial &at,
-                              const TangentSolver::Solution &step) const
+                              const TangentSolver::Solution &step,
+                              const double largest_growth) const
   {
-    constexpr double harmless_growth = 1.5, shortest = 0.05;
-    const double error = std::sqrt(dot(at.residual, at.residual));
+    constexpr double shortest = 0.01;
+    const double error        = std::sqrt(dot(at.residual, at.residual));
     Trial best;
-    double least = std::numeric_limits<double>::infinity();
-    for (double length = 1.; length >= shortest; length *= 0.5)
+    double least         = std::numeric_limits<double>::infinity();
+    const double longest = largest_share(from, t, at, step.jumps);
+    for (double length = longest; length >= shortest * longest; length *= 0.5)
       {
-        Trial trial{at.x, at.Sx, {}, {}, {}, {}};
+        Trial trial;
+        trial.x  = at.x;
+        trial.Sx = at.Sx;
         for (std::size_t i = 0; i < n_bars; ++i)
           {
             trial.x[i] += length * step.jumps[i];
@@ -182,33 +161,47 @@ namespace fuga
           }
         evaluate(from, t, trial);
         const double rest = std::sqrt(dot(trial.residual, trial.residual));
-        if (rest < least)
+        if (rest < least || best.x.empty())
           {
             least = rest;
             best  = std::move(trial);
           }
-        if (least <= harmless_growth * error)
+        if (least < largest_growth * error)
           break;
       }
     return best;
   }
 
+  // What is lost on the way is lost: equilibrium is then looked for again.
   JointState
-  MatrixFreePath::step_to(const JointState &from, const double t)
+  MatrixFreePath::step_to(JointState from, const double t)
   {
     Trial trial;
     trial.x.resize(n_bars);
     const Vector imposed = imposed_jumps(from.t);
     for (const ContactElement &element : elements)
-      for (std::size_t i = 0; i < element.n_bars(); ++i)
-        {
-          const unsigned int bar   = bars_of(element)[i];
-          const ComplianceLaw &law = i == 0 ? *element.normal_law : *element.shear_law;
-          trial.x[bar]             = from.dislocations[bar] +
-                         bar_compliance(law, element.area) * from.forces[bar] - imposed[bar];
-        }
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        trial.x[bar] = from.dislocations[bar] +
+                       bar_compliance(law, element.area) * from.forces[bar] - imposed[bar];
+      });
+    trial.Sx = bodies.resistance(trial.x);
+    for (;;)
+      {
+        find_equilibrium(from, t, trial);
+        JointState state       = state_of(from, t, trial);
+        const double no_force  = 10. * tolerance * max_abs(state.forces);
+        const auto along_shear = [&](const std::size_t k) {
+          return direction_of(tangential(elements[k], state.forces));
+        };
+        if (!lose_strength_in_step(elements, state, along_shear, no_force, from))
+          return state;
+      }
+  }
+
+  void
+  MatrixFreePath::find_equilibrium(const JointState &from, const double t, Trial &trial)
+  {
     bool is_exact        = true;
-    trial.Sx             = bodies.resistance(trial.x);
     const double loading = max_abs(multiply(bodies.load_patterns(), history.factors(t)));
     double accuracy      = rough;
     ++iteration_count.n_solutions;
@@ -219,28 +212,28 @@ namespace fuga
         if (std::sqrt(dot(trial.residual, trial.residual)) <= tolerance * scale)
           {
             if (is_exact)
-              break;
+              return;
             trial.Sx = bodies.resistance(trial.x);
             is_exact = true;
             continue;
           }
-        if (count == max_steps)
+        if (count == max_steps || !std::isfinite(scale))
           throw NumericalFailure(fmt::format(
             "No state of equilibrium was found at t = {:.9g} in {} schemes: the loads may be "
             "beyond "
             "their limit. Solver/Bodies = iterative or direct with Follow = events finds it.",
             t,
-            max_steps));
+            count));
         const auto states = trial.states;
-        trial             = line_search(
-          from, t, trial, solver.solve_with_bars(trial.tangents, trial.residual, accuracy));
+        const TangentSolver::Solution step =
+          solver.solve_with_bars(trial.tangents, trial.residual, accuracy);
+        trial    = line_search(from, t, trial, step, count < free_steps ? harmless_growth : 1.);
         accuracy = trial.states == states ? fine : rough;
         is_exact = false;
         ++iteration_count.n_iterations;
         iteration_count.max_in_one =
           std::max<std::size_t>(iteration_count.max_in_one, static_cast<std::size_t>(count) + 1);
       }
-    return state_of(from, t, trial);
   }
 
   JointState
@@ -250,25 +243,27 @@ namespace fuga
     state.t              = t;
     state.states         = trial.states;
     state.forces         = trial.forces;
+    state.dilations      = trial.dilations;
     const Vector imposed = imposed_jumps(t);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
-        for (std::size_t i = 0; i < element.n_bars(); ++i)
-          {
-            const unsigned int bar   = bars_of(element)[i];
-            const ComplianceLaw &law = i == 0 ? *element.normal_law : *element.shear_law;
-            state.dislocations[bar] =
-              trial.x[bar] + imposed[bar] - bar_compliance(law, element.area) * state.forces[bar];
-          }
-        if (state.states[k] != ContactState::open)
-          state.dislocations[element.normal_bar] = -element.initial_gap;
+        element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+          state.dislocations[bar] =
+            trial.x[bar] + imposed[bar] - bar_compliance(law, element.area) * state.forces[bar];
+        });
+        if (trial.has_risen[k])
+          state.strengths[k].dilatancy = 0.;
+        const bool is_open = state.states[k] == ContactState::open;
+        if (!is_open && !has_nonlinear_closure(element))
+          state.dislocations[element.normal_bar] = state.dilations[k] - element.initial_gap;
         if (!element.has_tangential_bar())
           continue;
-        if (state.states[k] == ContactState::stick)
+        if (state.states[k] != ContactState::stick || !carries_shear(element, state.strengths[k]))
+          state.slips[k] = present_slip(element, state, k);
+        else if (!has_nonlinear_shear(element))
           for (std::size_t i = 1; i < element.n_bars(); ++i)
-            state.dislocations[bars_of(element)[i]] = from.dislocations[bars_of(element)[i]];
-        state.slips[k] = tangential(element, state.dislocations);
+            state.dislocations[element.bar(i)] = from.slips[k][i - 1];
       }
     return state;
   }

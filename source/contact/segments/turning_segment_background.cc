@@ -5,6 +5,8 @@
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/turning_segment.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 // How the elements whose direction of slip does not turn answer those whose direction does.
@@ -161,7 +163,8 @@ namespace fuga
   }
 
   // A linear background has answered once and for all. Any other is linearised at the state that
-  // the last answer led to, until that stays where it is: a Newton iteration about the other.
+  // the last answer led to, until that stays where it is, or would as it has come closer to
+  // its end the last time: a Newton iteration about the other.
   bool
   TurningSegment::solve_stage(const TurningStageSolver::Demand demand,
                               const double tau,
@@ -178,7 +181,7 @@ namespace fuga
         return solver.solve(demand, tau, advance, base, xi, stage);
       }
     constexpr int max_iterations = 25;
-    constexpr double tolerance = 1e-13, accepted = 1e-11;
+    constexpr double tolerance = 1e-13, accepted = 1e-11, safety = 10., well_above_rounding = 1e3;
     double last = std::numeric_limits<double>::infinity();
     solver.set_slips(base, xi, stage);
     for (int i = 0; i < max_iterations; ++i)
@@ -197,7 +200,9 @@ namespace fuga
             std::max(change, std::abs(static_cast<double>(stage.slips[j] - before.slips[j])));
         for (std::size_t j = 0; j < stage.dilations.size(); ++j)
           change = std::max(change, std::abs(stage.dilations[j] - before.dilations[j]));
-        if (change <= tolerance * jump_scale ||
+        if (std::isfinite(last) && last > well_above_rounding * tolerance * jump_scale)
+          contraction = change / last;
+        if (std::min(1., safety * contraction) * change <= tolerance * jump_scale ||
             (change >= 0.5 * last && change <= accepted * jump_scale + slip_noise))
           return true;
         last = change;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/implicit_runge_kutta.h>
@@ -53,6 +54,31 @@ namespace fuga
           else
             directions[i] = stage_directions.back()[i];
         }
+    }
+
+    /** First guess of the dislocations of stage number @p k: behind the beginning of the step, with
+     * its rates, the polynomial that leads through the (at most three) stages before. */
+    Vector
+    predicted_dislocations(const std::size_t k,
+                           const double length,
+                           const PathPoint &from,
+                           const std::vector<Vector> &stages)
+    {
+      const auto &c           = runge_kutta::abscissae;
+      const std::size_t first = std::max<std::size_t>(1, k > 3 ? k - 3 : 0);
+      Vector result           = from.state.dislocations;
+      blas::axpy(result.size(), c[k] * length, from.rates.dislocations.data(), result.data());
+      for (std::size_t j = first; j < k; ++j)
+        {
+          double weight = (c[k] * c[k]) / (c[j] * c[j]);
+          for (std::size_t m = first; m < k; ++m)
+            if (m != j)
+              weight *= (c[k] - c[m]) / (c[j] - c[m]);
+          for (std::size_t bar = 0; bar < result.size(); ++bar)
+            result[bar] += weight * (stages[j][bar] - from.state.dislocations[bar] -
+                                     c[j] * length * from.rates.dislocations[bar]);
+        }
+      return result;
     }
   } // namespace
 
@@ -133,6 +159,7 @@ namespace fuga
     // Of the stages so far: rates of slip along the directions, and these.
     std::vector<Vector> stage_rates                          = {xi};
     std::vector<std::vector<TangentVector>> stage_directions = {from.stage.directions};
+    std::vector<Vector> stage_dislocations                   = {from.point.state.dislocations};
     for (std::size_t k = 1; k < rk::n_stages; ++k)
       {
         TurningStage base = from.stage;
@@ -151,9 +178,7 @@ namespace fuga
         // a differential-algebraic system it would lose it); the last one, the result, exactly.
         const auto demand  = k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates
                                                   : TurningStageSolver::Demand::cone;
-        state.dislocations = from.point.state.dislocations;
-        for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
-          state.dislocations[bar] += rk::abscissae[k] * length * from.point.rates.dislocations[bar];
+        state.dislocations = predicted_dislocations(k, length, from.point, stage_dislocations);
         if (!solve_stage(demand,
                          from.tau + rk::abscissae[k] * length,
                          length * rk::diagonal,
@@ -167,6 +192,7 @@ namespace fuga
         for (double &value : stage_rates.back())
           value /= length * rk::diagonal;
         stage_directions.push_back(to.stage.directions);
+        stage_dislocations.push_back(state.dislocations);
         rates[k].resize(2 * n);
         for (std::size_t i = 0; i < n; ++i)
           for (std::size_t a = 0; a < 2; ++a)

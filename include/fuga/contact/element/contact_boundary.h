@@ -127,6 +127,9 @@ namespace fuga
     class RateNoise
     {
     public:
+      /** Of the terms a rate is the difference of: what a linear solution leaves. */
+      static constexpr double share = 1e-10;
+
       RateNoise(const LayeredSystem &system, const JointRates &rates, const Drive &drive);
 
       /** Rate of the force of a bar. */

@@ -112,9 +112,20 @@ namespace fuga
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k);
 
-  /** Largest shear the element can carry, cohesive strength - f N [MN]. */
+  /** Largest shear the element can carry if its normal force is @p N, cohesive strength - f N [MN].
+   */
   double
-  shear_strength(const ContactElement &element, const JointState &at, const std::size_t k);
+  shear_strength(const ContactElement &element,
+                 const JointState &at,
+                 const std::size_t k,
+                 const double N);
+
+  /** The same with the normal force that it has. */
+  inline double
+  shear_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    return shear_strength(element, at, k, at.forces[element.normal_bar]);
+  }
 
   /** Largest tension the element can carry while closed, σ_t A and what a broken bond has not yet
    * released [MN]. */

@@ -15,8 +15,8 @@ namespace fuga
 
   /**
    * The path in implicit steps, from one corner of the loads or requested level to the next, for
-   * bodies whose stiffness S is not known as a matrix. Forces of closed linear layers are functions
-   * of the jumps (return mapping onto Coulomb's cone), so
+   * bodies whose stiffness S is not known as a matrix. Forces of layers with a compliance are
+   * functions of the jumps (ReturnMapping), so
    *
    *     S x + p(x) = F a(t)
    *
@@ -43,33 +43,35 @@ namespace fuga
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
 
-    /** Bars of an element at given jumps: forces and their derivative. */
-    struct Response
-    {
-      std::array<double, 3> forces{};
-      ElementStiffness tangent{};
-      ContactState state = ContactState::open;
-    };
-
-    /** Jumps of the bodies with S x and the bars' response to them. */
+    /** Jumps of the bodies with S x and the elements' response to them. */
     struct Trial
     {
       Vector x, Sx, forces, residual;
       std::vector<ContactState> states;
       std::vector<ElementStiffness> tangents;
+      std::vector<TangentVector> slips;
+      Vector dilations;
+      std::vector<bool> has_risen;
     };
 
-    Response
-    respond(const std::size_t k, const Vector &jumps, const Vector &slips) const;
     void
     evaluate(const JointState &from, const double t, Trial &trial) const;
     Trial
     line_search(const JointState &from,
                 const double t,
                 const Trial &at,
-                const TangentSolver::Solution &step) const;
+                const TangentSolver::Solution &step,
+                const double largest_growth) const;
+    double
+    largest_share(const JointState &from,
+                  const double t,
+                  const Trial &at,
+                  const Vector &step) const;
     JointState
-    step_to(const JointState &from, const double t);
+    step_to(JointState from, const double t);
+    /** The trial in equilibrium with the strengths that @p from has. */
+    void
+    find_equilibrium(const JointState &from, const double t, Trial &trial);
     JointState
     state_of(const JointState &from, const double t, const Trial &trial) const;
     Vector

@@ -179,6 +179,9 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     /** Largest force and jump, what errors are relative to. */
     double force_scale = 0., jump_scale = 0.;
+    /** By how much an iteration about a nonlinear background has brought its slips closer to their
+     * end, at last. */
+    double contraction = 1.;
     bool at_limit = false, at_turning_point = false;
     double end = 0.;
     std::vector<Station> curve;

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fuga/base/work_counter.h>
+#include <fuga/bodies/condensed/condensed_operator.h>
+#include <fuga/bodies/elasticity/elastic_bodies.h>
+#include <fuga/bodies/processes.h>
+#include <fuga/bodies/solvers/elimination_order.h>
+#include <fuga/bodies/solvers/iterative_solver.h>
+#include <fuga/bodies/solvers/schur_solver.h>
+
+#include <cmath>
+#include <limits>
+
+// How the inner unknowns of the bodies are eliminated.
+namespace fuga
+{
+  template <int dim>
+  void
+  CondensedOperator<dim>::factorise()
+  {
+    const Vector lips = eliminate();
+    find_rigid_motions();
+    if (!matrix_free_solver)
+      remove_rounding(lips);
+    model.phases().finish("rigid motions");
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedOperator<dim>::eliminate()
+  {
+    const auto &coordinates  = model.interface_coordinates();
+    SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
+    report_sizes(matrix);
+    model.phases().finish("assembly");
+    const Vector lips = lip_stiffness(matrix);
+    choose_solver(matrix);
+    if (matrix_free_solver)
+      matrix_free_solver->prepare(matrix, coordinates.n_interface());
+    else
+      S = solver->eliminate(matrix, coordinates.n_interface());
+    model.phases().finish("factorisation");
+    return lips;
+  }
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::report_sizes(const SymmetricTriplets &matrix)
+  {
+    const auto &coordinates = model.interface_coordinates();
+    model.add_to_report(
+      fmt::format("{} unknowns, {} of them interface coordinates; {} matrix entries",
+                  coordinates.size(),
+                  coordinates.n_interface(),
+                  fmt::join(processes::from_all(matrix.values.size()), " + ")));
+    if (processes::number() > 1)
+      model.add_to_report(
+        fmt::format("{} processes: {} cells, divided by {}",
+                    processes::number(),
+                    fmt::join(processes::from_all(model.discretization().n_own_cells()), " + "),
+                    model.discretization().is_divided_by_p4est()
+                      ? "p4est"
+                      : "METIS; every process keeps the whole mesh"));
+  }
+
+
+  // The analysis for the direct solver, which costs little, says what a factorisation would take.
+  template <int dim>
+  void
+  CondensedOperator<dim>::choose_solver(SymmetricTriplets &matrix)
+  {
+    const auto &coordinates = model.interface_coordinates();
+    const work::Scope phase(work::Phase::elimination);
+    BodySolver choice = model.definition().body_solver;
+    if (choice == BodySolver::automatic || is_direct(choice))
+      {
+        std::vector<int> order;
+        if (processes::is_first())
+          order = elimination_order(model.discretization(), coordinates);
+        model.phases().finish("ordering");
+        auto direct = std::make_unique<SchurSolver>(std::move(order));
+        model.phases().finish("start of MPI and MUMPS");
+        const DirectEstimate effort = direct->analyse(matrix, coordinates.n_interface());
+        model.phases().finish("analysis");
+        if (choice == BodySolver::automatic)
+          {
+            double n_entries = static_cast<double>(matrix.values.size());
+            processes::sum(&n_entries, 1);
+            estimate = estimate_solvers(
+              {dim,
+               static_cast<std::size_t>(n_entries),
+               coordinates.size(),
+               coordinates.n_interface(),
+               effort.megabytes,
+               effort.megabytes_on_disk,
+               effort.operations,
+               model.definition().may_be_matrix_free && coordinates.jump_operator().empty()});
+            // Another process may run on another machine.
+            double of_first = static_cast<double>(estimate->choice);
+            processes::broadcast(&of_first, 1);
+            choice = estimate->choice     = static_cast<BodySolver>(of_first);
+            constexpr double worth_a_line = 1.; // seconds
+            if (choice != BodySolver::direct || estimate->direct_seconds > worth_a_line)
+              model.add_to_report(estimate->text());
+          }
+        if (choice == BodySolver::direct_on_disk)
+          direct->keep_factor_on_disk();
+        solver = std::move(direct);
+      }
+    used_solver = choice;
+    if (is_direct(choice))
+      return;
+    auto iterative =
+      std::make_unique<IterativeSolver>(nodal_blocks(model.discretization(), coordinates));
+    matrix_free_solver = choice == BodySolver::matrix_free ? iterative.get() : nullptr;
+    solver             = std::move(iterative);
+    model.phases().finish("nodal blocks");
+  }
+
+
+  // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
+  template <int dim>
+  Vector
+  CondensedOperator<dim>::lip_stiffness(const SymmetricTriplets &matrix) const
+  {
+    const auto &coordinates  = model.interface_coordinates();
+    const unsigned int first = coordinates.first_interface_coordinate();
+    Vector result(coordinates.n_interface(), 0.);
+    for (std::size_t k = 0; k < matrix.values.size(); ++k)
+      if (matrix.rows[k] == matrix.columns[k] && matrix.rows[k] > static_cast<int>(first))
+        result[static_cast<std::size_t>(matrix.rows[k] - 1) - first] += matrix.values[k];
+    processes::sum(result);
+    return result;
+  }
+
+
+  // A jump that the bodies follow without deformation meets no resistance; what elimination leaves
+  // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
+  template <int dim>
+  void
+  CondensedOperator<dim>::remove_rounding(const Vector &lips)
+  {
+    const double rounding = 64. * std::numeric_limits<double>::epsilon();
+    for (std::size_t i = 0; i < lips.size(); ++i)
+      if (std::abs(S(i, i)) <= rounding * lips[i])
+        for (std::size_t j = 0; j < lips.size(); ++j)
+          S(i, j) = S(j, i) = 0.;
+  }
+
+
+  template void
+  CondensedOperator<2>::factorise();
+  template void
+  CondensedOperator<3>::factorise();
+} // namespace fuga

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+// Steps in which forces follow from jumps by return mapping: derivatives against differences, the
+// conditions they are to meet, and ends of steps against those of working schemes.
+
+#include "contact/cone_toy.h"
+#include "contact/plane_scenes.h"
+
+#include <fuga/contact/element/return_mapping.h>
+#include <fuga/contact/path/matrix_free_path.h>
+#include <fuga/contact/virgin_state.h>
+
+namespace fuga::tests
+{
+  namespace
+  {
+    /** Bodies that are known by their products alone. */
+    class ProductsOnly : public ToySystem, public TangentSolver
+    {
+    public:
+      explicit ProductsOnly(const ToySystem &system) : ToySystem(system)
+      {
+      }
+
+      Vector
+      resistance(const Vector &x) const override
+      {
+        return multiply(S, x);
+      }
+
+      Solution
+      solve_with_bars(const std::vector<ElementStiffness> &bars,
+                      const Vector &r,
+                      const double) const override
+      {
+        DenseMatrix K               = S;
+        const std::size_t n_of_each = S.n_rows() / bars.size();
+        for (std::size_t k = 0; k < bars.size(); ++k)
+          for (std::size_t i = 0; i < n_of_each; ++i)
+            for (std::size_t j = 0; j < n_of_each; ++j)
+              K(k * n_of_each + i, k * n_of_each + j) += bars[k][i][j];
+        Solution solution{r, {}};
+        LuFactors(std::move(K)).solve(solution.jumps);
+        solution.resistance = resistance(solution.jumps);
+        return solution;
+      }
+    };
+
+    const std::vector<double> corners = {1., 2., 3., 4., 5.};
+
+    /** All but rigid layers and the reduction of strengths. */
+    std::vector<SceneCase>
+    cases_without_stiffness()
+    {
+      std::vector<SceneCase> result;
+      for (const SceneCase &scene_case : scene_cases())
+        {
+          const PlaneScene scene = make_scene(scene_case, 1);
+          if (unavailable_without_stiffness(scene.elements[0]).empty() &&
+              !scene.elements[0].friction.reduced)
+            result.push_back(scene_case);
+        }
+      return result;
+    }
+
+    class WithoutStiffness : public testing::TestWithParam<SceneCase>
+    {
+    };
+
+    /** Compares the ends of steps until one is another solution of the same step, if lips that rise
+     * may be apart or touch; counts those compared. */
+    void
+    expect_same_steps(const PlaneScene &scene, std::size_t &n_same, std::size_t &n_other)
+    {
+      const LayeredSystem layered(scene.system, scene.elements);
+      Record by_schemes(scene.system, scene.elements, scene.history);
+      PathOptions options;
+      options.follow = PathOptions::Follow::stage_ends;
+      EventPath(scene.elements, layered, scene.history, options).run(corners, by_schemes);
+
+      const ProductsOnly bodies(scene.system);
+      Record by_jumps(scene.system, scene.elements, scene.history);
+      MatrixFreePath(scene.elements, layered, bodies, bodies, scene.history).run(corners, by_jumps);
+
+      EXPECT_LT(by_jumps.worst.worst(), 1e-9);
+      ASSERT_EQ(by_jumps.levels.size(), by_schemes.levels.size());
+      for (std::size_t i = 0; i < by_jumps.levels.size(); ++i)
+        {
+          const JointState &a = by_jumps.levels[i], &b = by_schemes.levels[i];
+          if (a.states != b.states && scene.elements[0].friction.dilatancy > 0.)
+            {
+              ++n_other;
+              break;
+            }
+          ++n_same;
+          EXPECT_LT(largest_difference(a.forces, b.forces), 1e-9 * max_abs(b.forces)) << i;
+          EXPECT_LT(largest_difference(a.dilations, b.dilations), 1e-9) << i;
+          EXPECT_EQ(a.states, b.states) << i;
+          EXPECT_EQ(a.strengths, b.strengths) << i;
+        }
+    }
+  } // namespace
+
+  // Random jumps: forces on or within the strength, slip along the shear, lips that rise with it;
+  // and central differences, which lack the cube of a step of 1e-6 and rounding over it.
+  TEST_P(WithoutStiffness, ReturnsToTheStrength)
+  {
+    constexpr double step = 1e-6;
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> closure(0.02, 0.2), shear(-0.4, 0.4);
+    std::size_t n_slips = 0;
+    for (unsigned int trial = 0; trial < 20; ++trial)
+      {
+        const PlaneScene scene = oblique_scene(GetParam(), trial + 1);
+        JointState from        = virgin_state(scene.elements, 9, false);
+        Vector jumps;
+        for (const ContactElement &element : scene.elements)
+          {
+            jumps.push_back(-element.initial_gap - closure(generator));
+            jumps.push_back(shear(generator));
+            jumps.push_back(shear(generator));
+          }
+        ReturnMapping mapping(scene.elements, from, jumps);
+        for (std::size_t k = 0; k < scene.elements.size(); ++k)
+          {
+            SCOPED_TRACE(testing::Message() << "trial " << trial << ", element " << k);
+            const ContactElement &element = scene.elements[k];
+            const StepResponse response   = mapping.respond(k);
+            ASSERT_NE(response.state, ContactState::open);
+            const TangentVector T = {{response.forces[1], response.forces[2]}};
+            const double strength = shear_strength(element, from, k, response.forces[0]);
+            EXPECT_LE(length(T), strength * (1. + 1e-12));
+            const double way = length(response.slip);
+            if (is_slipping(response.state))
+              {
+                ++n_slips;
+                EXPECT_NEAR(length(T), strength, 1e-12 * strength);
+                EXPECT_NEAR(dot(response.slip, T), way * length(T), 1e-12 * way * length(T));
+              }
+            else
+              EXPECT_EQ(way, 0.);
+            EXPECT_NEAR(
+              response.dilation,
+              std::min(from.strengths[k].dilatancy * way, element.friction.dilation_limit),
+              1e-12);
+            for (std::size_t j = 0; j < 3; ++j)
+              {
+                std::array<StepResponse, 2> beside;
+                for (const std::size_t side : {0u, 1u})
+                  {
+                    Vector moved = jumps;
+                    moved[3 * k + j] += side == 0 ? -step : step;
+                    beside[side] = ReturnMapping(scene.elements, from, moved).respond(k);
+                  }
+                if (beside[0].state != beside[1].state ||
+                    beside[0].has_risen != beside[1].has_risen)
+                  continue;
+                for (std::size_t i = 0; i < 3; ++i)
+                  EXPECT_NEAR((beside[1].forces[i] - beside[0].forces[i]) / (2. * step),
+                              response.tangent[i][j],
+                              1e-6 * (1. + std::abs(response.tangent[i][i])))
+                    << "force " << i << " by jump " << j;
+              }
+          }
+      }
+    EXPECT_GT(n_slips, 10u);
+  }
+
+  // In the plane, and on cones in space under loads from all sides.
+  TEST_P(WithoutStiffness, EndsStepsWhereSchemesDo)
+  {
+    std::size_t n_same = 0, n_other = 0;
+    for (unsigned int seed = 1; seed <= 6; ++seed)
+      {
+        SCOPED_TRACE(seed);
+        expect_same_steps(make_scene(GetParam(), seed), n_same, n_other);
+        expect_same_steps(oblique_scene(GetParam(), seed), n_same, n_other);
+      }
+    EXPECT_GT(n_same, 50u);
+    EXPECT_LE(n_other, 2u);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Laws,
+                           WithoutStiffness,
+                           testing::ValuesIn(cases_without_stiffness()),
+                           name_of_case);
+
+  TEST(MatrixFree, RefusesRigidLayers)
+  {
+    const auto rigid =
+      std::find_if(scene_cases().begin(), scene_cases().end(), [](const SceneCase &scene_case) {
+        return scene_case.name == "rigid";
+      });
+    const PlaneScene scene = make_scene(*rigid, 1);
+    EXPECT_EQ(unavailable_without_stiffness(scene.elements[0]), "rigid layers");
+  }
+} // namespace fuga::tests
