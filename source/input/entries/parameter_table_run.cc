@@ -44,7 +44,8 @@ namespace fuga
       "temporary files (TMPDIR) and takes half of the memory. Iterative: conjugate gradients with "
       "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
       "without the stiffness of the interface as well, for Follow = stage ends and layers "
-      "with a compliance. Automatic: by an estimate of time, and of memory against that of the machine, "
+      "with a compliance. Automatic: by an estimate of time, and of memory against that of the "
+      "machine, "
       "free or not.");
     defaulted(
       "Non-unique",
