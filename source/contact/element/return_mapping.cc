@@ -113,48 +113,20 @@ namespace fuga
       excess_and_derivative, least, least, most, digits, n_iterations);
   }
 
-  StepResponse
-  ReturnMapping::respond(const std::size_t k)
+  // N by the slip, and |T| + f N by it; then N by the gap and by the shear of the whole step, at
+  // which the excess stays zero.
+  void
+  ReturnMapping::slip(const std::size_t k, const TangentVector &e, StepResponse &result)
   {
     const ContactElement &element = elements[k];
-    const bool is_bonded = from.strengths[k].has_bond() && from.states[k] != ContactState::open;
-    StepResponse result;
-    result.dilation = from.dilations[k];
-    if (element.has_tangential_bar())
-      result.slip = tangential(element, at.dislocations);
-    const TangentVector e =
-      element.has_tangential_bar() ? elastic_shear(element, at, k) : TangentVector{};
-    // Lips that touched may have risen after each other.
-    const double highest = from.states[k] != ContactState::open && may_rise(k)
-                             ? std::min(at.strengths[k].dilatancy * length(e),
-                                        element.friction.dilation_limit - from.dilations[k])
-                             : 0.;
-    if (gap(element, at, k) > highest && !is_bonded)
-      return result;
-
-    result.state             = ContactState::stick;
-    result.slip              = from.slips[k];
-    Layer now                = layer(k);
-    result.forces[0]         = now.normal;
-    const std::size_t n_bars = element.n_bars();
-    const TangentVector u    = direction_of(e);
-    for (std::size_t i = 1; i < n_bars; ++i)
-      result.forces[i] = now.shear * u[i - 1];
-    for (std::size_t i = 0; i < n_bars; ++i)
-      for (std::size_t j = 0; j < n_bars; ++j)
-        result.tangent[i][j] = now.tangent(i, j);
-    if (!element.has_tangential_bar() || (length(e) < shear_limit(element) &&
-                                          now.shear <= shear_strength(element, at, k, now.normal)))
-      return result;
-
-    const double slip = slip_onto_strength(k, e);
-    slide(k, {{slip * u[0], slip * u[1]}});
-    now                   = layer(k);
-    const double rise     = may_rise(k) ? at.strengths[k].dilatancy : 0.;
-    const double strength = shear_strength(element, at, k, now.normal);
-    const double f        = friction_at(element, at, k, now.normal);
-    // N by the slip, and |T| + f N by it; then N by the gap and by the shear of the whole step, at
-    // which the excess stays zero.
+    const std::size_t n_bars      = element.n_bars();
+    const TangentVector u         = direction_of(e);
+    const double way              = slip_onto_strength(k, e);
+    slide(k, {{way * u[0], way * u[1]}});
+    const Layer now             = layer(k);
+    const double rise           = may_rise(k) ? at.strengths[k].dilatancy : 0.;
+    const double strength       = shear_strength(element, at, k, now.normal);
+    const double f              = friction_at(element, at, k, now.normal);
     const double by_slip        = -now.tangent.mixed - rise * now.tangent.normal;
     const double excess_by_slip = -(now.tangent.shear + rise * now.tangent.mixed) + f * by_slip;
     const double share          = by_slip / excess_by_slip;
@@ -178,6 +150,43 @@ namespace fuga
     result.slip      = at.slips[k];
     result.dilation  = at.dilations[k];
     result.has_risen = at.strengths[k].dilatancy > 0. && rise == 0.;
+  }
+
+  StepResponse
+  ReturnMapping::respond(const std::size_t k)
+  {
+    const ContactElement &element = elements[k];
+    const bool is_bonded = from.strengths[k].has_bond() && from.states[k] != ContactState::open;
+    StepResponse result;
+    result.dilation = from.dilations[k];
+    if (element.has_tangential_bar())
+      result.slip = tangential(element, at.dislocations);
+    const TangentVector e =
+      element.has_tangential_bar() ? elastic_shear(element, at, k) : TangentVector{};
+    // Lips that touched and slide rise after each other.
+    const double highest = from.states[k] != ContactState::open && may_rise(k)
+                             ? std::min(at.strengths[k].dilatancy * length(e),
+                                        element.friction.dilation_limit - from.dilations[k])
+                             : 0.;
+    if (gap(element, at, k) > highest && !is_bonded)
+      return result;
+
+    result.state             = ContactState::stick;
+    result.slip              = from.slips[k];
+    const Layer now          = layer(k);
+    result.forces[0]         = now.normal;
+    const std::size_t n_bars = element.n_bars();
+    const TangentVector u    = direction_of(e);
+    for (std::size_t i = 1; i < n_bars; ++i)
+      result.forces[i] = now.shear * u[i - 1];
+    for (std::size_t i = 0; i < n_bars; ++i)
+      for (std::size_t j = 0; j < n_bars; ++j)
+        result.tangent[i][j] = now.tangent(i, j);
+    if (!element.has_tangential_bar() || (length(e) < shear_limit(element) &&
+                                          now.shear <= shear_strength(element, at, k, now.normal)))
+      return result;
+
+    slip(k, e, result);
     return result;
   }
 } // namespace fuga

@@ -56,6 +56,9 @@ namespace fuga
     may_rise(const std::size_t k) const;
     void
     slide(const std::size_t k, const TangentVector &by);
+    /** The response where the elastic shear would be @p e without slip, which is too much. */
+    void
+    slip(const std::size_t k, const TangentVector &e, StepResponse &result);
     double
     slip_onto_strength(const std::size_t k, const TangentVector &e);
 
