@@ -3,7 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/work_counter.h>
-#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/change_of_state.h>
 #include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/path/contact_path.h>
 #include <fuga/contact/segments/course.h>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/contact/change_of_state.h>
+#include <fuga/contact/element/change_of_state.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/path/matrix_free_path.h>
 #include <fuga/contact/system/layered_system.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_contact_change_of_state_h
-#define fuga_contact_change_of_state_h
+#ifndef fuga_contact_element_change_of_state_h
+#define fuga_contact_element_change_of_state_h
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/joint_state.h>
