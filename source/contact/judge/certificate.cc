@@ -338,11 +338,13 @@ namespace fuga
         largest_load = std::max(largest_load, max_abs(f));
         const double ratio =
           largest_load > 0. ? std::max(1., largest_load_of_history / largest_load) : 1.;
-        const double scale = largest_energy * ratio * ratio;
-        result.energy =
-          share(std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation),
-                scale);
-        result.slip_direction = std::max(result.slip_direction, share(wrong_slip_work, scale));
+        const double scale      = largest_energy * ratio * ratio;
+        const auto beyond_noise = [&](const double work) {
+          return share(std::max(0., work - rounding_of_work()), scale);
+        };
+        result.energy = beyond_noise(
+          std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation));
+        result.slip_direction = std::max(result.slip_direction, beyond_noise(wrong_slip_work));
       }
     return result;
   }

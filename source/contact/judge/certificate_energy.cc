@@ -167,4 +167,14 @@ namespace fuga
     energy_of_bodies_before = 0.;
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));
   }
+
+  // By the last digits of the forces lips move, and their forces work on it: even the stiffest
+  // ones. Where rigid joints begin to slip together, nothing else has worked yet.
+  double
+  Judge::rounding_of_work() const
+  {
+    constexpr double rounding = 16. * std::numeric_limits<double>::epsilon();
+    const double stiffness    = max_abs(stiffness_row_norms);
+    return stiffness > 0. ? rounding * largest_force * largest_force / stiffness : 0.;
+  }
 } // namespace fuga

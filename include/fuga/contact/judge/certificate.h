@@ -232,6 +232,9 @@ namespace fuga
     resistance(const Vector &x) const;
     double
     body_equilibrium_error(const JointState &state) const;
+    /** Of forces on lips that these move by their own last digits [MNm]. */
+    double
+    rounding_of_work() const;
     void
     check_element(const std::size_t k,
                   const JointState &state,
