@@ -25,16 +25,6 @@ namespace fuga
                ? at.strengths[k].friction
                : 0.;
     }
-
-    /** Elastic shear that no stress reaches [m]; where closure and shear are coupled none is known.
-     */
-    double
-    shear_limit(const ContactElement &element)
-    {
-      return has_nonlinear_shear(element) && element.coupling == nullptr
-               ? element.shear_law->deformation_limit()
-               : std::numeric_limits<double>::infinity();
-    }
   } // namespace
 
   ReturnMapping::ReturnMapping(const std::vector<ContactElement> &contact_elements,
@@ -95,10 +85,10 @@ namespace fuga
     const TangentVector u         = direction_of(e);
     const double room =
       has_nonlinear_closure(element) ? within * closure_limit(element) + gap(element, at, k) : 0.;
-    const double most                = may_rise(k) && has_nonlinear_closure(element)
-                                         ? std::clamp(room / at.strengths[k].dilatancy, 0., length(e))
-                                         : length(e);
-    const double least               = std::max(0., length(e) - within * shear_limit(element));
+    const double most  = may_rise(k) && has_nonlinear_closure(element)
+                           ? std::clamp(room / at.strengths[k].dilatancy, 0., length(e))
+                           : length(e);
+    const double least = std::max(0., length(e) - within * element.shear_law->deformation_limit());
     const auto excess_and_derivative = [&](const double slip) {
       slide(k, {{slip * u[0], slip * u[1]}});
       const Layer now   = layer(k);
@@ -144,12 +134,11 @@ namespace fuga
       }
     // With two tangents the direction is that of T, and the sign says nothing; where nothing of the
     // strength is left, nor the state.
-    result.state     = !carries_shear(element, at.strengths[k]) ? ContactState::stick
-                       : n_bars == 2 && u[0] < 0.               ? ContactState::slip_backward
-                                                                : ContactState::slip_forward;
-    result.slip      = at.slips[k];
-    result.dilation  = at.dilations[k];
-    result.has_risen = at.strengths[k].dilatancy > 0. && rise == 0.;
+    result.state    = !carries_shear(element, at.strengths[k]) ? ContactState::stick
+                      : n_bars == 2 && u[0] < 0.               ? ContactState::slip_backward
+                                                               : ContactState::slip_forward;
+    result.slip     = at.slips[k];
+    result.dilation = at.dilations[k];
   }
 
   StepResponse
@@ -182,7 +171,7 @@ namespace fuga
     for (std::size_t i = 0; i < n_bars; ++i)
       for (std::size_t j = 0; j < n_bars; ++j)
         result.tangent[i][j] = now.tangent(i, j);
-    if (!element.has_tangential_bar() || (length(e) < shear_limit(element) &&
+    if (!element.has_tangential_bar() || (length(e) < element.shear_law->deformation_limit() &&
                                           now.shear <= shear_strength(element, at, k, now.normal)))
       return result;
 

@@ -328,17 +328,7 @@ namespace fuga
     result.layer_law = std::max(result.layer_law, share(wrong_rise, largest_jump));
     if (on_track)
       {
-        largest_energy = std::max({largest_energy,
-                                   std::abs(ledger.external_work),
-                                   std::abs(ledger.bodies),
-                                   ledger.layer,
-                                   ledger.dissipation});
-        // Early in a run energies are small, and so would be the scale: the load still to come is
-        // known.
-        largest_load = std::max(largest_load, max_abs(f));
-        const double ratio =
-          largest_load > 0. ? std::max(1., largest_load_of_history / largest_load) : 1.;
-        const double scale      = largest_energy * ratio * ratio;
+        const double scale      = scale_of_energy(max_abs(f));
         const auto beyond_noise = [&](const double work) {
           return share(std::max(0., work - rounding_of_work()), scale);
         };

@@ -168,6 +168,21 @@ namespace fuga
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));
   }
 
+  // Early in a run energies are small, and so would be the scale: the load still to come is known.
+  double
+  Judge::scale_of_energy(const double load)
+  {
+    largest_energy = std::max({largest_energy,
+                               std::abs(ledger.external_work),
+                               std::abs(ledger.bodies),
+                               ledger.layer,
+                               ledger.dissipation});
+    largest_load   = std::max(largest_load, load);
+    const double ratio =
+      largest_load > 0. ? std::max(1., largest_load_of_history / largest_load) : 1.;
+    return largest_energy * ratio * ratio;
+  }
+
   // By the last digits of the forces lips move, and their forces work on it: even the stiffest
   // ones. Where rigid joints begin to slip together, nothing else has worked yet.
   double

@@ -95,13 +95,14 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
+        const Vector growth = context.system.jumps(change->dislocations, change->forces);
         const double share =
-          limit_safeguard(context, state, *change, OpenLips::stay_short_of_limit);
+          limit_safeguard(context.elements, state, growth, OpenLips::stay_short_of_limit);
         for (std::size_t bar = 0; bar < state.dislocations.size(); ++bar)
           state.dislocations[bar] += share * change->dislocations[bar];
         complete(tau, state);
 
-        const double size  = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double size  = max_abs(growth);
         const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
         if (take_demands(state))
           {

@@ -5,6 +5,7 @@
 #include <fuga/contact/element/change_of_state.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/path/matrix_free_path.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/contact/system/layered_system.h>
 
 #include <algorithm>
@@ -83,56 +84,36 @@ namespace fuga
     return E.empty() ? Vector(n_bars, 0.) : multiply(E, history.factors(t));
   }
 
+  Vector
+  MatrixFreePath::jumps(const double t, const Trial &trial) const
+  {
+    Vector result = imposed_jumps(t);
+    for (std::size_t i = 0; i < n_bars; ++i)
+      result[i] += trial.x[i];
+    return result;
+  }
+
   // Fills in all that follows from x and S x.
   void
   MatrixFreePath::evaluate(const JointState &from, const double t, Trial &trial) const
   {
-    Vector jumps = imposed_jumps(t);
-    for (std::size_t i = 0; i < n_bars; ++i)
-      jumps[i] += trial.x[i];
     trial.states.resize(elements.size());
     trial.tangents.resize(elements.size());
-    trial.slips.resize(elements.size());
     trial.dilations.resize(elements.size());
-    trial.has_risen.resize(elements.size());
     trial.forces.assign(n_bars, 0.);
-    ReturnMapping mapping(elements, from, jumps);
+    ReturnMapping mapping(elements, from, jumps(t, trial));
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const StepResponse response = mapping.respond(k);
         trial.states[k]             = response.state;
         trial.tangents[k]           = response.tangent;
-        trial.slips[k]              = response.slip;
         trial.dilations[k]          = response.dilation;
-        trial.has_risen[k]          = response.has_risen;
         for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
           trial.forces[elements[k].bar(i)] = response.forces[i];
       }
     trial.residual = multiply(bodies.load_patterns(), history.factors(t));
     for (std::size_t i = 0; i < n_bars; ++i)
       trial.residual[i] -= trial.Sx[i] + trial.forces[i];
-  }
-
-  // No layer knows anything behind its closure limit.
-  double
-  MatrixFreePath::largest_share(const JointState &from,
-                                const double t,
-                                const Trial &at,
-                                const Vector &step) const
-  {
-    constexpr double fraction_to_limit = 0.9;
-    const Vector imposed               = imposed_jumps(t);
-    double share                       = 1.;
-    for (std::size_t k = 0; k < elements.size(); ++k)
-      if (const ContactElement &element = elements[k]; has_nonlinear_closure(element))
-        {
-          const std::size_t n  = element.normal_bar;
-          const double closure = from.dilations[k] - element.initial_gap - at.x[n] - imposed[n];
-          const double room    = fraction_to_limit * (closure_limit(element) - closure);
-          if (-step[n] > room)
-            share = std::min(share, room / -step[n]);
-        }
-    return share;
   }
 
   // The full step unless the error would grow; S x is known along the step, so trying costs
@@ -147,8 +128,13 @@ namespace fuga
     constexpr double shortest = 0.01;
     const double error        = std::sqrt(dot(at.residual, at.residual));
     Trial best;
-    double least         = std::numeric_limits<double>::infinity();
-    const double longest = largest_share(from, t, at, step.jumps);
+    double least    = std::numeric_limits<double>::infinity();
+    JointState here = from;
+    here.states     = at.states;
+    here.forces.assign(n_bars, 0.); // then the dislocations are the jumps
+    here.dislocations = jumps(t, at);
+    const double longest =
+      limit_safeguard(elements, here, step.jumps, OpenLips::stay_short_of_limit);
     for (double length = longest; length >= shortest * longest; length *= 0.5)
       {
         Trial trial;
@@ -205,9 +191,9 @@ namespace fuga
     const double loading = max_abs(multiply(bodies.load_patterns(), history.factors(t)));
     double accuracy      = rough;
     ++iteration_count.n_solutions;
+    evaluate(from, t, trial);
     for (int count = 0;; ++count)
       {
-        evaluate(from, t, trial);
         const double scale = std::max({loading, max_abs(trial.forces), max_abs(trial.Sx)});
         if (std::sqrt(dot(trial.residual, trial.residual)) <= tolerance * scale)
           {
@@ -215,13 +201,14 @@ namespace fuga
               return;
             trial.Sx = bodies.resistance(trial.x);
             is_exact = true;
+            evaluate(from, t, trial);
             continue;
           }
         if (count == max_steps || !std::isfinite(scale))
           throw NumericalFailure(fmt::format(
             "No state of equilibrium was found at t = {:.9g} in {} schemes: the loads may be "
-            "beyond "
-            "their limit. Solver/Bodies = iterative or direct with Follow = events finds it.",
+            "beyond their limit. Solver/Bodies = iterative or direct with Follow = events finds "
+            "it.",
             t,
             count));
         const auto states = trial.states;
@@ -239,20 +226,20 @@ namespace fuga
   JointState
   MatrixFreePath::state_of(const JointState &from, const double t, const Trial &trial) const
   {
-    JointState state     = from;
-    state.t              = t;
-    state.states         = trial.states;
-    state.forces         = trial.forces;
-    state.dilations      = trial.dilations;
-    const Vector imposed = imposed_jumps(t);
+    JointState state  = from;
+    state.t           = t;
+    state.states      = trial.states;
+    state.forces      = trial.forces;
+    state.dilations   = trial.dilations;
+    const Vector felt = jumps(t, trial);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
         element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
           state.dislocations[bar] =
-            trial.x[bar] + imposed[bar] - bar_compliance(law, element.area) * state.forces[bar];
+            felt[bar] - bar_compliance(law, element.area) * state.forces[bar];
         });
-        if (trial.has_risen[k])
+        if (is_slipping(state.states[k]) && state.dilations[k] >= element.friction.dilation_limit)
           state.strengths[k].dilatancy = 0.;
         const bool is_open = state.states[k] == ContactState::open;
         if (!is_open && !has_nonlinear_closure(element))

@@ -52,13 +52,15 @@ namespace fuga
           context.scheme.correction(context.scheme.residual(state));
         if (!change)
           return false;
+        const Vector growth = context.system.jumps(change->dislocations, change->forces);
         const double share =
-          constant ? 1. : limit_safeguard(context, state, *change, OpenLips::may_pass_limit);
+          constant ? 1.
+                   : limit_safeguard(context.elements, state, growth, OpenLips::may_pass_limit);
         for (std::size_t b = 0; b < state.dislocations.size(); ++b)
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state);
 
-        const double size = max_abs(context.system.jumps(change->dislocations, change->forces));
+        const double size = max_abs(growth);
         const double total =
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
         if (passes_limit_of_law(context.elements, state))
@@ -97,16 +99,15 @@ namespace fuga
   }
 
   double
-  limit_safeguard(const PathContext &context,
+  limit_safeguard(const std::vector<ContactElement> &elements,
                   const JointState &state,
-                  const JointRates &change,
+                  const Vector &growth_of,
                   const OpenLips open_lips)
   {
-    const Vector growth_of = context.system.jumps(change.dislocations, change.forces);
-    double share           = 1.;
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
+    double share = 1.;
+    for (std::size_t k = 0; k < elements.size(); ++k)
       {
-        const ContactElement &element = context.elements[k];
+        const ContactElement &element = elements[k];
         const auto limit = [&](const double largest, const double now, const double growth) {
           const double room = largest - now;
           if (growth > fraction_to_limit * room)

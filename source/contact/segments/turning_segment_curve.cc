@@ -21,6 +21,19 @@ namespace fuga
     /** Rate of slip, relative to the largest rate of dislocation, that is none. */
     constexpr double no_slip_rate = 1e-10;
 
+    /** At stage number @p k the Lagrange polynomial that is one at stage @p j and zero at the others
+     * from @p first to k - 1. */
+    double
+    lagrange(const std::size_t first, const std::size_t j, const std::size_t k)
+    {
+      const auto &c = runge_kutta::abscissae;
+      double result = 1.;
+      for (std::size_t m = first; m < k; ++m)
+        if (m != j)
+          result *= (c[k] - c[m]) / (c[j] - c[m]);
+      return result;
+    }
+
     /** First guess for stage number @p k: the parabola through the three stages before, or less. */
     void
     predict(const std::size_t k,
@@ -29,16 +42,12 @@ namespace fuga
             Vector &rates,
             std::vector<TangentVector> &directions)
     {
-      const auto &c           = runge_kutta::abscissae;
       const std::size_t first = k > 3 ? k - 3 : 0;
       std::fill(rates.begin(), rates.end(), 0.);
       std::fill(directions.begin(), directions.end(), TangentVector{{0., 0.}});
       for (std::size_t j = first; j < k; ++j)
         {
-          double weight = 1.;
-          for (std::size_t m = first; m < k; ++m)
-            if (m != j)
-              weight *= (c[k] - c[m]) / (c[j] - c[m]);
+          const double weight = lagrange(first, j, k);
           for (std::size_t i = 0; i < rates.size(); ++i)
             {
               rates[i] += weight * stage_rates[j][i];
@@ -70,10 +79,7 @@ namespace fuga
       blas::axpy(result.size(), c[k] * length, from.rates.dislocations.data(), result.data());
       for (std::size_t j = first; j < k; ++j)
         {
-          double weight = (c[k] * c[k]) / (c[j] * c[j]);
-          for (std::size_t m = first; m < k; ++m)
-            if (m != j)
-              weight *= (c[k] - c[m]) / (c[j] - c[m]);
+          const double weight = (c[k] * c[k]) / (c[j] * c[j]) * lagrange(first, j, k);
           for (std::size_t bar = 0; bar < result.size(); ++bar)
             result[bar] += weight * (stages[j][bar] - from.state.dislocations[bar] -
                                      c[j] * length * from.rates.dislocations[bar]);

@@ -45,8 +45,7 @@ namespace fuga
       "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
       "without the stiffness of the interface as well, for Follow = stage ends and layers "
       "with a compliance. Automatic: by an estimate of time, and of memory against that of the "
-      "machine, "
-      "free or not.");
+      "machine, free or not.");
     defaulted(
       "Non-unique",
       &SolverSettings::non_unique,

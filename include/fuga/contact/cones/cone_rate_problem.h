@@ -276,8 +276,7 @@ namespace fuga
     change_rate(const std::size_t row, const double change);
     void
     refresh_forces();
-    /** Of the terms of a rate, what counts as none. */
-    static constexpr double rate_tolerance = 1e-10;
+    static constexpr double rate_tolerance = ContactBoundary::RateNoise::share;
     double
     noise(const std::size_t row) const;
     /** The tangential rows of a candidate in v, q or the diagonal; the second is zero if it has

@@ -19,8 +19,6 @@ namespace fuga
     /** What has slipped in all, and how far the lips have risen [m]. */
     TangentVector slip{};
     double dilation = 0.;
-    /** The lips have risen to their limit. */
-    bool has_risen = false;
   };
 
   /**

@@ -232,6 +232,9 @@ namespace fuga
     resistance(const Vector &x) const;
     double
     body_equilibrium_error(const JointState &state) const;
+    /** What errors of energy are related to, under a largest force of the loads [MNm]. */
+    double
+    scale_of_energy(const double load);
     /** Of forces on lips that these move by their own last digits [MNm]. */
     double
     rounding_of_work() const;

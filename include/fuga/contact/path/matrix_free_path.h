@@ -49,11 +49,12 @@ namespace fuga
       Vector x, Sx, forces, residual;
       std::vector<ContactState> states;
       std::vector<ElementStiffness> tangents;
-      std::vector<TangentVector> slips;
       Vector dilations;
-      std::vector<bool> has_risen;
     };
 
+    /** The jumps that the joints feel. */
+    Vector
+    jumps(const double t, const Trial &trial) const;
     void
     evaluate(const JointState &from, const double t, Trial &trial) const;
     Trial
@@ -62,11 +63,6 @@ namespace fuga
                 const Trial &at,
                 const TangentSolver::Solution &step,
                 const double largest_growth) const;
-    double
-    largest_share(const JointState &from,
-                  const double t,
-                  const Trial &at,
-                  const Vector &step) const;
     JointState
     step_to(JointState from, const double t);
     /** The trial in equilibrium with the strengths that @p from has. */

@@ -45,11 +45,12 @@ namespace fuga
     stay_short_of_limit
   };
 
-  /** Largest share of a change that keeps every layer with a limit of deformation short of it. */
+  /** Largest share of a change by which the jumps grow by @p growth_of that keeps every layer with a
+   * limit of deformation short of it. */
   double
-  limit_safeguard(const PathContext &context,
+  limit_safeguard(const std::vector<ContactElement> &elements,
                   const JointState &state,
-                  const JointRates &change,
+                  const Vector &growth_of,
                   const OpenLips open_lips);
 } // namespace fuga
 
