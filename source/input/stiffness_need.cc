@@ -5,26 +5,11 @@
 #include <fuga/input/stiffness_need.h>
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace fuga
 {
   namespace
   {
-    bool
-    is_rigid(const LayerLaw law, const double compliance)
-    {
-      return law == LayerLaw::rigid || (law == LayerLaw::linear && compliance == 0.);
-    }
-
-    bool
-    is_rigid(const JointParameters &joint)
-    {
-      return is_rigid(joint.normal_law, joint.normal_compliance) ||
-             (is_rigid(joint.shear_law, joint.shear_compliance) &&
-              !joint.friction.is_frictionless());
-    }
-
     bool
     lets_water_in(const LoadDefinition &load)
     {
@@ -37,7 +22,6 @@ namespace fuga
       return stage.purpose != StagePurpose::loading;
     }
   } // namespace
-
 
   std::string
   what_needs_stiffness(const Parameters &parameters)
@@ -57,9 +41,6 @@ namespace fuga
       return "a search for a factor of safety is";
     if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))
       return "water that comes into opening joints is";
-    for (const JointParameters &joint : parameters.joints)
-      if (is_rigid(joint))
-        return fmt::format("joint '{}', whose layer is rigid, is", joint.definition.name);
     return {};
   }
 } // namespace fuga

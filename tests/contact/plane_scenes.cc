@@ -67,6 +67,11 @@ namespace fuga::tests
         scene.elements[k].initial_gap = 0.05;
     };
 
+    const Change rigid = [](PlaneScene &scene) {
+      scene.normal = make_rigid_law();
+      scene.shear  = make_rigid_law();
+    };
+
     const Change cohesion = friction([](FrictionLaw &law) { law.cohesion = 0.3; });
     const Change tension  = friction([](FrictionLaw &law) { law.tensile_strength = 0.2; });
     const Change bond     = all({cohesion, tension});
@@ -98,11 +103,7 @@ namespace fuga::tests
     using Coupling                            = ShearCoupling::Kind;
     static const std::vector<SceneCase> cases = {
       {"coulomb", [](PlaneScene &) {}},
-      {"rigid",
-       [](PlaneScene &scene) {
-         scene.normal = make_rigid_law();
-         scene.shear  = make_rigid_law();
-       }},
+      {"rigid", rigid},
       {"gaps", gaps},
       {"cohesion", cohesion},
       {"bond", bond},
@@ -127,6 +128,7 @@ namespace fuga::tests
       {"all_on_law_nine_of_closure",
        all({closure<CubicRootLaw>(0.3, 2.), bond, brittle, residual, dilatancy, rise_limit, gaps})},
       {"all_on_law_nine", all({law_nine, bond, brittle, residual, dilatancy, rise_limit, gaps})},
+      {"all_on_rigid_layer", all({rigid, bond, brittle, residual, dilatancy, rise_limit, gaps})},
       {"all_on_coupled_layer",
        all({coupling(Coupling::pressure, 0.5), bond, brittle, residual, dilatancy, gaps})}};
     return cases;

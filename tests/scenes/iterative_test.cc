@@ -132,6 +132,16 @@ TEST(Iterative, MatrixFreeStepsWithBonds)
   expect_same_end(steps, schemes);
 }
 
+// The paper's first variant: a rigid joint.
+TEST(Iterative, MatrixFreeStageEndsOfRigidJoints)
+{
+  const SceneRun events = run_with("direct", "paper_1_rigid.prm", {"Stages/push/Levels=1"});
+  const SceneRun steps  = run_with("iterative matrix-free",
+                                  "paper_1_rigid.prm",
+                                  {"Stages/push/Levels=1", "Solver/Follow=stage ends"});
+  expect_same_end(steps, events);
+}
+
 // On cones the slips turn while the load grows, and a step takes their last direction: the scheme
 // is that of the events, forces are close (every step less is an error of first order in a slip of
 // a few elements), and all conditions hold to the bound of the certificate.

@@ -21,30 +21,29 @@ namespace fuga
   void
   CondensedOperator<dim>::factorise()
   {
-    const Vector lips = eliminate();
+    eliminate();
     find_rigid_motions();
     if (!matrix_free_solver)
-      remove_rounding(lips);
+      remove_rounding();
     model.phases().finish("rigid motions");
   }
 
 
   template <int dim>
-  Vector
+  void
   CondensedOperator<dim>::eliminate()
   {
     const auto &coordinates  = model.interface_coordinates();
     SymmetricTriplets matrix = model.elastic_bodies().assemble(coordinates);
     report_sizes(matrix);
     model.phases().finish("assembly");
-    const Vector lips = lip_stiffness(matrix);
+    lips = diagonal_of_lips(matrix);
     choose_solver(matrix);
     if (matrix_free_solver)
       matrix_free_solver->prepare(matrix, coordinates.n_interface());
     else
       S = solver->eliminate(matrix, coordinates.n_interface());
     model.phases().finish("factorisation");
-    return lips;
   }
 
 
@@ -126,7 +125,7 @@ namespace fuga
   // Diagonal of K in the interface coordinates: the stiffness of one lip if nothing else moves.
   template <int dim>
   Vector
-  CondensedOperator<dim>::lip_stiffness(const SymmetricTriplets &matrix) const
+  CondensedOperator<dim>::diagonal_of_lips(const SymmetricTriplets &matrix) const
   {
     const auto &coordinates  = model.interface_coordinates();
     const unsigned int first = coordinates.first_interface_coordinate();
@@ -143,7 +142,7 @@ namespace fuga
   // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
   template <int dim>
   void
-  CondensedOperator<dim>::remove_rounding(const Vector &lips)
+  CondensedOperator<dim>::remove_rounding()
   {
     const double rounding = 64. * std::numeric_limits<double>::epsilon();
     for (std::size_t i = 0; i < lips.size(); ++i)

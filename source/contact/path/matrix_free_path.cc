@@ -28,18 +28,6 @@ namespace fuga
     constexpr double harmless_growth = 1.5;
   } // namespace
 
-  std::string
-  unavailable_without_stiffness(const ContactElement &element)
-  {
-    const auto is_rigid = [](const ComplianceLaw &law) {
-      return law.kind() == ComplianceKind::rigid;
-    };
-    if (is_rigid(*element.normal_law) ||
-        (element.has_tangential_bar() && is_rigid(*element.shear_law)))
-      return "rigid layers";
-    return {};
-  }
-
   MatrixFreePath::MatrixFreePath(const std::vector<ContactElement> &contact_elements,
                                  const LayeredSystem &layered_system,
                                  const ContactSystem &contact_system,
@@ -49,11 +37,8 @@ namespace fuga
     , bodies(contact_system)
     , solver(tangent_solver)
     , n_bars(layered_system.n_bars())
+    , layers(contact_elements, tangent_solver.stiffness_of_lips())
   {
-    for (const ContactElement &element : elements)
-      if (const std::string what = unavailable_without_stiffness(element); !what.empty())
-        throw InputError(
-          fmt::format("Not available without the stiffness of the interface: {}.", what));
   }
 
   PathResult
@@ -90,6 +75,7 @@ namespace fuga
     Vector result = imposed_jumps(t);
     for (std::size_t i = 0; i < n_bars; ++i)
       result[i] += trial.x[i];
+    layers.enlarge(result);
     return result;
   }
 
@@ -101,7 +87,7 @@ namespace fuga
     trial.tangents.resize(elements.size());
     trial.dilations.resize(elements.size());
     trial.forces.assign(n_bars, 0.);
-    ReturnMapping mapping(elements, from, jumps(t, trial));
+    ReturnMapping mapping(layers.elements(), from, jumps(t, trial));
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const StepResponse response = mapping.respond(k);
@@ -134,7 +120,7 @@ namespace fuga
     here.forces.assign(n_bars, 0.); // then the dislocations are the jumps
     here.dislocations = jumps(t, at);
     const double longest =
-      limit_safeguard(elements, here, step.jumps, OpenLips::stay_short_of_limit);
+      limit_safeguard(layers.elements(), here, step.jumps, OpenLips::stay_short_of_limit);
     for (double length = longest; length >= shortest * longest; length *= 0.5)
       {
         Trial trial;
@@ -171,6 +157,7 @@ namespace fuga
                        bar_compliance(law, element.area) * from.forces[bar] - imposed[bar];
       });
     trial.Sx = bodies.resistance(trial.x);
+    layers.update(from.forces);
     for (;;)
       {
         find_equilibrium(from, t, trial);
@@ -197,10 +184,15 @@ namespace fuga
         const double scale = std::max({loading, max_abs(trial.forces), max_abs(trial.Sx)});
         if (std::sqrt(dot(trial.residual, trial.residual)) <= tolerance * scale)
           {
-            if (is_exact)
+            if (layers.defect(trial.forces) > tolerance * scale)
+              layers.update(trial.forces);
+            else if (is_exact)
               return;
-            trial.Sx = bodies.resistance(trial.x);
-            is_exact = true;
+            else
+              {
+                trial.Sx = bodies.resistance(trial.x);
+                is_exact = true;
+              }
             evaluate(from, t, trial);
             continue;
           }
@@ -234,7 +226,7 @@ namespace fuga
     const Vector felt = jumps(t, trial);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
-        const ContactElement &element = elements[k];
+        const ContactElement &element = layers.elements()[k];
         element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
           state.dislocations[bar] =
             felt[bar] - bar_compliance(law, element.area) * state.forces[bar];

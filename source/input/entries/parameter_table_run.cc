@@ -43,8 +43,8 @@ namespace fuga
       "How the bodies are eliminated. Direct: one factorisation. On disk: its factor lies in "
       "temporary files (TMPDIR) and takes half of the memory. Iterative: conjugate gradients with "
       "algebraic multigrid, for models whose factor does not fit into memory. Matrix-free: "
-      "without the stiffness of the interface as well, for Follow = stage ends and layers "
-      "with a compliance. Automatic: by an estimate of time, and of memory against that of the "
+      "without the stiffness of the interface as well, for Follow = stage ends. Automatic: by an "
+      "estimate of time, and of memory against that of the "
       "machine, free or not.");
     defaulted(
       "Non-unique",

@@ -85,6 +85,13 @@ namespace fuga
     Vector
     coordinates_under(Vector f) const;
 
+    /** Diagonal of K in the interface coordinates [MN/m]. */
+    const Vector &
+    stiffness_of_lips() const
+    {
+      return lips;
+    }
+
     TangentSolver::Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
                     const Vector &r,
@@ -113,8 +120,7 @@ namespace fuga
     work() const;
 
   private:
-    /** Returns lip_stiffness(). */
-    Vector
+    void
     eliminate();
 
     void
@@ -124,10 +130,10 @@ namespace fuga
     choose_solver(SymmetricTriplets &matrix);
 
     Vector
-    lip_stiffness(const SymmetricTriplets &matrix) const;
+    diagonal_of_lips(const SymmetricTriplets &matrix) const;
 
     void
-    remove_rounding(const Vector &lips);
+    remove_rounding();
 
     void
     find_rigid_motions();
@@ -146,6 +152,7 @@ namespace fuga
     BodySolver used_solver = BodySolver::direct;
     /** If the program had to choose. */
     std::optional<SolverEstimate> estimate;
+    Vector lips;
     DenseMatrix S, motions, motion_coordinates;
   };
 } // namespace fuga

@@ -65,6 +65,12 @@ namespace fuga
       return condensed.resistance(x);
     }
 
+    Vector
+    stiffness_of_lips() const override
+    {
+      return condensed.stiffness_of_lips();
+    }
+
     Solution
     solve_with_bars(const std::vector<ElementStiffness> &of_elements,
                     const Vector &r,

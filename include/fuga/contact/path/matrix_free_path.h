@@ -4,19 +4,16 @@
 #ifndef fuga_contact_path_matrix_free_path_h
 #define fuga_contact_path_matrix_free_path_h
 
+#include <fuga/contact/element/augmented_layers.h>
 #include <fuga/contact/path/contact_path.h>
 #include <fuga/contact/system/tangent_solver.h>
 
 namespace fuga
 {
-  /** What an element has that MatrixFreePath cannot follow; empty if nothing. */
-  std::string
-  unavailable_without_stiffness(const ContactElement &element);
-
   /**
    * The path in implicit steps, from one corner of the loads or requested level to the next, for
-   * bodies whose stiffness S is not known as a matrix. Forces of layers with a compliance are
-   * functions of the jumps (ReturnMapping), so
+   * bodies whose stiffness S is not known as a matrix. Forces are functions of the jumps
+   * (ReturnMapping; those of rigid layers by AugmentedLayers), so
    *
    *     S x + p(x) = F a(t)
    *
@@ -52,7 +49,7 @@ namespace fuga
       Vector dilations;
     };
 
-    /** The jumps that the joints feel. */
+    /** The jumps that the joints feel, those of rigid layers enlarged. */
     Vector
     jumps(const double t, const Trial &trial) const;
     void
@@ -76,6 +73,7 @@ namespace fuga
     const ContactSystem &bodies;
     const TangentSolver &solver;
     const std::size_t n_bars;
+    AugmentedLayers layers;
     SchemeWork scheme_work;
   };
 } // namespace fuga

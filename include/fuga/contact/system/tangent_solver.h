@@ -28,6 +28,11 @@ namespace fuga
 
     virtual ~TangentSolver() = default;
 
+    /** For every bar the stiffness of the bodies against its jump if nothing else moved [MN/m]: at
+     * least that of S. */
+    virtual Vector
+    stiffness_of_lips() const = 0;
+
     /**
      * Solves (S + C) δ = r with C of @p bars, one per contact element, to the relative residual @p
      * tolerance.
