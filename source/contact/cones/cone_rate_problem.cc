@@ -113,7 +113,7 @@ namespace fuga
           }
         candidates.push_back(candidate);
       }
-    std::optional<DenseMatrix> stiffness = background.stiffness_against(bars);
+    std::optional<DenseMatrix> stiffness = background.stiffness(bars, bars);
     if (!stiffness)
       {
         candidates.clear();

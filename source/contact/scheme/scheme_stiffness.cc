@@ -86,21 +86,22 @@ namespace fuga
   // With C what the imposed dislocations do to the rows and M the active matrix the forces lose
   // W_bb - W_ba M⁻¹ C.
   std::optional<DenseMatrix>
-  WorkingScheme::stiffness_against(const std::vector<std::size_t> &bars)
+  WorkingScheme::stiffness(const std::vector<std::size_t> &of,
+                           const std::vector<std::size_t> &against)
   {
     if (!bring_up_to_date())
       return {};
     const DenseMatrix &W = system.stiffness();
-    const std::size_t m = rows.size(), n = bars.size();
-    DenseMatrix C(m, n), of_rows(n, m), result(n, n);
-    for (std::size_t j = 0; j < n; ++j)
+    const std::size_t m = rows.size(), n = of.size(), n_against = against.size();
+    DenseMatrix C(m, n_against), of_rows(n, m), result(n, n_against);
+    for (std::size_t j = 0; j < n_against; ++j)
       {
         for (std::size_t i = 0; i < m; ++i)
-          C(i, j) = imposed_entry(rows[i], bars[j]);
-        for (std::size_t i = 0; i < n && position[bars[j]] == no_row; ++i)
-          result(i, j) = W(bars[i], bars[j]);
+          C(i, j) = imposed_entry(rows[i], against[j]);
+        for (std::size_t i = 0; i < n && position[against[j]] == no_row; ++i)
+          result(i, j) = W(of[i], against[j]);
       }
-    if (m == 0 || n == 0)
+    if (m == 0 || n == 0 || n_against == 0)
       return result;
     for (std::size_t j = 0; j < m; ++j)
       {
@@ -108,13 +109,13 @@ namespace fuga
         for (std::size_t a = 0; a < element.n_bars(); ++a)
           if (const double share = rows[j].column[a]; share != 0.)
             for (std::size_t i = 0; i < n; ++i)
-              of_rows(i, j) += share * W(bars[i], element.bar(a));
+              of_rows(i, j) += share * W(of[i], element.bar(a));
       }
     const std::optional<DenseMatrix> x = solve_all(C);
     if (!x)
       return {};
     const DenseMatrix lost = multiply(of_rows, *x);
-    for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t j = 0; j < n_against; ++j)
       blas::axpy(n, -1., lost.column(j), result.column(j));
     return result;
   }

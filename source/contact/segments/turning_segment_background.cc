@@ -60,17 +60,21 @@ namespace fuga
                                 const JointState &state)
   {
     const std::size_t n = turning.size();
-    std::vector<std::size_t> bars;
+    std::vector<std::size_t> bars, imposed, rises;
     bool any_rises = false;
     for (const std::size_t k : turning)
       {
+        const ContactElement &element = context.elements[k];
         any_rises |= state.strengths[k].dilatancy > 0.;
-        for (std::size_t a = 0; a < 3; ++a)
-          bars.push_back(context.elements[k].bar(a));
+        bars.insert(bars.end(), {element.normal_bar, element.bar(1), element.bar(2)});
+        imposed.insert(imposed.end(), {element.bar(1), element.bar(2)});
+        rises.push_back(element.normal_bar);
       }
+    if (any_rises)
+      imposed.insert(imposed.end(), rises.begin(), rises.end());
     const std::optional<JointRates> rates = context.scheme.rates(
       course.yielding ? course.yielding->drive : drive_at(context.elements, course, state));
-    const std::optional<DenseMatrix> stiffness = context.scheme.stiffness_against(bars);
+    const std::optional<DenseMatrix> stiffness = context.scheme.stiffness(bars, imposed);
     if (!rates || !stiffness)
       return false;
     TurningResponse response;
@@ -85,14 +89,9 @@ namespace fuga
       }
     if (any_rises)
       response.against_rise = DenseMatrix(3 * n, n);
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < 3 * n; ++i)
-        {
-          for (std::size_t a = 0; a < 2; ++a)
-            response.against_slip(i, 2 * j + a) = (*stiffness)(i, 3 * j + 1 + a);
-          if (any_rises)
-            response.against_rise(i, j) = (*stiffness)(i, 3 * j);
-        }
+    std::copy_n(stiffness->data(), 6 * n * n, response.against_slip.data());
+    if (any_rises)
+      std::copy_n(stiffness->column(2 * n), 3 * n * n, response.against_rise.data());
     if (course.yielding)
       yield(*course.yielding, response);
     solver.set_response(std::move(response));

@@ -101,10 +101,11 @@ namespace fuga
 
     /**
      * The stiffness of the scheme against dislocations imposed in some bars: entry (i, j) is what
-     * bar i loses of its force per unit of bar j [MN/m]. Empty if the scheme is a mechanism.
+     * bar @p of[i] loses of its force per unit of bar @p against[j] [MN/m]. Empty if the scheme is
+     * a mechanism.
      */
     std::optional<DenseMatrix>
-    stiffness_against(const std::vector<std::size_t> &bars);
+    stiffness(const std::vector<std::size_t> &of, const std::vector<std::size_t> &against);
 
     /** Counts a bar as active that is so beside the scheme. */
     void
