@@ -240,29 +240,35 @@ namespace fuga
              const double within)
     {
       constexpr double bend = 0.1, smaller = 1. / 1.2;
-      std::array<double, 3> place, value;
+      constexpr std::size_t n_points = 4;
+      std::array<double, n_points> place, value;
       std::size_t n = 0;
       double limit  = std::numeric_limits<double>::infinity();
-      for (std::size_t i = g.size(); i-- > 0 && n < 3;)
+      for (std::size_t i = g.size(); i-- > 0 && n < n_points;)
         if (g[i] > 0. && g[i] <= limit)
           {
             place[n]   = curve[i].tau;
             value[n++] = std::pow(g[i], -exponent);
             limit      = smaller * g[i];
           }
-      if (n < 3)
+      if (n < n_points)
         return false;
-      const double last   = (value[0] - value[1]) / (place[0] - place[1]);
-      const double before = (value[1] - value[2]) / (place[1] - place[2]);
-      return last < 0. && std::abs(before - last) <= bend * std::abs(last) &&
-             -value[0] / last <= within;
+      const auto slope = [&](const std::size_t i) {
+        return (value[i] - value[i + 1]) / (place[i] - place[i + 1]);
+      };
+      const double last = slope(0);
+      for (std::size_t i = 1; i + 1 < n_points; ++i)
+        if (std::abs(slope(i) - last) > bend * std::abs(last))
+          return false;
+      return last < 0. && -value[0] / last <= within;
     }
   } // namespace
 
   // Of the bar whose rate g has grown most, whatever else moves steadily; g as a whole or what it
-  // has grown by, for steady motion may be a part of it. Two slopes of 1/g^n are compared, between
-  // the last point and those at which g was smaller by a sixth each time: others that come to rest
-  // near τ* cut the path into short pieces.
+  // has grown by, for steady motion may be a part of it. Three slopes of 1/g^n are compared,
+  // between the last point and those at which g was smaller by a sixth each time: others that come
+  // to rest near τ* cut the path into short pieces. (Two slopes may agree by chance, where a slip
+  // turns quickly as its element leaves the cone at the apex.)
   bool
   rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within)
   {
