@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/numerics/dependent_rows.h>
 #include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/field_expression.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
 
 namespace fuga
 {
@@ -101,46 +103,63 @@ namespace fuga
               law.initial_compliance() < smallest_compliance(element, stiffness));
     }
 
-    /** For every bar: is it one of more rigid bars than coordinates that hang together? */
+    std::vector<bool>
+    find_rigid(const std::vector<ContactElement> &elements,
+               const std::size_t n_bars,
+               const double stiffness)
+    {
+      std::vector<bool> rigid(n_bars, false);
+      for (const ContactElement &element : elements)
+        for (std::size_t i = 0; i < element.n_bars(); ++i)
+          rigid[element.bar(i)] = is_rigid(element, i == 0, stiffness);
+      return rigid;
+    }
+
+    /** Some of the bars, and the interface coordinates that move them. */
+    struct Group
+    {
+      std::vector<std::size_t> bars, coordinates;
+    };
+
+    /** Those of the given bars that hang together by common coordinates. */
+    std::vector<Group>
+    groups_of_bars(const DenseMatrix &B, const std::vector<bool> &chosen)
+    {
+      DisjointSets sets(B.n_rows() + B.n_columns());
+      for (std::size_t c = 0; c < B.n_columns(); ++c)
+        for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
+          if (chosen[bar] && B(bar, c) != 0.)
+            sets.unite(bar, B.n_rows() + c);
+      std::map<std::size_t, Group> groups;
+      for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
+        if (chosen[bar])
+          groups[sets.find(bar)].bars.push_back(bar);
+      for (std::size_t c = 0; c < B.n_columns(); ++c)
+        if (const auto group = groups.find(sets.find(B.n_rows() + c)); group != groups.end())
+          group->second.coordinates.push_back(c);
+      std::vector<Group> result;
+      for (auto &[root, group] : groups)
+        result.push_back(std::move(group));
+      return result;
+    }
+
+    /** For every bar: is it rigid, and do its jump and those of other rigid bars depend on each
+     * other, so that forces in them may balance? */
     std::vector<bool>
     find_repeated(const DenseMatrix &B,
                   const std::vector<ContactElement> &elements,
                   const double stiffness)
     {
-      DisjointSets sets(static_cast<unsigned int>(B.n_columns()));
-      std::vector<unsigned int> coordinate_of_bar(B.n_rows(), 0), n_bars(B.n_columns(), 0),
-        n_coordinates(B.n_columns(), 0);
-      std::vector<bool> rigid(B.n_rows(), false);
-      for (const ContactElement &element : elements)
-        {
-          rigid[element.normal_bar] = is_rigid(element, true, stiffness);
-          if (element.has_tangential_bar())
-            rigid[element.tangential_bar] = is_rigid(element, false, stiffness);
-          if (element.has_second_tangential_bar())
-            rigid[element.second_tangential_bar] = is_rigid(element, false, stiffness);
-        }
-      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
-        {
-          bool first = true;
-          for (unsigned int c = 0; rigid[bar] && c < B.n_columns(); ++c)
-            if (B(bar, c) != 0.)
-              {
-                if (first)
-                  coordinate_of_bar[bar] = c;
-                else
-                  sets.unite(coordinate_of_bar[bar], c);
-                first = false;
-              }
-        }
-      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
-        n_bars[sets.find(coordinate_of_bar[bar])] += rigid[bar] ? 1 : 0;
-      for (unsigned int c = 0; c < B.n_columns(); ++c)
-        ++n_coordinates[sets.find(c)];
       std::vector<bool> repeated(B.n_rows(), false);
-      for (unsigned int bar = 0; bar < B.n_rows(); ++bar)
+      for (const Group &group : groups_of_bars(B, find_rigid(elements, B.n_rows(), stiffness)))
         {
-          const unsigned int set = sets.find(coordinate_of_bar[bar]);
-          repeated[bar]          = rigid[bar] && n_bars[set] > n_coordinates[set];
+          DenseMatrix jumps(group.bars.size(), group.coordinates.size());
+          for (std::size_t i = 0; i < group.bars.size(); ++i)
+            for (std::size_t j = 0; j < group.coordinates.size(); ++j)
+              jumps(i, j) = B(group.bars[i], group.coordinates[j]);
+          const std::vector<bool> dependent = dependent_rows(std::move(jumps));
+          for (std::size_t i = 0; i < group.bars.size(); ++i)
+            repeated[group.bars[i]] = dependent[i];
         }
       return repeated;
     }
