@@ -79,6 +79,17 @@ namespace fuga
     return false;
   }
 
+  namespace
+  {
+    /** A curve without a limit ends where numbers do: sinh(w/w₀) at 710 w₀. */
+    bool
+    is_on_curve(const ComplianceLaw &law, const double w)
+    {
+      const double limit = law.deformation_limit();
+      return std::isfinite(limit) ? w < limit : std::isfinite(law.tangent(std::max(w, 0.)));
+    }
+  } // namespace
+
   bool
   passes_limit_of_law(const std::vector<ContactElement> &elements, const JointState &state)
   {
@@ -87,12 +98,15 @@ namespace fuga
         const ContactElement &element = elements[k];
         if (state.states[k] == ContactState::open)
           continue;
-        if (has_nonlinear_closure(element) && !(-gap(element, state, k) < closure_limit(element)))
+        if (has_nonlinear_closure(element) &&
+            !(-gap(element, state, k) < closure_limit(element) &&
+              is_on_curve(*element.normal_law, -gap(element, state, k))))
           return true;
-        if (has_nonlinear_shear(element) && !(length(state.states[k] == ContactState::stick
-                                                       ? elastic_shear(element, state, k)
-                                                       : shear_deformation(element, state, k)) <
-                                              element.shear_law->deformation_limit()))
+        if (has_nonlinear_shear(element) &&
+            !is_on_curve(*element.shear_law,
+                         length(state.states[k] == ContactState::stick
+                                  ? elastic_shear(element, state, k)
+                                  : shear_deformation(element, state, k))))
           return true;
       }
     return false;
