@@ -196,14 +196,20 @@ namespace fuga::stress
       const std::array<double, 2> parts = result.verdict == Verdict::no_continuation
                                             ? std::array<double, 2>{{1e-7, 1e-6}}
                                             : std::array<double, 2>{{1e-4, 1e-3}};
+      const auto goes_on                = [&] {
+        return std::any_of(parts.begin(), parts.end(), [&](const double part) {
+          return examiner.finds_step_beyond(end, part);
+        });
+      };
       if (!examiner.can_solve(end))
         confirmation.by = "certificate"; // laws or strengths that ConeNewton does not know
       else if (result.verdict == Verdict::limit_load &&
                examiner.is_mechanism(end, result.mechanism_jumps))
         confirmation.by = "mechanism";
-      else if (std::any_of(parts.begin(), parts.end(), [&](const double part) {
-                 return examiner.finds_step_beyond(end, part);
-               }))
+      else if (result.verdict == Verdict::non_unique_continuation)
+        // That there is a way on is part of the verdict; whether there are others is not examined.
+        confirmation.by = goes_on() ? "implicit step" : "certificate";
+      else if (goes_on())
         confirmation.objection += "an implicit step goes on; ";
       else
         confirmation.by = "no implicit step";
