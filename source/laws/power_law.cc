@@ -44,10 +44,13 @@ namespace fuga
   {
   }
 
+  // In the foot the layer is as soft as at first, and at the reference point by up to four digits
+  // stiffer. Half of them are lost at both.
   double
   PowerLaw::reference_compliance() const
   {
-    return std::min(initial_compliance(), scale / reference);
+    const double first = initial_compliance();
+    return std::min(first, std::sqrt(first * scale / reference));
   }
 
   double

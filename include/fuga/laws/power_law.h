@@ -27,7 +27,7 @@ namespace fuga
              const double reference_stress,
              const double exponent);
 
-    /** w_r/σ_r, or less where the layer is stiffer at first. */
+    /** The geometric mean of the first one and w_r/σ_r, or the first one where that is less. */
     double
     reference_compliance() const override;
     double
