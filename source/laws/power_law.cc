@@ -44,15 +44,6 @@ namespace fuga
   {
   }
 
-  // In the foot the layer is as soft as at first, and at the reference point by up to four digits
-  // stiffer. Half of them are lost at both.
-  double
-  PowerLaw::reference_compliance() const
-  {
-    const double first = initial_compliance();
-    return std::min(first, std::sqrt(first * scale / reference));
-  }
-
   double
   PowerLaw::stress(const double w) const
   {

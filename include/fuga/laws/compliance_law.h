@@ -39,15 +39,6 @@ namespace fuga
     virtual double
     initial_compliance() const = 0;
 
-    /** Compliance of the linear layer that has this one's place in linear systems, where what it
-     * deforms beside that counts as a dislocation [m/MPa]. Digits of forces are lost where it is
-     * much larger than w/σ. */
-    virtual double
-    reference_compliance() const
-    {
-      return initial_compliance();
-    }
-
     /** σ(w). Not to be called for a rigid law, nor the four functions below. */
     virtual double
     stress(const double w) const = 0;
