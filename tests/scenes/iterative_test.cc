@@ -61,6 +61,18 @@ namespace
     for (const char *column : {"N", "T1"})
       EXPECT_LE(deviation(steps.values(column, 2.), other.values(column, 2.)), 1e-9) << column;
   }
+
+  // The ends of monotone stages are the states to which the events lead; @p one_level of the
+  // second. Returns the run without events.
+  SceneRun
+  expect_ends_of_events(const std::string &file, const std::string &one_level)
+  {
+    const SceneRun events = run_with("direct", file, {one_level});
+    SceneRun steps =
+      run_with("iterative matrix-free", file, {one_level, "Solver/Follow=stage ends"});
+    expect_same_end(steps, events);
+    return steps;
+  }
 } // namespace
 
 // 30 events in the plane; two stages; every field with its certificate.
@@ -98,23 +110,21 @@ TEST(Iterative, SameContactOnHangingNodes)
 // the events lead, in the plane (30 events) and on cones in space.
 TEST(Iterative, MatrixFreeStageEnds)
 {
-  const SceneRun events = run_with("direct", "scene_g_f06.prm", {"Stages/water/Levels=1"});
-  const SceneRun steps  = run_with("iterative matrix-free",
-                                  "scene_g_f06.prm",
-                                  {"Stages/water/Levels=1", "Solver/Follow=stage ends"});
+  const SceneRun steps = expect_ends_of_events("scene_g_f06.prm", "Stages/water/Levels=1");
   EXPECT_EQ(steps.summary.at("work").at("bodies").at("solver"), "iterative matrix-free");
   EXPECT_EQ(steps.summary.at("events").at("implicit_steps"), 2);
-  expect_same_end(steps, events);
 }
 
 // The paper's third variant: a joint of law (9).
 TEST(Iterative, MatrixFreeStageEndsOfLawNine)
 {
-  const SceneRun events = run_with("direct", "paper_3_cubic_root.prm", {"Stages/push/Levels=1"});
-  const SceneRun steps  = run_with("iterative matrix-free",
-                                  "paper_3_cubic_root.prm",
-                                  {"Stages/push/Levels=1", "Solver/Follow=stage ends"});
-  expect_same_end(steps, events);
+  expect_ends_of_events("paper_3_cubic_root.prm", "Stages/push/Levels=1");
+}
+
+// The paper's first variant: a rigid joint.
+TEST(Iterative, MatrixFreeStageEndsOfRigidJoints)
+{
+  expect_ends_of_events("paper_1_rigid.prm", "Stages/push/Levels=1");
 }
 
 // Bonds that break with the first slip, lips that rise, friction that falls: steps from level to
@@ -130,16 +140,6 @@ TEST(Iterative, MatrixFreeStepsWithBonds)
   const SceneRun schemes                  = run_with("direct", "scene_g_f06.prm", settings);
   const SceneRun steps = run_with("iterative matrix-free", "scene_g_f06.prm", settings);
   expect_same_end(steps, schemes);
-}
-
-// The paper's first variant: a rigid joint.
-TEST(Iterative, MatrixFreeStageEndsOfRigidJoints)
-{
-  const SceneRun events = run_with("direct", "paper_1_rigid.prm", {"Stages/push/Levels=1"});
-  const SceneRun steps  = run_with("iterative matrix-free",
-                                  "paper_1_rigid.prm",
-                                  {"Stages/push/Levels=1", "Solver/Follow=stage ends"});
-  expect_same_end(steps, events);
 }
 
 // On cones the slips turn while the load grows, and a step takes their last direction: the scheme

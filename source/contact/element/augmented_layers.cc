@@ -20,26 +20,23 @@ namespace fuga
   {
     const auto soften = [&](const ContactElement &element,
                             const ComplianceLaw *&law,
-                            const std::vector<unsigned int> &of_law) {
-      if (law->kind() != ComplianceKind::rigid)
+                            const std::size_t first,
+                            const std::size_t last) {
+      if (first == last || law->kind() != ComplianceKind::rigid)
         return;
       double stiffness = 0.;
-      for (const unsigned int bar : of_law)
-        stiffness = std::max(stiffness, lips[bar]);
+      for (std::size_t i = first; i < last; ++i)
+        stiffness = std::max(stiffness, lips[element.bar(i)]);
       const double compliance = share_of_lips / stiffness;
       laws.push_back(make_linear_law(compliance * element.area));
       law = laws.back().get();
-      for (const unsigned int bar : of_law)
-        bars.push_back({bar, compliance, 0.});
+      for (std::size_t i = first; i < last; ++i)
+        bars.push_back({element.bar(i), compliance, 0.});
     };
     for (ContactElement &element : compliant)
       {
-        soften(element, element.normal_law, {element.normal_bar});
-        if (element.has_second_tangential_bar())
-          soften(
-            element, element.shear_law, {element.tangential_bar, element.second_tangential_bar});
-        else if (element.has_tangential_bar())
-          soften(element, element.shear_law, {element.tangential_bar});
+        soften(element, element.normal_law, 0, 1);
+        soften(element, element.shear_law, 1, element.n_bars());
       }
   }
 

@@ -98,10 +98,10 @@ namespace fuga
         const ContactElement &element = elements[k];
         if (state.states[k] == ContactState::open)
           continue;
-        if (has_nonlinear_closure(element) &&
-            !(-gap(element, state, k) < closure_limit(element) &&
-              is_on_curve(*element.normal_law, -gap(element, state, k))))
-          return true;
+        if (has_nonlinear_closure(element))
+          if (const double closure = -gap(element, state, k);
+              !(closure < closure_limit(element) && is_on_curve(*element.normal_law, closure)))
+            return true;
         if (has_nonlinear_shear(element) &&
             !is_on_curve(*element.shear_law,
                          length(state.states[k] == ContactState::stick

@@ -78,20 +78,21 @@ namespace fuga
     if (!rates || !stiffness)
       return false;
     TurningResponse response;
-    response.tau          = tau;
-    response.slips        = stage.slips;
-    response.dilations    = stage.dilations;
-    response.against_slip = DenseMatrix(3 * n, 2 * n);
+    response.tau       = tau;
+    response.slips     = stage.slips;
+    response.dilations = stage.dilations;
     for (const std::size_t bar : bars)
       {
         response.forces.push_back(state.forces[bar]);
         response.rates.push_back(rates->forces[bar]);
       }
-    if (any_rises)
-      response.against_rise = DenseMatrix(3 * n, n);
+    response.against_slip = DenseMatrix(3 * n, 2 * n);
     std::copy_n(stiffness->data(), 6 * n * n, response.against_slip.data());
     if (any_rises)
-      std::copy_n(stiffness->column(2 * n), 3 * n * n, response.against_rise.data());
+      {
+        response.against_rise = DenseMatrix(3 * n, n);
+        std::copy_n(stiffness->column(2 * n), 3 * n * n, response.against_rise.data());
+      }
     if (course.yielding)
       yield(*course.yielding, response);
     solver.set_response(std::move(response));

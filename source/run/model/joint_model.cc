@@ -7,6 +7,7 @@
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/point_text.h>
+#include <fuga/contact/system/soft_bars.h>
 #include <fuga/input/layer_law.h>
 #include <fuga/run/model/joint_model.h>
 
@@ -121,8 +122,9 @@ namespace fuga
       std::vector<std::size_t> bars, coordinates;
     };
 
-    /** Those of the given bars that hang together by common coordinates. */
-    std::vector<Group>
+    /** Those of the given bars that hang together by common coordinates, under a number of each
+     * group. */
+    std::map<std::size_t, Group>
     groups_of_bars(const DenseMatrix &B, const std::vector<bool> &chosen)
     {
       DisjointSets sets(B.n_rows() + B.n_columns());
@@ -137,10 +139,7 @@ namespace fuga
       for (std::size_t c = 0; c < B.n_columns(); ++c)
         if (const auto group = groups.find(sets.find(B.n_rows() + c)); group != groups.end())
           group->second.coordinates.push_back(c);
-      std::vector<Group> result;
-      for (auto &[root, group] : groups)
-        result.push_back(std::move(group));
-      return result;
+      return groups;
     }
 
     /** For every bar: is it rigid, and do its jump and those of other rigid bars depend on each
@@ -151,13 +150,11 @@ namespace fuga
                   const double stiffness)
     {
       std::vector<bool> repeated(B.n_rows(), false);
-      for (const Group &group : groups_of_bars(B, find_rigid(elements, B.n_rows(), stiffness)))
+      const std::vector<bool> rigid = find_rigid(elements, B.n_rows(), stiffness);
+      for (const auto &[number, group] : groups_of_bars(B, rigid))
         {
-          DenseMatrix jumps(group.bars.size(), group.coordinates.size());
-          for (std::size_t i = 0; i < group.bars.size(); ++i)
-            for (std::size_t j = 0; j < group.coordinates.size(); ++j)
-              jumps(i, j) = B(group.bars[i], group.coordinates[j]);
-          const std::vector<bool> dependent = dependent_rows(std::move(jumps));
+          const std::vector<bool> dependent =
+            dependent_rows(submatrix(B, group.bars, group.coordinates));
           for (std::size_t i = 0; i < group.bars.size(); ++i)
             repeated[group.bars[i]] = dependent[i];
         }

@@ -13,7 +13,7 @@ namespace fuga
   /** For every row of A whether it has a share in a combination of rows that vanishes.
    * @throws NumericalFailure */
   std::vector<bool>
-  dependent_rows(DenseMatrix A);
+  dependent_rows(const DenseMatrix &A);
 } // namespace fuga
 
 #endif
