@@ -10,7 +10,7 @@
 #include <fuga/output/files/output_files.h>
 #include <fuga/output/files/threads.h>
 #include <fuga/output/files/version.h>
-#include <fuga/output/tables/law_plot.h>
+#include <fuga/output/tables/law_table.h>
 #include <fuga/output/tables/report.h>
 #include <fuga/run/simulation/phases.h>
 #include <fuga/study/adaptive_run.h>
@@ -105,10 +105,11 @@ namespace
     app.add_flag("--check",
                  line.check_only,
                  "Read and check everything, say what it adds up to, compute and write nothing");
-    app.add_flag("--plot-law",
-                 line.plot_laws,
-                 "Write the laws of all joints as tables and pictures, law_JOINT.csv and .svg; "
-                 "compute nothing");
+    app.add_flag(
+      "--plot-law",
+      line.plot_laws,
+      "Write the laws of all joints as tables, law_JOINT.csv, which 'fuga report' draws; "
+      "compute nothing");
     app.add_flag("--restart",
                  line.restart,
                  "Continue the run in the directory of the results from its last checkpoint");
@@ -123,7 +124,9 @@ namespace
                          fmt::format("fuga {} (deal.II {})", version, DEAL_II_PACKAGE_VERSION),
                          "Print versions");
     app
-      .add_subcommand("report", "Makes DIR/report.html and DIR/report_short.html of a finished run")
+      .add_subcommand("report",
+                      "Makes DIR/report.html and DIR/report_short.html of a finished run, and "
+                      "DIR/laws.html of the tables of --plot-law")
       ->add_option("DIR", line.reported_directory, "Directory of the results")
       ->required();
     app.footer("Exit codes: 0 done, 1 input error, 2 numerical failure, 3 loss of equilibrium "
@@ -279,9 +282,11 @@ namespace
       parameters.output.log = LogDetail::quiet;
     if (line.plot_laws)
       {
-        for (const std::string &file : write_law_plots(parameters))
-          if (!line.quiet)
-            fmt::print("{}\n", file);
+        const std::vector<std::string> files = write_law_tables(parameters);
+        if (!line.quiet)
+          fmt::print("{}\nfuga report {} draws them.\n",
+                     fmt::join(files, "\n"),
+                     parameters.output.directory);
         return 0;
       }
     std::optional<DirectoryLock> lock;

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """Makes two self-contained HTML pages from the results of a run: report.html with everything, and report_short.html, of
-at most six printed pages. Of a sweep report.html only.
+at most six printed pages. Of a sweep report.html only. Of the tables that fuga --plot-law has written, laws.html.
 
 usage: make_report.py RESULT_DIR      (the same as: fuga report RESULT_DIR)
 
 Exit codes: 0 done, 1 no finished results there or Debian packages missing.
 """
 
+import glob
 import importlib.util
 import json
 import os
@@ -86,17 +87,37 @@ def sweep_pages(directory, summary):
     return {"report.html": page.html()}
 
 
+def law_pages(paths):
+    """A page of the laws of joints. It is one of its own: a later run does not take away the tables of --plot-law, which
+    may be of other data."""
+    from fuga_results import Table
+    from report.drawings import law_diagram
+    from report.text import sections
+    from report.text.page import Page, Verdict
+
+    page = Page("Laws of joints", Verdict("", "Laws of joints", ["Drawn from the tables of fuga --plot-law."]), sections.footer({}))
+    for number, path in enumerate(paths):
+        joint = os.path.basename(path)[len("law_"):-len(".csv")]
+        page.section(f"law-{number}", joint, [law_diagram.diagram(joint, Table(path))])
+    return {"laws.html": page.html()}
+
+
 def main(arguments):
     if len(arguments) != 1 or arguments[0].startswith("-"):
         sys.exit(__doc__)
     directory = arguments[0]
     check_packages()
-    summary = finished_summary(directory)
+    laws = sorted(glob.glob(os.path.join(glob.escape(directory), "law_*.csv")))
+    only_laws = laws and not os.path.exists(os.path.join(directory, "summary.json"))
+    summary = {} if only_laws else finished_summary(directory)
     progress("Report: starting ...")
     from report.drawings import figures
     figures.style()
-    is_sweep = os.path.exists(os.path.join(directory, "sweep.csv"))
-    pages = sweep_pages(directory, summary) if is_sweep else run_pages(directory)
+    pages = law_pages(laws) if laws else {}
+    if os.path.exists(os.path.join(directory, "sweep.csv")):
+        pages.update(sweep_pages(directory, summary))
+    elif not only_laws:
+        pages.update(run_pages(directory))
     progress("")
     for name, text in pages.items():
         path = os.path.join(directory, name)

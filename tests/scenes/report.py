@@ -333,6 +333,18 @@ def sweep(directory):
         check(row[names.index("verdict")] == variant["verdict"], f"verdict of variant {variant['variant']}")
 
 
+def laws(directory):
+    """The tables of --plot-law have a page of their own, whether or not there are results beside them."""
+    plotted = fuga(ROOT / "parameters/paper_3_cubic_root.prm", "--plot-law", "--output-dir", directory)
+    check(plotted.returncode == 0 and f"fuga report {directory}" in plotted.stdout, f"--plot-law: {plotted}")
+    report = fuga("report", directory)
+    check(report.returncode == 0 and sorted(os.listdir(directory)) == ["law_base.csv", "laws.html"], f"report of laws: {report}")
+    page = (directory / "laws.html").read_text(encoding="utf-8")
+    for part in ("pressure [MPa]", "closure [mm]", "shear stress [MPa]", "tangent at zero", "limit"):
+        check(part in page, f"laws.html has no '{part}'")
+    read_page(directory, ["law-0"], "laws.html")
+
+
 def refused(directory):
     directory.mkdir()
     for name, content, words in (("nothing", None, "no summary.json"), ("unfinished", '{"verdict": "unfinished"}', "not finished"),
@@ -376,6 +388,7 @@ def main():
         boundaries(folder / "reduced")
         words()
         sweep(folder / "sweep")
+        laws(folder / "laws")
         refused(folder / "refused")
         later_run_removes_the_report(folder / "run")
     print("\n".join(complaints[:40]) or "all reports are as they should be")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
 """The columns that the pages describe are those that the program writes: doc/results.md (events, joint_history, resultants,
-monitors, boundaries), doc/sweeps.md, doc/accuracy.md against the headers of runs in the plane and in space, with water, monitors with stress,
+monitors, boundaries, laws), doc/sweeps.md, doc/accuracy.md against the headers of runs in the plane and in space, with water, monitors with stress,
 a sweep and an adapted mesh.
 
 usage: result_columns.py FUGA
@@ -26,7 +26,7 @@ RUNS = (("dam", "1, 10", ()), ("dam_block_3d", "1, 1, 5", ()),
         ("dam_block_3d", "1, 1, 5", ("Stages/reservoir/Duration=1", "Dynamics/Time step=0.05", "Output/Response spectra=true")),
         ("punch_adaptive", "0, 1", ("Target accuracy/Largest number of rounds=1",)))
 PAGES = {"results.md": ("events", "joint_history", "resultants", "monitors", "earthquake", "accelerations", "spectra",
-                         "boundaries"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
+                         "boundaries", "law_JOINT"), "sweeps.md": ("sweep",), "accuracy.md": ("refinement",)}
 FILE = re.compile(r"`(\w+)\.csv`")
 
 
@@ -56,14 +56,15 @@ def written(folder):
         mesh = re.search(r"^\s*set File\s*=\s*(\S+)", text, re.M).group(1)
         arguments = [item for setting in (*settings, f"Mesh/File={(ROOT / 'parameters' / mesh).resolve()}", "Output/Fields=never")
                      for item in ("--set", setting)]
-        run = subprocess.run([FUGA, parameters, "--quiet", "--output-dir", folder / str(number), *arguments],
-                             capture_output=True, text=True, check=False)
-        if run.returncode not in (0, 3):
-            sys.exit(f"{name}: exit code {run.returncode}: {run.stdout}{run.stderr}")
+        for option in ("--plot-law", "--quiet"):
+            run = subprocess.run([FUGA, parameters, option, "--output-dir", folder / str(number), *arguments],
+                                 capture_output=True, text=True, check=False)
+            if run.returncode not in (0, 3):
+                sys.exit(f"{name}: exit code {run.returncode}: {run.stdout}{run.stderr}")
         for path in (folder / str(number)).glob("*.csv"):
             with open(path, newline="", encoding="utf-8") as file:
                 header, *rows = csv.reader(file)
-            headers.setdefault(path.stem, set()).update(column.split("[")[0] for column in header)
+            headers.setdefault(re.sub("^law_.*", "law_JOINT", path.stem), set()).update(column.split("[")[0] for column in header)
             if any(len(row) != len(header) for row in rows):
                 sys.exit(f"{name}: rows of {path.name} are not as long as its header")
     return headers

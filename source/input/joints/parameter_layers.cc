@@ -240,8 +240,8 @@ namespace fuga
       if (problem)
         section.fail(culprit,
                      fmt::format("at w = {:.6g} {}. A law begins at w = 0 with stress 0 and grows "
-                                 "smoothly. Correct the law; fuga --plot-law draws one that is "
-                                 "accepted.",
+                                 "smoothly. Correct the law; fuga --plot-law shows one that "
+                                 "is accepted.",
                                  problem->deformation,
                                  problem->text));
     }
