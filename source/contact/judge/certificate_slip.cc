@@ -53,7 +53,6 @@ namespace fuga
           work += work_of_unloading(k, from, to, length_of_piece);
         ledger.dissipation += work;
         element_dissipation[k] += work;
-        largest_slip_work = std::max(largest_slip_work, std::abs(work));
         // What a broken bond still carries fades whichever way its lips move.
         if (from.state.states[k] != ContactState::open)
           wrong_slip_work = std::max(wrong_slip_work, -work);

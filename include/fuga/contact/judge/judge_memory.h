@@ -36,13 +36,12 @@ namespace fuga
     EnergyLedger ledger;
     bool on_track = true;
     Vector element_dissipation;
-    double largest_force     = 0.;
-    double largest_jump      = 0.;
-    double largest_energy    = 0.;
-    double largest_load      = 0.;
-    double wrong_slip_work   = 0.;
-    double largest_slip_work = 0.;
-    double wrong_rise        = 0.;
+    double largest_force   = 0.;
+    double largest_jump    = 0.;
+    double largest_energy  = 0.;
+    double largest_load    = 0.;
+    double wrong_slip_work = 0.;
+    double wrong_rise      = 0.;
     /** Of earlier phases of construction. */
     double energy_of_bodies_before = 0.;
     /** Steps of time are judged; energies when they began. */
@@ -62,7 +61,6 @@ namespace fuga
            largest_energy,
            largest_load,
            wrong_slip_work,
-           largest_slip_work,
            wrong_rise,
            energy_of_bodies_before,
            in_motion,
@@ -75,7 +73,6 @@ namespace fuga
     visit("largest_energy", largest_energy);
     visit("largest_load", largest_load);
     visit("wrong_slip_work", wrong_slip_work);
-    visit("largest_slip_work", largest_slip_work);
     visit("wrong_rise", wrong_rise);
     visit("energy_of_bodies_before", energy_of_bodies_before);
     visit("in_motion", in_motion);
