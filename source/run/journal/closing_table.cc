@@ -47,29 +47,29 @@ namespace fuga
     void
     log_verdict(RunJournal<dim> &journal, const RunOutcome &outcome)
     {
-      const PhaseRun<dim> &phase   = journal.phase;
-      const auto [stage, fraction] = stage_of(outcome.path.t, phase.model.stage_names.size());
-      RunLog &log                  = journal.log;
+      const PhaseRun<dim> &phase            = journal.phase;
+      const std::vector<std::string> &names = phase.model.stage_names;
+      const double t                        = outcome.path.t;
+      RunLog &log                           = journal.log;
       switch (outcome.code)
         {
           case ExitCode::numerical_failure:
             log.line(fmt::format("Verdict     numerical failure: {}", outcome.message));
             break;
           case ExitCode::loss_of_equilibrium:
-            log.line(fmt::format("Verdict     {} at {:.9g} of stage '{}' (t = {:.12g}), {}",
+            log.line(fmt::format("Verdict     {} at {}, {}",
                                  outcome.verdict,
-                                 fraction,
-                                 phase.model.stage_names[stage],
-                                 outcome.path.t,
+                                 place_text(t, names),
                                  reason_text(phase, outcome.path)));
-            log.line("            " + journal.context.driving.at(outcome.path.t, stage).text());
+            log.line("            " +
+                     journal.context.driving.at(t, stage_of(t, names.size()).first).text());
             if (const std::string text = phase.model.motion(phase.joint.elements, outcome.path);
                 !text.empty())
               log.line("            " + text);
             log_proof(log, outcome);
             break;
           default:
-            log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, outcome.path.t));
+            log.line(fmt::format("Verdict     {}, t = {:.12g}", outcome.verdict, t));
         }
     }
 

@@ -10,6 +10,14 @@
 
 namespace fuga
 {
+  std::string
+  place_text(const double t, const std::vector<std::string> &stage_names, const std::string &more)
+  {
+    const auto [stage, fraction] = stage_of(t, stage_names.size());
+    return fmt::format(
+      "{:.9g} of stage '{}' (t = {:.12g}{})", fraction, stage_names[stage], t, more);
+  }
+
   template <int dim>
   std::string
   critical_friction_text(const PhaseRun<dim> &phase, const PathResult &result)

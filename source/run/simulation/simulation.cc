@@ -7,6 +7,7 @@
 #include <fuga/run/journal/closing_table.h>
 #include <fuga/run/journal/log_header.h>
 #include <fuga/run/journal/run_summary.h>
+#include <fuga/run/journal/verdict_text.h>
 #include <fuga/run/model/phase_begin.h>
 #include <fuga/run/simulation/data_doubts.h>
 #include <fuga/run/simulation/simulation.h>
@@ -48,7 +49,7 @@ namespace fuga
   {
     log_header(journal);
     checkpoints.restore(checkpoint);
-    journal.log.line("Restarted at " + place());
+    journal.log.line("Restarted at " + place_text(journal.record.last_state.t, model.stage_names));
     return follow([&]() {
       return phase.motion ? resume_motion(checkpoint)
                           : phase.path->resume(checkpoint.cut, model.loads.levels, *this);
@@ -231,24 +232,17 @@ namespace fuga
     outcome.path.t  = journal.record.last_state.t;
     outcome.message =
       "Interrupted at " +
-      place(fmt::format(", {} events{}",
-                        journal.record.n_events,
-                        checkpoints.is_suspended ? ", in the search for a factor of safety" : "")) +
+      place_text(
+        outcome.path.t,
+        model.stage_names,
+        fmt::format(", {} events{}",
+                    journal.record.n_events,
+                    checkpoints.is_suspended ? ", in the search for a factor of safety" : "")) +
       ".";
     journal.publish(true);
     checkpoints.write();
     write_summary(journal, outcome);
     throw Interrupted(outcome.message);
-  }
-
-  template <int dim>
-  std::string
-  Simulation<dim>::place(const std::string &more) const
-  {
-    const double t               = journal.record.last_state.t;
-    const auto [stage, fraction] = stage_of(t, model.stage_names.size());
-    return fmt::format(
-      "{:.9g} of stage '{}' (t = {:.12g}{})", fraction, model.stage_names[stage], t, more);
   }
 
   template <int dim>

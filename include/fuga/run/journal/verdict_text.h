@@ -9,6 +9,12 @@
 
 namespace fuga
 {
+  /** "0.25 of stage 'filling' (t = 1.25@p more)": where a path is. */
+  std::string
+  place_text(const double t,
+             const std::vector<std::string> &stage_names,
+             const std::string &more = {});
+
   /** Friction beyond its critical value: how many ways to go on @p result knows, and which elements
    * decide. */
   template <int dim>

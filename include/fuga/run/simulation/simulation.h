@@ -101,9 +101,6 @@ namespace fuga
     /** Leaves complete files of what was reached, and a checkpoint. @throws Interrupted always. */
     [[noreturn]] void
     end_early();
-    /** "0.25 of stage 'filling' (t = 1.25, @p more)": where the path is. */
-    std::string
-    place(const std::string &more = {}) const;
 
     const Model<dim> &model;
     const Parameters &parameters;
