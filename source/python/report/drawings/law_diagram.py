@@ -18,7 +18,7 @@ def diagram(joint, table):
     panels = figure.subplots(1, len(AXES))
     for axes, (direction, (deformation, stress)) in zip(panels, AXES.items()):
         rows = table.frame[table.frame["direction"] == direction]
-        axes.set_xlabel(f"{direction} direction: {deformation} [{length.unit}]")
+        axes.set_xlabel(f"{deformation} [{length.unit}]")
         axes.set_ylabel(table.label("stress", stress))
         if rows.empty:
             axes.text(0.5, 0.5, "no deformation at any stress", transform=axes.transAxes, ha="center")
