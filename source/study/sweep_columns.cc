@@ -15,53 +15,29 @@ namespace fuga
     Columns<SweepRow>
     columns_of_joint(const std::size_t j, const Model<dim> &model)
     {
-      const Units &u          = model.parameters.output.units;
-      const std::string joint = model.joint_names[j] + " ";
-      const auto of_joint     = [j](double JointResultant::*const member) {
-        return [j, member](const SweepRow &row) { return row.resultants[j].*member; };
+      const Units &u     = model.parameters.output.units;
+      const auto columns = [&](const std::string &names) {
+        return columns_of<SweepRow>(
+          resultant_quantities(u),
+          names,
+          [j](const SweepRow &row) -> const auto & { return row.resultants[j]; },
+          model.joint_names[j] + " ");
       };
-      Columns<SweepRow> columns = {{joint + "N", u.force, of_joint(&JointResultant::N)},
-                                   {joint + "T", u.force, of_joint(&JointResultant::T)}};
-      if (dim == 3)
-        append(columns, {{joint + "T2", u.force, of_joint(&JointResultant::T2)}});
+      Columns<SweepRow> result = columns(dim == 3 ? "N T T2" : "N T");
       if (has_dynamic_stage(model.parameters.model))
         {
-          append(columns, {{joint + "mean_slip", u.length, of_joint(&JointResultant::mean_slip)}});
-          if (dim == 3)
-            append(columns,
-                   {{joint + "mean_slip2", u.length, of_joint(&JointResultant::mean_slip2)}});
-          append(columns,
-                 {{joint + "largest_slip", u.length, of_joint(&JointResultant::largest_slip)},
-                  {joint + "largest_opening", u.length, [j](const SweepRow &row) {
+          append(
+            result,
+            columns(dim == 3 ? "mean_slip mean_slip2 largest_slip" : "mean_slip largest_slip"));
+          append(result,
+                 {{model.joint_names[j] + " largest_opening", u.length, [j](const SweepRow &row) {
                      return row.largest_openings[j];
                    }}});
         }
-      append(columns,
-             {{joint + "M", u.energy(), of_joint(&JointResultant::M)},
-              {joint + "share_open", "", of_joint(&JointResultant::share_open)},
-              {joint + "share_slip", "", of_joint(&JointResultant::share_slip)},
-              {joint + "largest_pressure", u.stress(), of_joint(&JointResultant::largest_pressure)},
-              {joint + "sliding_safety", "", of_joint(&JointResultant::sliding_safety)},
-              {joint + "overturning_safety", "", of_joint(&JointResultant::overturning_safety)},
-              {joint + "cracked_length", u.length, of_joint(&JointResultant::cracked_length)}});
-      return columns;
-    }
-
-    /** Energies of the last dynamic stage. */
-    Columns<SweepRow>
-    columns_of_motion(const Units &u)
-    {
-      const auto energy = [](double MotionLedger::*const member) {
-        return [member](const SweepRow &row) { return row.motion_energies.*member; };
-      };
-      return {{"work", u.energy(), energy(&MotionLedger::work)},
-              {"kinetic_energy", u.energy(), energy(&MotionLedger::kinetic)},
-              {"energy_bodies", u.energy(), energy(&MotionLedger::bodies)},
-              {"damping", u.energy(), energy(&MotionLedger::damping)},
-              {"joint_work", u.energy(), energy(&MotionLedger::joints)},
-              {"numerical", u.energy(), energy(&MotionLedger::numerical)},
-              {"sudden", u.energy(), energy(&MotionLedger::sudden)},
-              {"largest_energy", u.energy(), energy(&MotionLedger::largest)}};
+      append(result,
+             columns("M share_open share_slip largest_pressure sliding_safety overturning_safety "
+                     "cracked_length"));
+      return result;
     }
 
     /** The methods by which any of the variants looks for a factor of safety. */
@@ -128,7 +104,12 @@ namespace fuga
     for (std::size_t j = 0; j < model.joint_names.size(); ++j)
       append(columns, columns_of_joint<dim>(j, model));
     if (has_dynamic_stage(model.parameters.model))
-      append(columns, columns_of_motion(u));
+      append(columns,
+             columns_of<SweepRow>(
+               motion_energies(u),
+               "work kinetic_energy energy_bodies damping joint_work numerical sudden "
+               "largest_energy",
+               [](const SweepRow &row) -> const auto & { return row.motion_energies; }));
     for (std::size_t i = 0; i < model.monitors.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         append(columns,

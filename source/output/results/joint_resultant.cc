@@ -108,12 +108,14 @@ namespace fuga
     void
     locate(const MeanFrame &frame, JointResultant &resultant)
     {
-      const double e            = resultant.N == 0. ? not_a_number : -resultant.M / resultant.N;
-      const double B            = frame.last_edge - frame.first_edge;
-      resultant.eccentricity    = e;
-      resultant.position        = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x, 0.}};
-      resultant.in_middle_third = e >= frame.first_edge + B * (1. / 3. - resultant_rounding) &&
-                                  e <= frame.last_edge - B * (1. / 3. - resultant_rounding);
+      const double e               = resultant.N == 0. ? not_a_number : -resultant.M / resultant.N;
+      const double B               = frame.last_edge - frame.first_edge;
+      resultant.eccentricity       = e;
+      resultant.position           = {{frame.x + e * frame.n_y, frame.y - e * frame.n_x, 0.}};
+      resultant.in_middle_third    = e >= frame.first_edge + B * (1. / 3. - resultant_rounding) &&
+                                      e <= frame.last_edge - B * (1. / 3. - resultant_rounding)
+                                       ? 1.
+                                       : 0.;
       resultant.overturning_safety = std::abs(e) <= resultant_rounding * B ? infinity
                                      : e > 0.                              ? frame.last_edge / e
                                                                            : frame.first_edge / e;

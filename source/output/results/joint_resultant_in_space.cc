@@ -105,7 +105,7 @@ namespace fuga
         shear <= resultant_rounding * std::max(strength, std::abs(resultant.N)) ? infinity
                                                                                 : strength / shear;
       resultant.cracked_length = resultant.crack_from_first = resultant.crack_from_last =
-        resultant.overturning_safety                        = not_a_number;
+        resultant.overturning_safety = resultant.in_middle_third = not_a_number;
       return resultant;
     }
   } // namespace

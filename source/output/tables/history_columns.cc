@@ -3,8 +3,6 @@
 
 #include <fuga/output/tables/history_columns.h>
 
-#include <limits>
-
 namespace fuga
 {
   namespace
@@ -56,11 +54,16 @@ namespace fuga
       return row.result.*member;
     }
 
-    template <double JointResultant::*member>
-    TableField
-    of_resultant(const ResultantRow &row)
+    /** Appends the columns @p names of the joint of a row. */
+    template <typename Row>
+    void
+    append_of_joint(const Units &u, const std::string &names, Columns<Row> &columns)
     {
-      return row.resultant.*member;
+      append(columns,
+             columns_of<Row>(
+               resultant_quantities(u), names, [](const Row &row) -> const auto & {
+                 return row.resultant;
+               }));
     }
 
     template <double EnergyLedger::*member>
@@ -70,33 +73,11 @@ namespace fuga
       return row.energies.*member;
     }
 
-    template <double JointResultant::*member>
-    TableField
-    of_joint(const MotionRow &row)
-    {
-      return row.resultant.*member;
-    }
-
-    template <double MotionLedger::*member>
-    TableField
-    of_motion(const MotionRow &row)
-    {
-      return row.moment.energies.*member;
-    }
-
     template <std::size_t component>
     TableField
     of_ground(const MotionRow &row)
     {
       return row.moment.ground[component];
-    }
-
-    /** A component of a vector of a joint in space. */
-    template <std::array<double, 3> JointResultant::*member, std::size_t component>
-    TableField
-    component_of(const ResultantRow &row)
-    {
-      return (row.resultant.*member)[component];
     }
 
     template <std::size_t component>
@@ -132,22 +113,6 @@ namespace fuga
     place_of_monitor(const MonitorRow &row)
     {
       return row.monitor.position()[component];
-    }
-
-    Columns<ResultantRow>
-    resultant_columns_in_space(const Units &u)
-    {
-      return {{"T2", u.force, of_resultant<&JointResultant::T2>},
-              {"M1", u.energy(), of_resultant<&JointResultant::M1>},
-              {"Mn", u.energy(), of_resultant<&JointResultant::Mn>},
-              {"eccentricity2", u.length, of_resultant<&JointResultant::eccentricity2>},
-              {"position_z", u.length, component_of<&JointResultant::position, 2>},
-              {"normal_x", "", component_of<&JointResultant::normal, 0>},
-              {"normal_y", "", component_of<&JointResultant::normal, 1>},
-              {"normal_z", "", component_of<&JointResultant::normal, 2>},
-              {"t1_x", "", component_of<&JointResultant::first_tangent, 0>},
-              {"t1_y", "", component_of<&JointResultant::first_tangent, 1>},
-              {"t1_z", "", component_of<&JointResultant::first_tangent, 2>}};
     }
   } // namespace
 
@@ -210,44 +175,31 @@ namespace fuga
   resultant_columns(const Units &u, const bool has_water, const bool in_space)
   {
     Columns<ResultantRow> columns = {
-      load_time<ResultantRow>(),
-      {"joint", "", [](const ResultantRow &row) { return row.joint; }},
-      {"N", u.force, of_resultant<&JointResultant::N>},
-      {"T", u.force, of_resultant<&JointResultant::T>},
-      {"M", u.energy(), of_resultant<&JointResultant::M>},
-      {"position_x", u.length, component_of<&JointResultant::position, 0>},
-      {"position_y", u.length, component_of<&JointResultant::position, 1>},
-      {"share_open", "", of_resultant<&JointResultant::share_open>},
-      {"share_stick", "", of_resultant<&JointResultant::share_stick>},
-      {"share_slip", "", of_resultant<&JointResultant::share_slip>},
-      {"largest_pressure", u.stress(), of_resultant<&JointResultant::largest_pressure>},
-      {"largest_gap", u.length, of_resultant<&JointResultant::largest_gap>},
-      {"largest_slip", u.length, of_resultant<&JointResultant::largest_slip>},
-      {"sliding_safety", "", of_resultant<&JointResultant::sliding_safety>},
-      {"external_work", u.energy(), of_energies<&EnergyLedger::external_work>},
-      {"energy_bodies", u.energy(), of_energies<&EnergyLedger::bodies>},
-      {"energy_layer", u.energy(), of_energies<&EnergyLedger::layer>},
-      {"dissipation", u.energy(), of_energies<&EnergyLedger::dissipation>},
-      certificate<ResultantRow>(),
-      path_length<ResultantRow>(u),
-      {"eccentricity", u.length, of_resultant<&JointResultant::eccentricity>},
-      {"in_middle_third",
-       "",
-       [in_space](const ResultantRow &row) {
-         return in_space ? std::numeric_limits<double>::quiet_NaN()
-                         : (row.resultant.in_middle_third ? 1. : 0.);
-       }},
-      {"overturning_safety", "", of_resultant<&JointResultant::overturning_safety>},
-      {"share_compression", "", of_resultant<&JointResultant::share_compression>},
-      {"cracked_length", u.length, of_resultant<&JointResultant::cracked_length>},
-      {"crack_from_first", u.length, of_resultant<&JointResultant::crack_from_first>},
-      {"crack_from_last", u.length, of_resultant<&JointResultant::crack_from_last>},
-      {"smallest_pressure", u.stress(), of_resultant<&JointResultant::smallest_pressure>},
-      {"joint_dissipation", u.energy(), of_resultant<&JointResultant::dissipation>}};
+      load_time<ResultantRow>(), {"joint", "", [](const ResultantRow &row) { return row.joint; }}};
+    append_of_joint(
+      u,
+      "N T M position_x position_y share_open share_stick share_slip largest_pressure "
+      "largest_gap largest_slip sliding_safety",
+      columns);
+    append(columns,
+           {{"external_work", u.energy(), of_energies<&EnergyLedger::external_work>},
+            {"energy_bodies", u.energy(), of_energies<&EnergyLedger::bodies>},
+            {"energy_layer", u.energy(), of_energies<&EnergyLedger::layer>},
+            {"dissipation", u.energy(), of_energies<&EnergyLedger::dissipation>},
+            certificate<ResultantRow>(),
+            path_length<ResultantRow>(u)});
+    append_of_joint(
+      u,
+      "eccentricity in_middle_third overturning_safety share_compression cracked_length "
+      "crack_from_first crack_from_last smallest_pressure joint_dissipation",
+      columns);
     if (in_space)
-      append(columns, resultant_columns_in_space(u));
+      append_of_joint(u,
+                      "T2 M1 Mn eccentricity2 position_z normal_x normal_y "
+                      "normal_z t1_x t1_y t1_z",
+                      columns);
     if (has_water)
-      append(columns, {{"water", u.force, of_resultant<&JointResultant::water>}});
+      append_of_joint(u, "water", columns);
     append(columns, drive<ResultantRow>());
     return columns;
   }
@@ -310,29 +262,24 @@ namespace fuga
     Columns<MotionRow> columns = {
       {"t", "", [](const MotionRow &row) { return row.t; }},
       {"time", "s", [](const MotionRow &row) { return row.moment.time; }},
-      {"joint", "", [](const MotionRow &row) { return row.joint; }},
-      {"N", u.force, of_joint<&JointResultant::N>},
-      {"T", u.force, of_joint<&JointResultant::T>},
-      {"mean_slip", u.length, of_joint<&JointResultant::mean_slip>},
-      {"largest_slip", u.length, of_joint<&JointResultant::largest_slip>},
-      {"largest_gap", u.length, of_joint<&JointResultant::largest_gap>},
-      {"share_open", "", of_joint<&JointResultant::share_open>},
-      {"share_stick", "", of_joint<&JointResultant::share_stick>},
-      {"share_slip", "", of_joint<&JointResultant::share_slip>},
-      {"ground_x", u.acceleration(), of_ground<0>},
-      {"ground_y", u.acceleration(), of_ground<1>},
-      {"work", u.energy(), of_motion<&MotionLedger::work>},
-      {"kinetic_energy", u.energy(), of_motion<&MotionLedger::kinetic>},
-      {"energy_bodies", u.energy(), of_motion<&MotionLedger::bodies>},
-      {"damping", u.energy(), of_motion<&MotionLedger::damping>},
-      {"joint_work", u.energy(), of_motion<&MotionLedger::joints>},
-      {"numerical", u.energy(), of_motion<&MotionLedger::numerical>},
-      {"sudden", u.energy(), of_motion<&MotionLedger::sudden>}};
+      {"joint", "", [](const MotionRow &row) { return row.joint; }}};
+    append_of_joint(u,
+                    "N T mean_slip largest_slip largest_gap share_open share_stick "
+                    "share_slip",
+                    columns);
+    append(
+      columns,
+      {{"ground_x", u.acceleration(), of_ground<0>}, {"ground_y", u.acceleration(), of_ground<1>}});
+    append(columns,
+           columns_of<MotionRow>(
+             motion_energies(u),
+             "work kinetic_energy energy_bodies damping joint_work numerical sudden",
+             [](const MotionRow &row) -> const auto & { return row.moment.energies; }));
     if (in_space)
-      append(columns,
-             {{"T2", u.force, of_joint<&JointResultant::T2>},
-              {"mean_slip2", u.length, of_joint<&JointResultant::mean_slip2>},
-              {"ground_z", u.acceleration(), of_ground<2>}});
+      {
+        append_of_joint(u, "T2 mean_slip2", columns);
+        append(columns, {{"ground_z", u.acceleration(), of_ground<2>}});
+      }
     return columns;
   }
 } // namespace fuga

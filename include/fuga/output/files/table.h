@@ -6,7 +6,11 @@
 
 #include <fuga/output/files/output_files.h>
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
 #include <functional>
+#include <sstream>
 #include <variant>
 
 namespace fuga
@@ -59,6 +63,34 @@ namespace fuga
   private:
     const Columns<Row> columns;
   };
+
+  /**
+   * Columns of a part that rows of several tables have: those of @p described that @p names lists,
+   * with blanks between them, of the part that @p part_of finds in a row. @p prefix stands before
+   * the names.
+   */
+  template <typename Row, typename Part, typename PartOf>
+  Columns<Row>
+  columns_of(const Columns<Part> &described,
+             const std::string &names,
+             const PartOf &part_of,
+             const std::string &prefix = "")
+  {
+    Columns<Row> columns;
+    std::istringstream words(names);
+    for (std::string name; words >> name;)
+      {
+        const auto one =
+          std::find_if(described.begin(), described.end(), [&name](const Column<Part> &column) {
+            return column.name == name;
+          });
+        AssertThrow(one != described.end(), dealii::ExcMessage("no column " + name));
+        columns.push_back({prefix + name, one->unit, [field = one->field, part_of](const Row &row) {
+                             return field(part_of(row));
+                           }});
+      }
+    return columns;
+  }
 
   /** Appends @p more to @p columns. */
   template <typename Row>

@@ -57,8 +57,8 @@ namespace fuga
     /** s of the edge on the side of e, divided by e: the factor by which M may grow until the
      * resultant stands on the edge. Infinity if it is central. */
     double overturning_safety = 0.;
-    /** The resultant stands within the middle third of B. */
-    bool in_middle_third = false;
+    /** 1 if the resultant stands within the middle third of B, else 0. */
+    double in_middle_third = 0.;
     /** Force of the water in the joint along n, which presses the lips apart [force]: N is without
      * it. */
     double water = 0.;

@@ -112,6 +112,14 @@ namespace fuga
     const JointResultant &resultant;
   };
 
+  /** What tables tell of a joint as a whole, of which each has some. */
+  Columns<JointResultant>
+  resultant_quantities(const Units &units);
+
+  /** What tables tell of the energies of a motion. */
+  Columns<MotionLedger>
+  motion_energies(const Units &units);
+
   /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water, @p
    * has_motion: with those that only models in space, with water in joints, or with bodies that may
    * move have. */
