@@ -97,6 +97,16 @@ namespace fuga
     strength.friction                    = strength.share * residual_friction(element.friction);
   }
 
+  std::vector<Strength>
+  strengths_in_step(const JointState &start)
+  {
+    std::vector<Strength> result = start.strengths;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      if (start.states[k] == ContactState::open)
+        result[k].dilatancy = 0.;
+    return result;
+  }
+
   bool
   lose_strength_in_step(const std::vector<ContactElement> &elements,
                         const JointState &end,

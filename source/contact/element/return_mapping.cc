@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/element/change_of_state.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/system/layered_system.h>
 
@@ -33,6 +34,7 @@ namespace fuga
     : elements(contact_elements), from(start), at(start)
   {
     at.states.assign(elements.size(), ContactState::stick);
+    at.strengths = strengths_in_step(from);
     at.forces.assign(jumps.size(), 0.);
     at.dislocations = jumps;
   }
@@ -70,7 +72,7 @@ namespace fuga
   ReturnMapping::slide(const std::size_t k, const TangentVector &by)
   {
     at.slips[k]     = sum(from.slips[k], 1., by);
-    at.dilations[k] = std::min(from.dilations[k] + from.strengths[k].dilatancy * length(by),
+    at.dilations[k] = std::min(from.dilations[k] + at.strengths[k].dilatancy * length(by),
                                std::max(elements[k].friction.dilation_limit, from.dilations[k]));
   }
 
@@ -152,8 +154,8 @@ namespace fuga
       result.slip = tangential(element, at.dislocations);
     const TangentVector e =
       element.has_tangential_bar() ? elastic_shear(element, at, k) : TangentVector{};
-    // Lips that touched and slide rise after each other.
-    const double highest = from.states[k] != ContactState::open && may_rise(k)
+    // Lips that slide rise after each other.
+    const double highest = may_rise(k)
                              ? std::min(at.strengths[k].dilatancy * length(e),
                                         element.friction.dilation_limit - from.dilations[k])
                              : 0.;

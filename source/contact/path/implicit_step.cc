@@ -37,6 +37,7 @@ namespace fuga
   ImplicitStep::solve(const JointState &from)
   {
     start              = from;
+    start.strengths    = strengths_in_step(from);
     JointState reached = from;
     double done = 0., piece = 1.;
     std::optional<JointState> end;
@@ -59,6 +60,9 @@ namespace fuga
         piece *= 2.;
       }
     context.scheme.let_turn({});
+    for (std::size_t k = 0; end && k < context.elements.size(); ++k)
+      if (from.states[k] == ContactState::open)
+        end->strengths[k].dilatancy = from.strengths[k].dilatancy;
     return end;
   }
 

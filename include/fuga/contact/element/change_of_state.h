@@ -37,6 +37,15 @@ namespace fuga
              JointState &state);
 
   /**
+   * The strengths with which the elements go through a step from @p start: lips that meet within
+   * it do not rise before the next one, as nobody knows how much of their way they slid apart. If
+   * they rose by all of it they would be pressed together as soon as they meet, by a force that
+   * depends on their way alone: most steps would have two ends or none.
+   */
+  std::vector<Strength>
+  strengths_in_step(const JointState &start);
+
+  /**
    * What a step from @p start costs if it ends in @p end: bonds that would have to carry more than
    * they can break; elements that begin to slip although they have lost nothing for it lose what
    * that costs, and those that open as well. Takes it from the strengths of @p start, but for the
