@@ -263,6 +263,9 @@ namespace fuga
     // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
     // be followed.
     constexpr double near_limit = 1e-8, near_maximum = 1e-9;
+    // A boundary so few shortest steps ahead is met where the curve ends: of elements that reach it
+    // together one may be a rounding error behind the others.
+    constexpr double just_ahead = 10.;
     double length = std::min(
       course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
     length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
@@ -277,7 +280,9 @@ namespace fuga
           break;
         if (length < shortest && course.length - from.tau > shortest)
           {
-            if (is_below_end_of_path(near_enough, near_enough))
+            if (is_below_end_of_path(near_enough, near_enough) ||
+                context.boundary.distance(from.point.state, from.point.rates, course.drive) <
+                  just_ahead * shortest)
               break;
             throw PathFailure(fmt::format(
               "The path cannot be followed beyond load time {}: even the shortest step fails.",
