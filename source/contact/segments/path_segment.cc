@@ -264,34 +264,44 @@ namespace fuga
     }
   } // namespace
 
-  // Of the bar whose rate g has grown most, whatever else moves steadily; g as a whole or what it
-  // has grown by, for steady motion may be a part of it. Three slopes of 1/g^n are compared,
-  // between the last point and those at which g was smaller by a sixth each time: others that come
-  // to rest near τ* cut the path into short pieces. (Two slopes may agree by chance, where a slip
-  // turns quickly as its element leaves the cone at the apex.)
+  // Of the bar whose rate g has grown most, and of the one that has grown most beside what it was:
+  // whatever else moves steadily, or comes along with the others; g as a whole or what it has grown
+  // by, for steady motion may be a part of it. Three slopes of 1/g^n are compared, between the last
+  // point and those at which g was smaller by a sixth each time: others that come to rest near τ*
+  // cut the path into short pieces. (Two slopes may agree by chance, where a slip turns quickly as
+  // its element leaves the cone at the apex.)
   bool
   rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within)
   {
-    const Vector &first = curve.front().point->rates.dislocations,
-                 &last  = curve.back().point->rates.dislocations;
-    std::size_t fastest = 0;
-    double growth       = 0.;
+    constexpr double no_part = 0.01;
+    const Vector &first      = curve.front().point->rates.dislocations,
+                 &last       = curve.back().point->rates.dislocations;
+    Vector growth(first.size());
     for (std::size_t bar = 0; bar < first.size(); ++bar)
-      if (const double grown = std::abs(last[bar]) - std::abs(first[bar]); grown > growth)
-        {
-          fastest = bar;
-          growth  = grown;
-        }
-    if (growth == 0.)
+      growth[bar] = std::abs(last[bar]) - std::abs(first[bar]);
+    const double most = *std::max_element(growth.begin(), growth.end());
+    if (most <= 0.)
       return false;
-    for (const double steady : {0., first[fastest]})
+    const auto share_of_growth = [&](const std::size_t bar) {
+      return growth[bar] > no_part * most ? growth[bar] / std::abs(last[bar]) : 0.;
+    };
+    std::size_t fastest = 0, steepest = 0;
+    for (std::size_t bar = 1; bar < first.size(); ++bar)
       {
-        Vector speeds;
-        for (const CurvePoint &at : curve)
-          speeds.push_back(std::abs(at.point->rates.dislocations[fastest] - steady));
-        if (diverges(curve, speeds, exponent, within))
-          return true;
+        if (growth[bar] > growth[fastest])
+          fastest = bar;
+        if (share_of_growth(bar) > share_of_growth(steepest))
+          steepest = bar;
       }
+    for (const std::size_t bar : {fastest, steepest})
+      for (const double steady : {0., first[bar]})
+        {
+          Vector speeds;
+          for (const CurvePoint &at : curve)
+            speeds.push_back(std::abs(at.point->rates.dislocations[bar] - steady));
+          if (diverges(curve, speeds, exponent, within))
+            return true;
+        }
     return false;
   }
 } // namespace fuga
