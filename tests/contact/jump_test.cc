@@ -6,6 +6,9 @@
 #include "contact/cone_toy.h"
 #include "contact/lifted_problem.h"
 
+#include <fuga/contact/path/slow_motion.h>
+#include <fuga/contact/virgin_state.h>
+
 namespace fuga::tests
 {
   namespace
@@ -104,6 +107,33 @@ namespace fuga::tests
     EXPECT_NEAR(record.levels.back().dislocations[0], 0.8 / 0.64, 1e-12);
     EXPECT_NEAR(
       length(tangential(lifted.elements[0], record.levels.back().dislocations)), 2.4 / 0.64, 1e-12);
+  }
+
+  // Where the path snaps the jump is as large after ever so little load, where it goes on it is
+  // not: on f = 2, and on f = 1, below 1/0.6, from the same state of slip, T = -f N = f.
+  TEST(Jump, ShowsInstabilityIfItStaysAsLarge)
+  {
+    for (const double friction : {2., 1.})
+      {
+        Node node;
+        node.joint = ToyJoint(1, 1., make_rigid_law(), make_rigid_law(), {friction, 0.});
+        const LayeredSystem layered(node.system, node.joint.elements);
+        JointState state = virgin_state(node.joint.elements, 2, false);
+        state.states[0]  = ContactState::slip_forward;
+        state.forces     = {-1., friction};
+        const auto jump  = [&](const double load) {
+          Course course;
+          course.length = course.t_end = load;
+          course.factors               = {-1., friction};
+          course.factor_rates          = {0., 1.};
+          return find_equilibrium_nearby(node.joint.elements, layered, course, state)->jump;
+        };
+        Jump found        = jump(1e-6);
+        found.size_nearer = jump(1e-8).size;
+        // On the path N = -1 + 0.6 d and T = 1 + 1e-6 - d = -N.
+        EXPECT_NEAR(found.size, friction == 2. ? 1.4 / 0.64 : 2.5e-6, 1e-5 * found.size);
+        EXPECT_EQ(found.shows_instability(), friction == 2.);
+      }
   }
 
   // A block that slides away rests nowhere.

@@ -337,6 +337,26 @@ TEST_F(PlantedMechanisms, NoContinuationMayBeALimitLoad)
   EXPECT_EQ(lost.mechanism, MechanismKind::sliding);
 }
 
+// What was only not found is shown by a jump that stays as large with less load before it.
+TEST_F(PlantedMechanisms, NoContinuationMayBeShownByAJump)
+{
+  const LayeredSystem layered(chain, joint.elements);
+  PathResult lost;
+  lost.verdict    = Verdict::no_continuation;
+  lost.tried      = "Something";
+  lost.jump       = {true, 1., 1e-6, 1., 2., 1., 0.01};
+  JointState held = at_limit.last;
+  held.forces[2 * somewhere + 1] *= 0.9;
+  EXPECT_THROW(prove_limit(at_limit.judge, joint.elements, layered, held, lost), NumericalFailure);
+  lost.jump.size_nearer = 1.;
+  prove_limit(at_limit.judge, joint.elements, layered, held, lost);
+  EXPECT_EQ(lost.verdict, Verdict::no_continuation);
+  EXPECT_TRUE(lost.tried.empty());
+  lost.tried           = "Something";
+  lost.jump.dissipated = 2.;
+  EXPECT_THROW(prove_limit(at_limit.judge, joint.elements, layered, held, lost), NumericalFailure);
+}
+
 // Sums that cancel: 2^60 + 1 - 2^60 loses the one in double precision, and so does what the second
 // number of the vector has beyond double.
 TEST(Accurate, ProductsKeepWhatDoubleLoses)

@@ -76,6 +76,11 @@ namespace fuga
         result.tried.clear();
         return {{}, barrier};
       }
+    if (!is_limit && result.jump.shows_instability())
+      {
+        result.tried.clear();
+        return {};
+      }
     throw NumericalFailure(fmt::format(
       "{} load time {:.12g}, and no motion proves that there is none. "
       "{}. {}{}. The structure may stand; try softer joints{}.",

@@ -110,6 +110,7 @@ namespace fuga
                         {"size", path.jump.size},
                         {"released_energy", path.jump.released},
                         {"friction_work", path.jump.dissipated},
+                        {"size_with_hundredth_of_load", path.jump.size_nearer},
                         {"followed", path.n_followed_jumps},
                         {"over_failures", path.n_failures}};
       json["zero_length_steps"] = path.n_zero_steps;

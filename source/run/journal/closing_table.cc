@@ -41,6 +41,11 @@ namespace fuga
                              barrier.inadmissible,
                              barrier.drive,
                              barrier.margin()));
+      const Jump &jump = outcome.path.jump;
+      if (outcome.path.verdict == Verdict::no_continuation && jump.shows_instability())
+        log.line(fmt::format("            shown by the jump: with a hundredth of the load added "
+                             "before it, it is {:.4g} times as large",
+                             jump.size_nearer / jump.size));
     }
 
     template <int dim>

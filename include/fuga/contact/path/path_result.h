@@ -97,19 +97,30 @@ namespace fuga
     /** What bodies, layers and loads give off, and what of it friction takes in a slow motion; the
      * rest becomes motion [MNm]. */
     double released = 0., dissipated = 0.;
+    /** The size where it is looked for with a hundredth of that length, if it is [m]. */
+    double size_nearer = 0.;
+
+    /** That no continuous path leads to its end: its size does not fall with its length, and it
+     * sets free more than friction takes. */
+    bool
+    shows_instability() const
+    {
+      return found && size_nearer > 0.5 * size && released > dissipated;
+    }
   };
 
   template <typename OneJump, typename Visitor, only_for<OneJump, Jump> = 0>
   void
   for_each_field(OneJump &jump, Visitor &&visit)
   {
-    auto &[found, t, length, size, released, dissipated] = jump;
+    auto &[found, t, length, size, released, dissipated, size_nearer] = jump;
     visit("found", found);
     visit("t", t);
     visit("length", length);
     visit("size", size);
     visit("released", released);
     visit("dissipated", dissipated);
+    visit("size_nearer", size_nearer);
   }
 
   struct PathResult
