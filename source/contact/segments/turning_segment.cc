@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -68,11 +69,7 @@ namespace fuga
       if (is_slipping(start.state.states[k]) && !context.elements[k].has_second_tangential_bar())
         slipping.push_back(k);
 
-    const Vector jumps      = context.system.jumps(start.state.dislocations, start.state.forces);
-    const Vector jump_rates = context.system.jumps(start.rates.dislocations, start.rates.forces);
-    force_scale =
-      std::max(max_abs(start.state.forces), course.length * max_abs(start.rates.forces));
-    jump_scale = std::max(max_abs(jumps), course.length * max_abs(jump_rates));
+    take_scales();
 
     Station first;
     first.point = start;
@@ -91,6 +88,26 @@ namespace fuga
       throw PathFailure(fmt::format(
         "Nothing holds the elements that do not slip at load time {:.9g}.", start.state.t));
     curve.push_back(std::move(first));
+  }
+
+  // Of a virgin state its growth tells the scales. Close to a limit slips grow without bounds:
+  // there they are no more than what the loads do to lips that stick.
+  void
+  TurningSegment::take_scales()
+  {
+    const auto size_of_jumps = [this](const Vector &dislocations, const Vector &forces) {
+      return max_abs(context.system.jumps(dislocations, forces));
+    };
+    double softest = std::numeric_limits<double>::infinity();
+    for (std::size_t bar = 0; bar < context.system.n_bars(); ++bar)
+      softest = std::min(softest, context.system.stiffness()(bar, bar));
+    const double load = course.length * driving_force();
+    const double growth =
+      course.length * size_of_jumps(start.rates.dislocations, start.rates.forces);
+    force_scale = std::max(max_abs(start.state.forces),
+                           std::min(load, course.length * max_abs(start.rates.forces)));
+    jump_scale  = std::max(size_of_jumps(start.state.dislocations, start.state.forces),
+                          growth * softest > load ? load / softest : growth);
   }
 
   TurningStage

@@ -85,6 +85,8 @@ namespace fuga
       double energy_lost = 0.;
     };
 
+    void
+    take_scales();
     TurningStage
     stage_at_start(const std::vector<TangentVector> &directions) const;
     void
