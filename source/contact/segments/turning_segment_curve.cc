@@ -7,6 +7,7 @@
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/implicit_runge_kutta.h>
 #include <fuga/contact/segments/layer_work.h>
+#include <fuga/contact/segments/step_control.h>
 #include <fuga/contact/segments/turning_segment.h>
 
 #include <algorithm>
@@ -266,19 +267,19 @@ namespace fuga
     // A boundary so few shortest steps ahead is met where the curve ends: of elements that reach it
     // together one may be a rounding error behind the others.
     constexpr double just_ahead = 10.;
-    double length = std::min(
-      course.length, 1.1 * context.boundary.distance(start.state, start.rates, course.drive));
-    length         = std::clamp(length, 1e-6 * course.length, 0.1 * course.length);
-    double allowed = 1.; // error, as far as it is rounding at the present point
-    bool is_known  = course.length <= 2. * shortest;
+    const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
+    StepControl length(std::clamp(to_event, 1e-6 * course.length, 0.1 * course.length));
+    double allowed  = 1.; // error, as far as it is rounding at the present point
+    bool is_known   = course.length <= 2. * shortest;
+    double rejected = no_boundary; // error of a longer step from the present point
     while (curve.back().tau < course.length)
       {
         Station from = curve.back();
         check_number_of_steps(curve.size(), from.point.state.t);
-        length = std::min(length, course.length - from.tau);
+        length.limit(course.length - from.tau);
         if (is_below_end_of_path(near_limit, near_maximum) || loses_control(from))
           break;
-        if (length < shortest && course.length - from.tau > shortest)
+        if (length() < shortest && course.length - from.tau > shortest)
           {
             if (is_below_end_of_path(near_enough, near_enough) ||
                 context.boundary.distance(from.point.state, from.point.rates, course.drive) <
@@ -290,12 +291,13 @@ namespace fuga
           }
         Station to;
         double error = 0.;
-        if (!step(from, length, to, error))
+        if (!step(from, length(), to, error))
           {
-            length *= 0.25;
+            length.fail();
             continue;
           }
-        if (error > allowed && !is_known && (curve.size() == 1 || length < short_step))
+        // Rounding is what a shorter step has left as it was.
+        if (error > allowed && !is_known && (length() < short_step || error > 0.5 * rejected))
           {
             allowed  = error_of_rounding(from, shortest);
             is_known = true;
@@ -303,7 +305,8 @@ namespace fuga
         error /= allowed;
         if (error > 1.)
           {
-            length *= std::max(0.1, 0.9 * std::pow(error, -0.2));
+            rejected = error;
+            length.reject(error);
             continue;
           }
         if (first_event(from, to) <= 1.)
@@ -319,7 +322,8 @@ namespace fuga
           break;
         allowed  = 1.;
         is_known = false;
-        length *= std::min(5., 0.9 * std::pow(std::max(error, 1e-8), -0.2));
+        rejected = no_boundary;
+        length.accept(error, length() > short_step);
       }
     // An event may come just before the maximum.
     at_turning_point =

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_contact_segments_step_control_h
+#define fuga_contact_segments_step_control_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuga
+{
+  /**
+   * The length of the next step along a curve, for an error, relative to what is allowed, that
+   * grows with the fifth power of the length.
+   */
+  class StepControl
+  {
+  public:
+    explicit StepControl(const double first_length) : length(first_length)
+    {
+    }
+
+    void
+    limit(const double largest)
+    {
+      length = std::min(length, largest);
+    }
+
+    /** The step has no end. */
+    void
+    fail()
+    {
+      length *= 0.25;
+    }
+
+    void
+    reject(const double error)
+    {
+      length *= std::max(0.1, growth(error));
+    }
+
+    /** With @p foreseeing a change of what leads the error goes on from step to step: where
+     * directions turn faster and faster, as towards the apex of a cone, every second step would be
+     * rejected otherwise (Gustafsson, ACM Trans. Math. Softw. 20, 1994). */
+    void
+    accept(const double error, const bool foreseeing)
+    {
+      const double of_error = growth(error), taken = length;
+      length *= std::min(largest_growth, of_error);
+      if (foreseeing && taken_before > 0.)
+        length *= std::min(1., taken / taken_before * of_error / growth_before);
+      taken_before  = taken;
+      growth_before = of_error;
+    }
+
+    double
+    operator()() const
+    {
+      return length;
+    }
+
+  private:
+    static constexpr double largest_growth = 5.;
+
+    static double
+    growth(const double error)
+    {
+      constexpr double least_error = 1e-8;
+      return 0.9 * std::pow(std::max(error, least_error), -0.2);
+    }
+
+    double length, taken_before = 0., growth_before = 1.;
+  };
+} // namespace fuga
+
+#endif
