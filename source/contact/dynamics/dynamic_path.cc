@@ -138,6 +138,7 @@ namespace fuga
     tick   = 0;
     slip_rates.assign(elements.size(), TangentVector{});
     length_before = largest_rate = 0.;
+    promising_rung               = 0;
     bodies.begin(state.forces, ledger);
     ledger.note_largest();
     ledger.rounding = rounding_of_work(state);
@@ -160,8 +161,15 @@ namespace fuga
   MotionCut
   DynamicPath::motion_memory() const
   {
-    MotionCut result = {
-      tick, bodies.memory(), ledger, steps_of_rung, slip_rates, length_before, largest_rate, {}};
+    MotionCut result = {tick,
+                        bodies.memory(),
+                        ledger,
+                        steps_of_rung,
+                        slip_rates,
+                        length_before,
+                        largest_rate,
+                        promising_rung,
+                        {}};
     for (unsigned int number = 0; number < rungs.size(); ++number)
       if (rungs[number])
         result.rungs.push_back({number, rungs[number]->path.memory()});
@@ -173,11 +181,12 @@ namespace fuga
   {
     tick = motion.tick;
     bodies.restore(motion.bodies);
-    ledger        = motion.ledger;
-    steps_of_rung = motion.steps_of_rung;
-    slip_rates    = motion.slip_rates;
-    length_before = motion.length_before;
-    largest_rate  = motion.largest_rate;
+    ledger         = motion.ledger;
+    steps_of_rung  = motion.steps_of_rung;
+    slip_rates     = motion.slip_rates;
+    length_before  = motion.length_before;
+    largest_rate   = motion.largest_rate;
+    promising_rung = motion.promising_rung;
     for (const auto &[number, memory] : motion.rungs)
       rung(number).path.restore(memory);
   }
@@ -189,22 +198,22 @@ namespace fuga
                        PathResult &result,
                        PathObserver &observer)
   {
-    const Attempt step = attempt(number, state, result);
-    if (is_good(step, number))
-      return accept(step, number, levels, state, result, observer);
-    if (number < grid.halvings)
+    if (number >= promising_rung)
       {
-        advance(number + 1, levels, state, result, observer);
-        advance(number + 1, levels, state, result, observer);
-        return;
+        const Attempt step = attempt(number, state, result);
+        if (is_good(step, number))
+          return accept(step, number, levels, state, result, observer);
+        if (number == grid.halvings)
+          throw NumericalFailure(fmt::format(
+            "No state of the joints was found at the end of a step of {:.3g} s at load time "
+            "{:.12g}. Allow more halvings (Dynamics/Halvings) or shorter steps. What ended the "
+            "last attempt, in the time of the step from 0 to 1: {}",
+            grid.length_of(number),
+            state.t,
+            step.failure));
       }
-    throw NumericalFailure(fmt::format(
-      "No state of the joints was found at the end of a step of {:.3g} s at load time "
-      "{:.12g}. Allow more halvings (Dynamics/Halvings) or shorter steps. What ended the last "
-      "attempt, in the time of the step from 0 to 1: {}",
-      grid.length_of(number),
-      state.t,
-      step.failure));
+    advance(number + 1, levels, state, result, observer);
+    advance(number + 1, levels, state, result, observer);
   }
 
   DynamicPath::Rung &
@@ -257,6 +266,7 @@ namespace fuga
   {
     const StepSystem &of_step = rung(number).system;
     const JointState &end     = attempt.record.end();
+    promising_rung            = promising_rung_after(attempt.record, number);
     for (std::size_t k = 0; k < elements.size(); ++k)
       slip_rates[k] = mean_slip_rate(attempt.record, k, grid.length_of(number));
     length_before = grid.length_of(number);

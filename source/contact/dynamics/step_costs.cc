@@ -15,9 +15,27 @@ namespace fuga
   {
     if (!attempt.failure.empty())
       return false;
-    return number == grid.halvings || cost_of_events(attempt.record, number) +
-                                          cost_of_rest(attempt.record, grid.length_of(number)) <=
-                                        allowed_cost(attempt.record);
+    return number == grid.halvings || cost(attempt.record, number) <= allowed_cost(attempt.record);
+  }
+
+  // Costs grow at least fourfold with every doubling of the step. After one without events any
+  // length may be tried.
+  unsigned int
+  DynamicPath::promising_rung_after(const StepRecord &record, const unsigned int number) const
+  {
+    constexpr double growth = 4.;
+    const double allowed    = allowed_cost(record);
+    unsigned int result     = number;
+    for (double of_longer = growth * cost(record, number); result > 0 && of_longer <= allowed;
+         of_longer *= growth)
+      --result;
+    return result;
+  }
+
+  double
+  DynamicPath::cost(const StepRecord &record, const unsigned int number) const
+  {
+    return cost_of_events(record, number) + cost_of_rest(record, grid.length_of(number));
   }
 
   // Hundreds of events may follow upon an impact. Where the first ones cost that much, shorter

@@ -126,8 +126,17 @@ namespace fuga
     bool
     is_hopeless(const StepRecord &record, const unsigned int number) const;
 
+    /** What a step costs for not knowing when something happened within it [MNm]. */
+    double
+    cost(const StepRecord &record, const unsigned int number) const;
+
     double
     cost_of_events(const StepRecord &record, const unsigned int number) const;
+
+    /** The rung of the longest step that may follow upon an accepted one and does not cost too
+     * much, if it costs what that one has cost. */
+    unsigned int
+    promising_rung_after(const StepRecord &record, const unsigned int number) const;
 
     /** What events may cost [MNm]. */
     double
@@ -168,6 +177,8 @@ namespace fuga
     double length_before = 0.;
     /** Largest mean rate of a jump in any step so far [m/s]. */
     double largest_rate = 0.;
+    /** Longer steps are not attempted. */
+    unsigned int promising_rung = 0;
     MotionCut motion_cut;
     /** Where follow() goes on instead of beginning. */
     std::optional<MotionCut> restart;

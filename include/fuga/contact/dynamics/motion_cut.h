@@ -26,6 +26,8 @@ namespace fuga
     double length_before = 0.;
     /** Largest mean rate of a jump in any step so far [m/s]. */
     double largest_rate = 0.;
+    /** Of the longest step that is worth an attempt, by what the step before has cost. */
+    unsigned int promising_rung = 0;
     /** Of the rungs that have been needed: their numbers, and what the paths through them hand on
      * from step to step. */
     std::vector<std::pair<unsigned int, PathMemory>> rungs;
@@ -35,8 +37,15 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[tick, bodies, ledger, steps_of_rung, slip_rates, length_before, largest_rate, rungs] =
-      cut;
+    auto &[tick,
+           bodies,
+           ledger,
+           steps_of_rung,
+           slip_rates,
+           length_before,
+           largest_rate,
+           promising_rung,
+           rungs] = cut;
     visit("tick", tick);
     visit("bodies", bodies);
     visit("ledger", ledger);
@@ -44,6 +53,7 @@ namespace fuga
     visit("slip_rates", slip_rates);
     visit("length_before", length_before);
     visit("largest_rate", largest_rate);
+    visit("promising_rung", promising_rung);
     visit("rungs", rungs);
   }
 } // namespace fuga
