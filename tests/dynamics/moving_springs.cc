@@ -57,11 +57,14 @@ namespace fuga::tests
     return S;
   }
 
-  Vector
+  MovingBodies::Step
   MovingSprings::begin_step(const unsigned int rung)
   {
-    h = springs.length_of(rung);
-    return integration.push(h, plus(springs.loads(t + h), -1., springs.loads(t)));
+    h                      = springs.length_of(rung);
+    const Vector predicted = integration.predicted(h);
+    const Vector growth    = plus(springs.loads(t + h), -1., springs.loads(t));
+    return {multiply(springs.jumps, predicted),
+            integration.push(h, plus(growth, -1., multiply(springs.stiffness, predicted)))};
   }
 
   void

@@ -49,7 +49,7 @@ namespace fuga::tests
     {
       return springs.jumps;
     }
-    Vector
+    Step
     begin_step(const unsigned int rung) override;
     void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) override;

@@ -134,6 +134,7 @@ namespace fuga
     forces_at_end = forces_of(drive);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
+    add_multiple(-1., multiply(stiffness, now->predicted(h)), growth);
     Vector change = now->push(h, growth);
     for (std::size_t c = 0; c < dim; ++c)
       if (foot.held[c])

@@ -197,7 +197,7 @@ namespace fuga
 
 
   template <int dim>
-  Vector
+  MovingBodies::Step
   BodiesInMotion<dim>::begin_step(const unsigned int rung)
   {
     rung_of_step   = rung;
@@ -207,7 +207,10 @@ namespace fuga
       free_field->try_step(rung, h, present_time + h, forces_at_end);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    return coordinates->condense(rung, integration->push(h, growth));
+    const Vector predicted = integration->predicted(h);
+    add_multiple(-1., coordinates->stiffness_times(predicted), growth);
+    return {coordinates->jumps(predicted),
+            coordinates->condense(rung, integration->push(h, growth))};
   }
 
 
@@ -215,12 +218,11 @@ namespace fuga
   void
   BodiesInMotion<dim>::finish_step(const Vector &x, const Vector &bar_forces, MotionLedger &ledger)
   {
-    const double h  = grid.length_of(rung_of_step);
-    const Vector du = coordinates->expand(rung_of_step, x);
-    Vector mean     = first_forces_on_coordinates;
+    const double h = grid.length_of(rung_of_step);
+    Vector mean    = first_forces_on_coordinates;
     add_multiple(0.5, forces, mean);
     add_multiple(0.5, forces_at_end, mean);
-    integration->advance(h, du, mean, ledger);
+    integration->advance(h, coordinates->expand(rung_of_step, x), mean, ledger);
     const Vector &u        = integration->displacement();
     const Vector restoring = coordinates->stiffness_times(u);
     ledger.bodies          = 0.5 * dot(u, restoring);

@@ -48,8 +48,10 @@ namespace fuga
     reactions_to_units = layered_system->reactions();
     F                  = DenseMatrix(S.n_rows(), n_patterns);
     E                  = DenseMatrix(layered_system->n_bars(), n_patterns);
-    if (!B.empty())
-      factors.emplace(DenseMatrix(S));
+    if (B.empty())
+      return;
+    factors.emplace(DenseMatrix(S));
+    gram_factors.emplace(multiply_transposed(B, B));
   }
 
   Vector
@@ -59,18 +61,21 @@ namespace fuga
   }
 
   void
-  StepSystem::begin(const JointState &state, const Vector &push, const double largest_energy)
+  StepSystem::begin(const JointState &state,
+                    const MovingBodies::Step &step,
+                    const double largest_energy)
   {
     energy              = largest_energy;
-    pushed              = std::ldexp(max_abs(push), static_cast<int>(rung));
+    pushed              = std::ldexp(max_abs(whole_push(step)), static_cast<int>(rung));
     const Vector before = on_coordinates(state.forces);
     const Vector jumps  = layered_system->jumps(state.dislocations, state.forces);
     for (std::size_t i = 0; i < before.size(); ++i)
       {
         F(i, at_begin) = before[i];
-        F(i, at_end)   = before[i] + push[i];
+        F(i, at_end)   = before[i] + step.push[i];
       }
     std::copy(jumps.begin(), jumps.end(), E.column(of_jumps));
+    std::copy(step.jumps.begin(), step.jumps.end(), E.column(at_end));
 
     DenseMatrix reactions(layered_system->n_bars(), n_patterns);
     for (const std::size_t column : {at_begin, at_end})
@@ -80,6 +85,18 @@ namespace fuga
         std::copy(of_load.begin(), of_load.end(), reactions.column(column));
       }
     layered_system->take_loads(std::move(reactions));
+  }
+
+  // The jumps are compatible: B x = jumps has a solution.
+  Vector
+  StepSystem::whole_push(const MovingBodies::Step &step) const
+  {
+    Vector predicted = on_coordinates(step.jumps);
+    if (gram_factors)
+      gram_factors->solve(predicted);
+    Vector result = multiply(S, predicted);
+    add_multiple(1., step.push, result);
+    return result;
   }
 
   LoadHistory
@@ -94,7 +111,7 @@ namespace fuga
     Vector result(S.n_rows());
     if (B.empty())
       for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = jumps[i] - E(i, of_jumps);
+        result[i] = jumps[i] - E(i, of_jumps) - E(i, at_end);
     else
       {
         const Vector carried = on_coordinates(forces);

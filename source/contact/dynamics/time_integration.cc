@@ -45,38 +45,53 @@ namespace fuga
   }
 
   Vector
+  TimeIntegration::predicted(const double h) const
+  {
+    Vector result(m.size());
+    for (std::size_t i = 0; i < m.size(); ++i)
+      result[i] = h * (m[i] > 0. ? v[i] + 0.5 * h * a[i] : steady_v[i]);
+    return result;
+  }
+
+  double
+  TimeIntegration::predicted_acceleration(const std::size_t i, const double h) const
+  {
+    return m[i] > 0. ? a[i] : (steady_v[i] - v[i]) / (beta * h) - (0.5 / beta - 1.) * a[i];
+  }
+
+  // With Δū what is left of inertia at the end of the step is that of a constant acceleration.
+  Vector
   TimeIntegration::push(const double h, const Vector &growth) const
   {
-    Vector result = growth;
+    Vector result = growth, v_at_end(m.size());
     for (std::size_t i = 0; i < m.size(); ++i)
       {
-        const double of_motion =
-          (1. - alpha_m) * (v[i] / (beta * h) + (0.5 / beta - 1.) * a[i]) - alpha_m * a[i];
-        result[i] += defect[i] + (out_of_balance[i] + m[i] * of_motion) / (1. - alpha_f);
+        result[i] += defect[i] + (out_of_balance[i] - m[i] * a[i]) / (1. - alpha_f);
+        v_at_end[i] = v[i] + h * ((1. - gamma) * a[i] + gamma * predicted_acceleration(i, h));
       }
     if (damped.empty())
       return result;
-    add_multiple(gamma / beta, damped, result);
-    // Zero for the trapezoidal rule.
-    if (const double of_acceleration = h * (1. - 0.5 * gamma / beta); of_acceleration != 0.)
-      add_multiple(-of_acceleration, damping(a), result);
+    add_multiple(1., damped, result);
+    add_multiple(-1., damping(v_at_end), result);
     return result;
   }
 
   void
   TimeIntegration::advance(const double h,
-                           const Vector &du,
+                           const Vector &correction,
                            const Vector &mean,
                            MotionLedger &ledger)
   {
     const Vector v_at_begin = v, damped_at_begin = damped;
     const double kinetic_at_begin = kinetic_energy();
     double of_inertia             = 0.;
+    Vector du                     = predicted(h);
+    add_multiple(1., correction, du);
     for (std::size_t i = 0; i < m.size(); ++i)
       {
         const double a_before = a[i], v_before = v_at_begin[i];
         u[i] += du[i];
-        a[i]                  = (du[i] / h - v_before) / (beta * h) - (0.5 / beta - 1.) * a_before;
+        a[i]                  = predicted_acceleration(i, h) + correction[i] / (beta * h * h);
         v[i]                  = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
         steady_v[i]           = m[i] > 0. ? v[i] : du[i] / h;
         const double q_before = out_of_balance[i], known_at_begin = q_before + defect[i];

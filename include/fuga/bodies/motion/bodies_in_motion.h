@@ -55,7 +55,7 @@ namespace fuga
       return model.jump_operator();
     }
 
-    Vector
+    Step
     begin_step(const unsigned int rung) override;
 
     void

@@ -59,6 +59,13 @@ namespace fuga
     Vector
     from_nodes(const Vector &velocity) const override;
 
+    Vector
+    jumps(const Vector &z) const override
+    {
+      const DenseMatrix &B = model.jump_operator();
+      return B.empty() ? interface_of(z) : multiply(B, interface_of(z));
+    }
+
     DenseMatrix
     condensed_stiffness(const unsigned int rung, const double a0, const double a1) override;
 

@@ -67,6 +67,10 @@ namespace fuga
     virtual Vector
     from_nodes(const Vector &velocity) const = 0;
 
+    /** Of the bars, of a displacement. */
+    virtual Vector
+    jumps(const Vector &u) const = 0;
+
     /** Ŝ of K + a1 C + a0 M. */
     virtual DenseMatrix
     condensed_stiffness(const unsigned int rung, const double a0, const double a1) = 0;

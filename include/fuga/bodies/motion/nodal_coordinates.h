@@ -65,6 +65,12 @@ namespace fuga
       return velocity;
     }
 
+    Vector
+    jumps(const Vector &u) const override
+    {
+      return model.contact_bars().jumps(u);
+    }
+
     DenseMatrix
     condensed_stiffness(const unsigned int rung, const double a0, const double a1) override;
 

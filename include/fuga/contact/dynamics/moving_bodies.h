@@ -158,10 +158,11 @@ namespace fuga
    * number of a *rung*. What the contact layer sees of a step is a small linear system in the
    * changes x of the interface coordinates,
    *
-   *     Ŝ x + Bᵀ (p - p_n) = g,     δ = δ_n + B x,               (doc/theory.md, section 19)
+   *     Ŝ x + Bᵀ (p - p_n) = g,     δ = δ_n + δ̄ + B x,           (doc/theory.md, section 19)
    *
-   * with Ŝ of the stiffness K + a1 C + a0 M, which is the same in all steps of a rung, and the push
-   * g of inertia, damping and the growth of the loads.
+   * with Ŝ of the stiffness K + a1 C + a0 M, which is the same in all steps of a rung; δ̄ is how far
+   * the bodies come if they go on as they move, and the push g is what inertia, damping, the bodies
+   * and the growth of the loads leave out of balance then.
    */
   class MovingBodies
   {
@@ -181,11 +182,20 @@ namespace fuga
     virtual const DenseMatrix &
     jump_operator() const = 0;
 
-    /** g of a step of this rung from the present time. */
-    virtual Vector
+    /** From the present time. */
+    struct Step
+    {
+      /** δ̄. */
+      Vector jumps;
+      /** g. */
+      Vector push;
+    };
+
+    /** A step of this rung. */
+    virtual Step
     begin_step(const unsigned int rung) = 0;
 
-    /** The step begun last goes to its end, where the coordinates have changed by @p x and the bars
+    /** The step begun last goes to its end, with the coordinates @p x and the bars
      * carry @p forces. Brings @p ledger up to date, but for what depends on the path of the joints. */
     virtual void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) = 0;

@@ -6,6 +6,7 @@
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
+#include <fuga/contact/dynamics/moving_bodies.h>
 #include <fuga/contact/joint_state.h>
 #include <fuga/contact/load_history.h>
 #include <fuga/contact/system/layered_system.h>
@@ -17,8 +18,8 @@ namespace fuga
   /**
    * A step of bodies in motion as a static problem: the condensed stiffness Ŝ of a rung, see
    * MovingBodies, and three patterns that change from step to step: the forces on the coordinates
-   * at its beginning, those at its end, and, always with the factor 1, the jumps δ_n with which it
-   * begins.
+   * at its beginning; those at its end, with δ̄; and, always with the factor 1, the jumps δ_n with
+   * which it begins.
    */
   class StepSystem : public ContactSystem
   {
@@ -30,9 +31,9 @@ namespace fuga
                const DenseMatrix &jump_operator,
                const std::vector<ContactElement> &elements);
 
-    /** A step from @p state under the push g. @p energy: the largest of the motion so far [MNm]. */
+    /** A step from @p state. @p energy: the largest of the motion so far [MNm]. */
     void
-    begin(const JointState &state, const Vector &push, const double energy);
+    begin(const JointState &state, const MovingBodies::Step &step, const double energy);
 
     /** Factors of the patterns; the time is the part of the step that is done. */
     static LoadHistory
@@ -66,8 +67,9 @@ namespace fuga
       return B;
     }
 
-    /** The push over a whole step of the grid: that over a short one, after a flight, is all the
-     * force there is, and smaller than what rounding of the way so far is worth. */
+    /** The push, with the momentum of the bodies, over a whole step of the grid: that over a short
+     * one, after a flight, is all the force there is, and smaller than what rounding of the way so
+     * far is worth. */
     double
     force_scale() const override
     {
@@ -104,6 +106,10 @@ namespace fuga
     Vector
     on_coordinates(const Vector &forces) const;
 
+    /** Ŝ x̄ + g, with B x̄ = δ̄: what the push would be if the bodies did not go on as they move. */
+    Vector
+    whole_push(const MovingBodies::Step &step) const;
+
     DenseMatrix S;
     const unsigned int rung;
     const DenseMatrix &B;
@@ -111,8 +117,8 @@ namespace fuga
     std::optional<LayeredSystem> layered_system;
     /** Forces of the closed joint per unit of force on the coordinates, by columns. */
     DenseMatrix reactions_to_units;
-    /** Of S, if there are more bars than coordinates. */
-    std::optional<LuFactors> factors;
+    /** Of S and BᵀB, if there are more bars than coordinates. */
+    std::optional<LuFactors> factors, gram_factors;
     double pushed = 0., energy = 0.;
   };
 } // namespace fuga

@@ -18,7 +18,10 @@ namespace fuga
    *
    * with a diagonal M, in increments: a step of the length h solves
    *
-   *     (K + a1 C + a0 M) Δu + Gᵀ Δp = push.
+   *     (K + a1 C + a0 M) (Δu - Δū) + Gᵀ Δp = push,
+   *
+   * with what Δu would be if bodies went on as they move: a long way of a step has its own digits,
+   * and does not take those of what accelerates bodies.
    *
    * With the spectral radius 1 it is the trapezoidal rule, which keeps the energy. Degrees of
    * freedom without mass are in equilibrium at all times.
@@ -42,14 +45,20 @@ namespace fuga
     void
     begin(const Vector &v, const Vector &net_forces);
 
-    /** Of a step of the length @p h, over which the loads change by @p growth. */
+    /** Δū of a step of the length @p h: accelerations stay what they are, and of degrees of freedom
+     * without mass the velocities. */
+    Vector
+    predicted(const double h) const;
+
+    /** Of a step of the length @p h, over which f - K Δū changes by @p growth. */
     Vector
     push(const double h, const Vector &growth) const;
 
-    /** Goes on by a step with the solution @p du, and over which the loads were @p mean in the
-     * mean. Counts work, kinetic energy, damping, and what the method takes by itself. */
+    /** Goes on by a step with the solution @p correction, Δu - Δū, and over which the loads were @p
+     * mean in the mean. Counts work, kinetic energy, damping, and what the method takes by itself.
+     */
     void
-    advance(const double h, const Vector &du, const Vector &mean, MotionLedger &ledger);
+    advance(const double h, const Vector &correction, const Vector &mean, MotionLedger &ledger);
 
     const Vector &
     displacement() const
@@ -120,6 +129,10 @@ namespace fuga
     }
 
   private:
+    /** At the end of a step that goes as predicted(). */
+    double
+    predicted_acceleration(const std::size_t i, const double h) const;
+
     const Vector m;
     const Damping damping;
     const double alpha_m, alpha_f, gamma, beta;
