@@ -64,7 +64,7 @@ class Run:
 
 def wall(folder):
     """A wall on a block on the ground, [m, MN]."""
-    mesh = column_of_cells(uniform(0., 2., 2), uniform(0., 6., 6), {"all": lambda x: True}, {
+    mesh = column_of_cells(uniform(0., 2., 2), uniform(0., 6., 6), {"all": lambda x, y: True}, {
         "foot": lambda x, y: y == 0., "left": lambda x, y: x == 0.})
     cells = mesh.bodies()[0][1]
     mesh.groups = [g for g in mesh.groups if g[1] != "all"] + [(2, "block", cells[:4]), (2, "wall", cells[4:]),
@@ -149,7 +149,7 @@ def pad(folder):
 def newmark(folder):
     """A stiff block on a stiff frictional layer; the ground pushes it for T = 0.5 s with A = 0.5 g, friction is 0.2."""
     A, N, T = 0.5 * G, 0.2 * G, 0.5
-    mesh = column_of_cells(uniform(0., 2., 2), uniform(0., 1., 1), {"block": lambda x: True}, {"foot": lambda x, y: y == 0.})
+    mesh = column_of_cells(uniform(0., 2., 2), uniform(0., 1., 1), {"block": lambda x, y: True}, {"foot": lambda x, y: y == 0.})
     mesh.write(folder / "scene.msh")
     n = 1000
     (folder / "pulse.txt").write_text("".join(f"{2. * i / n} {-A if 2. * i / n < T - 1e-9 else 0.}\n" for i in range(n + 1)))

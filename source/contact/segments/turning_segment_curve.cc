@@ -256,6 +256,19 @@ namespace fuga
     return std::max(1., margin * worst);
   }
 
+  // A boundary a few shortest steps ahead is met where the curve ends: of elements that reach it
+  // together one may be a rounding error behind the others.
+  void
+  TurningSegment::expect_end(const PathPoint &point, const double shortest)
+  {
+    constexpr double just_ahead = 10.;
+    if (!is_below_end_of_path(near_enough, near_enough) &&
+        context.boundary.distance(point.state, point.rates, course.drive) >= just_ahead * shortest)
+      throw PathFailure(fmt::format(
+        "The path cannot be followed beyond load time {}: even the shortest step fails.",
+        point.state.t));
+  }
+
   double
   TurningSegment::find_end()
   {
@@ -264,9 +277,6 @@ namespace fuga
     // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
     // be followed.
     constexpr double near_limit = 1e-8, near_maximum = 1e-9;
-    // A boundary so few shortest steps ahead is met where the curve ends: of elements that reach it
-    // together one may be a rounding error behind the others.
-    constexpr double just_ahead = 10.;
     const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
     StepControl length(std::clamp(to_event, 1e-6 * course.length, 0.1 * course.length));
     double allowed  = 1.; // error, as far as it is rounding at the present point
@@ -281,13 +291,8 @@ namespace fuga
           break;
         if (length() < shortest && course.length - from.tau > shortest)
           {
-            if (is_below_end_of_path(near_enough, near_enough) ||
-                context.boundary.distance(from.point.state, from.point.rates, course.drive) <
-                  just_ahead * shortest)
-              break;
-            throw PathFailure(fmt::format(
-              "The path cannot be followed beyond load time {}: even the shortest step fails.",
-              from.point.state.t));
+            expect_end(from.point, shortest);
+            break;
           }
         Station to;
         double error = 0.;

@@ -130,6 +130,9 @@ namespace fuga
     loses_control(const Station &station) const;
     double
     error_of_rounding(const Station &from, const double shortest);
+    /** Where even the shortest step fails. @throws PathFailure if the curve does not end there. */
+    void
+    expect_end(const PathPoint &point, const double shortest);
     bool
     step(const Station &from, const double length, Station &to, double &error);
     double
