@@ -31,8 +31,8 @@ namespace fuga
    * takes its place in @p result. A path that found no continuation has met a limit load all the
    * same if there is such a motion; if it has only not found any (PathResult::tried), it needs one,
    * or a virtual motion that proves that there is none (PathResult::barrier,
-   * BarrierCertificate::proves()), or a jump (Jump::shows_instability()). Does nothing for other verdicts, nor where the motion itself
-   * was followed beyond the limit.
+   * BarrierCertificate::proves()), or a jump (Jump::shows_instability()). Does nothing for other
+   * verdicts, nor where the motion itself was followed beyond the limit.
    * @throws NumericalFailure if no motion proves a limit load, or what was only not found.
    */
   LimitProof
