@@ -60,11 +60,13 @@ namespace fuga::tests
   MovingBodies::Step
   MovingSprings::begin_step(const unsigned int rung)
   {
-    h                      = springs.length_of(rung);
-    const Vector predicted = integration.predicted(h);
-    const Vector growth    = plus(springs.loads(t + h), -1., springs.loads(t));
-    return {multiply(springs.jumps, predicted),
-            integration.push(h, plus(growth, -1., multiply(springs.stiffness, predicted)))};
+    h                    = springs.length_of(rung);
+    const auto predicted = integration.predicted(h);
+    Vector growth        = plus(springs.loads(t + h), -1., springs.loads(t));
+    growth               = plus(growth, -1., multiply(springs.stiffness, predicted.u));
+    if (!springs.damping.empty())
+      growth = plus(growth, -1., multiply(springs.damping, predicted.v));
+    return {multiply(springs.jumps, predicted.u), integration.push(growth)};
   }
 
   void

@@ -134,8 +134,10 @@ namespace fuga
     forces_at_end = forces_of(drive);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    add_multiple(-1., multiply(stiffness, now->predicted(h)), growth);
-    Vector change = now->push(h, growth);
+    const TimeIntegration::Change predicted = now->predicted(h);
+    add_multiple(-1., multiply(stiffness, predicted.u), growth);
+    add_multiple(-1., damping_times(predicted.v), growth);
+    Vector change = now->push(growth);
     for (std::size_t c = 0; c < dim; ++c)
       if (foot.held[c])
         change[c] = 0.;

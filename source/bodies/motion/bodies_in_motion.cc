@@ -207,10 +207,10 @@ namespace fuga
       free_field->try_step(rung, h, present_time + h, forces_at_end);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    const Vector predicted = integration->predicted(h);
-    add_multiple(-1., coordinates->stiffness_times(predicted), growth);
-    return {coordinates->jumps(predicted),
-            coordinates->condense(rung, integration->push(h, growth))};
+    const TimeIntegration::Change predicted = integration->predicted(h);
+    add_multiple(-1., coordinates->resistance(predicted.u, predicted.v), growth);
+    return {coordinates->jumps(predicted.u),
+            coordinates->condense(rung, integration->push(growth))};
   }
 
 

@@ -152,6 +152,19 @@ namespace fuga
 
   template <int dim>
   Vector
+  ModalCoordinates<dim>::resistance(const Vector &u, const Vector &v) const
+  {
+    Vector deforming = u;
+    add_multiple(damping.of_stiffness, v, deforming);
+    Vector result = stiffness_times(deforming);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] += damping.of_mass * its_mass[i] * v[i];
+    return result;
+  }
+
+
+  template <int dim>
+  Vector
   ModalCoordinates<dim>::bar_forces(const Vector &p) const
   {
     const DenseMatrix &B = model.jump_operator();

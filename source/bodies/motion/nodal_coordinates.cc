@@ -68,14 +68,50 @@ namespace fuga
   Vector
   NodalCoordinates<dim>::damping_times(const Vector &v) const
   {
-    if (damping.of_mass == 0. && damping.of_stiffness == 0. && dashpots.empty())
+    if (!is_damped())
       return {};
     Vector result = damping.of_stiffness > 0. ? product(stiffness, free_motions.deformation(v))
                                               : Vector(v.size(), 0.);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = damping.of_stiffness * result[i] + damping.of_mass * mass()[i] * v[i];
-    add_dashpot_forces(1., dashpots, v, result);
+    for (double &force : result)
+      force *= damping.of_stiffness;
+    add_other_damping(v, result);
     collect(result);
+    return result;
+  }
+
+
+  template <int dim>
+  bool
+  NodalCoordinates<dim>::is_damped() const
+  {
+    return damping.of_mass > 0. || damping.of_stiffness > 0. || !dashpots.empty();
+  }
+
+
+  template <int dim>
+  void
+  NodalCoordinates<dim>::add_other_damping(const Vector &v, Vector &forces) const
+  {
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] += damping.of_mass * mass()[i] * v[i];
+    add_dashpot_forces(1., dashpots, v, forces);
+  }
+
+
+  // By one product with K, the dearest part of a step.
+  template <int dim>
+  Vector
+  NodalCoordinates<dim>::resistance(const Vector &u, const Vector &v) const
+  {
+    if (!is_damped())
+      return stiffness_times(u);
+    Vector deforming = u;
+    add_multiple(damping.of_stiffness, v, deforming);
+    Vector result = product(stiffness, free_motions.deformation(deforming));
+    add_other_damping(v, result);
+    collect(result);
+    if (!geometric.empty())
+      add_multiple(1., product(geometric, u), result);
     return result;
   }
 

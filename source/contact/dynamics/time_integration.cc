@@ -44,12 +44,15 @@ namespace fuga
       }
   }
 
-  Vector
+  TimeIntegration::Change
   TimeIntegration::predicted(const double h) const
   {
-    Vector result(m.size());
+    Change result{Vector(m.size()), Vector(m.size())};
     for (std::size_t i = 0; i < m.size(); ++i)
-      result[i] = h * (m[i] > 0. ? v[i] + 0.5 * h * a[i] : steady_v[i]);
+      {
+        result.u[i] = h * (m[i] > 0. ? v[i] + 0.5 * h * a[i] : steady_v[i]);
+        result.v[i] = h * ((1. - gamma) * a[i] + gamma * predicted_acceleration(i, h));
+      }
     return result;
   }
 
@@ -61,18 +64,11 @@ namespace fuga
 
   // With Δū what is left of inertia at the end of the step is that of a constant acceleration.
   Vector
-  TimeIntegration::push(const double h, const Vector &growth) const
+  TimeIntegration::push(const Vector &growth) const
   {
-    Vector result = growth, v_at_end(m.size());
+    Vector result = growth;
     for (std::size_t i = 0; i < m.size(); ++i)
-      {
-        result[i] += defect[i] + (out_of_balance[i] - m[i] * a[i]) / (1. - alpha_f);
-        v_at_end[i] = v[i] + h * ((1. - gamma) * a[i] + gamma * predicted_acceleration(i, h));
-      }
-    if (damped.empty())
-      return result;
-    add_multiple(1., damped, result);
-    add_multiple(-1., damping(v_at_end), result);
+      result[i] += defect[i] + (out_of_balance[i] - m[i] * a[i]) / (1. - alpha_f);
     return result;
   }
 
@@ -85,7 +81,7 @@ namespace fuga
     const Vector v_at_begin = v, damped_at_begin = damped;
     const double kinetic_at_begin = kinetic_energy();
     double of_inertia             = 0.;
-    Vector du                     = predicted(h);
+    Vector du                     = predicted(h).u;
     add_multiple(1., correction, du);
     for (std::size_t i = 0; i < m.size(); ++i)
       {

@@ -41,6 +41,8 @@ namespace fuga
 
     Vector
     damping_times(const Vector &v) const override;
+    Vector
+    resistance(const Vector &u, const Vector &v) const override;
 
     Vector
     driving_forces(const double time) const override

@@ -51,6 +51,10 @@ namespace fuga
     virtual Vector
     damping_times(const Vector &v) const = 0;
 
+    /** K u + C v, for the price of one of them where it can be. */
+    virtual Vector
+    resistance(const Vector &u, const Vector &v) const = 0;
+
     /** f, without what goes on beside the bodies. */
     virtual Vector
     driving_forces(const double time) const = 0;

@@ -40,6 +40,8 @@ namespace fuga
 
     Vector
     damping_times(const Vector &v) const override;
+    Vector
+    resistance(const Vector &u, const Vector &v) const override;
 
     Vector
     driving_forces(const double time) const override
@@ -126,6 +128,12 @@ namespace fuga
     }
 
   private:
+    bool
+    is_damped() const;
+    /** All of C v but the share of the stiffness. */
+    void
+    add_other_damping(const Vector &v, Vector &forces) const;
+
     const CondensedSystem<dim> &model;
     const DrivingForces<dim> &driving;
     const RayleighDamping damping;

@@ -45,14 +45,20 @@ namespace fuga
     void
     begin(const Vector &v, const Vector &net_forces);
 
-    /** Δū of a step of the length @p h: accelerations stay what they are, and of degrees of freedom
-     * without mass the velocities. */
-    Vector
+    /** What a step changes of displacements and velocities. */
+    struct Change
+    {
+      Vector u, v;
+    };
+
+    /** Δū, Δv̄ of a step of the length @p h: accelerations stay what they are, and of degrees of
+     * freedom without mass the velocities. */
+    Change
     predicted(const double h) const;
 
-    /** Of a step of the length @p h, over which f - K Δū changes by @p growth. */
+    /** Of a step over which f - K Δū - C Δv̄ changes by @p growth. */
     Vector
-    push(const double h, const Vector &growth) const;
+    push(const Vector &growth) const;
 
     /** Goes on by a step with the solution @p correction, Δu - Δū, and over which the loads were @p
      * mean in the mean. Counts work, kinetic energy, damping, and what the method takes by itself.
