@@ -51,9 +51,9 @@ namespace fuga
     , grid(time_grid)
     , options(with_jumps(path_options))
     , rungs(grid.halvings + 1)
-    , steps_of_rung(grid.halvings + 1, 0)
     , history_of_step(StepSystem::history())
   {
+    steps_of_rung.assign(grid.halvings + 1, 0);
   }
 
   DynamicPath::~DynamicPath() = default;
@@ -161,15 +161,7 @@ namespace fuga
   MotionCut
   DynamicPath::motion_memory() const
   {
-    MotionCut result = {tick,
-                        bodies.memory(),
-                        ledger,
-                        steps_of_rung,
-                        slip_rates,
-                        length_before,
-                        largest_rate,
-                        promising_rung,
-                        {}};
+    MotionCut result = {*this, bodies.memory(), {}};
     for (unsigned int number = 0; number < rungs.size(); ++number)
       if (rungs[number])
         result.rungs.push_back({number, rungs[number]->path.memory()});
@@ -179,14 +171,8 @@ namespace fuga
   void
   DynamicPath::restore_motion(const MotionCut &motion)
   {
-    tick = motion.tick;
+    static_cast<MotionProgress &>(*this) = motion.progress;
     bodies.restore(motion.bodies);
-    ledger         = motion.ledger;
-    steps_of_rung  = motion.steps_of_rung;
-    slip_rates     = motion.slip_rates;
-    length_before  = motion.length_before;
-    largest_rate   = motion.largest_rate;
-    promising_rung = motion.promising_rung;
     for (const auto &[number, memory] : motion.rungs)
       rung(number).path.restore(memory);
   }
@@ -201,8 +187,11 @@ namespace fuga
     if (number >= promising_rung)
       {
         const Attempt step = attempt(number, state, result);
-        if (is_good(step, number))
-          return accept(step, number, levels, state, result, observer);
+        if (const auto promising = promising_rung_after(step, number))
+          {
+            promising_rung = *promising;
+            return accept(step, number, levels, state, result, observer);
+          }
         if (number == grid.halvings)
           throw NumericalFailure(fmt::format(
             "No state of the joints was found at the end of a step of {:.3g} s at load time "
@@ -266,7 +255,6 @@ namespace fuga
   {
     const StepSystem &of_step = rung(number).system;
     const JointState &end     = attempt.record.end();
-    promising_rung            = promising_rung_after(attempt.record, number);
     for (std::size_t k = 0; k < elements.size(); ++k)
       slip_rates[k] = mean_slip_rate(attempt.record, k, grid.length_of(number));
     length_before = grid.length_of(number);

@@ -9,33 +9,23 @@
 // What a step of time costs for not knowing when something happened within it, and may cost.
 namespace fuga
 {
-  // In the shortest steps events may cost what they cost.
-  bool
-  DynamicPath::is_good(const Attempt &attempt, const unsigned int number) const
-  {
-    if (!attempt.failure.empty())
-      return false;
-    return number == grid.halvings || cost(attempt.record, number) <= allowed_cost(attempt.record);
-  }
-
-  // Costs grow at least fourfold with every doubling of the step. After one without events any
-  // length may be tried.
-  unsigned int
-  DynamicPath::promising_rung_after(const StepRecord &record, const unsigned int number) const
+  // In the shortest steps events may cost what they cost. Costs grow at least fourfold with every
+  // doubling of the step; after one without events any length may be tried.
+  std::optional<unsigned int>
+  DynamicPath::promising_rung_after(const Attempt &attempt, const unsigned int number) const
   {
     constexpr double growth = 4.;
-    const double allowed    = allowed_cost(record);
-    unsigned int result     = number;
-    for (double of_longer = growth * cost(record, number); result > 0 && of_longer <= allowed;
-         of_longer *= growth)
+    if (!attempt.failure.empty())
+      return {};
+    const double allowed = allowed_cost(attempt.record);
+    double cost =
+      cost_of_events(attempt.record, number) + cost_of_rest(attempt.record, grid.length_of(number));
+    if (number < grid.halvings && cost > allowed)
+      return {};
+    unsigned int result = number;
+    for (cost *= growth; result > 0 && cost <= allowed; cost *= growth)
       --result;
     return result;
-  }
-
-  double
-  DynamicPath::cost(const StepRecord &record, const unsigned int number) const
-  {
-    return cost_of_events(record, number) + cost_of_rest(record, grid.length_of(number));
   }
 
   // Hundreds of events may follow upon an impact. Where the first ones cost that much, shorter

@@ -60,8 +60,9 @@ namespace fuga
         piece *= 2.;
       }
     context.scheme.let_turn({});
+    // Lips that have met may rise from now on.
     for (std::size_t k = 0; end && k < context.elements.size(); ++k)
-      if (from.states[k] == ContactState::open)
+      if (start.strengths[k].dilatancy < from.strengths[k].dilatancy)
         end->strengths[k].dilatancy = from.strengths[k].dilatancy;
     return end;
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <set>
 
 namespace fuga
 {
@@ -293,7 +294,7 @@ namespace fuga
         if (share_of_growth(bar) > share_of_growth(steepest))
           steepest = bar;
       }
-    for (const std::size_t bar : {fastest, steepest})
+    for (const std::size_t bar : std::set<std::size_t>{fastest, steepest})
       for (const double steady : {0., first[bar]})
         {
           Vector speeds;

@@ -24,7 +24,7 @@ namespace fuga
    * A motion until rest (TimeGrid) reports no levels, and ends with the verdict that the load is
    * beyond its limit if the bodies still move behind the last step.
    */
-  class DynamicPath : public ContactPath
+  class DynamicPath : public ContactPath, private MotionProgress
   {
   public:
     /** @p system and @p history: those of the bodies at rest. */
@@ -119,24 +119,17 @@ namespace fuga
     Attempt
     attempt(const unsigned int number, const JointState &state, const PathResult &result);
 
-    bool
-    is_good(const Attempt &attempt, const unsigned int number) const;
+    /** After an attempt that is accepted: the rung of the longest step that will not cost too much,
+     * if it costs what this one has cost. Nothing if this one has failed or costs too much. */
+    std::optional<unsigned int>
+    promising_rung_after(const Attempt &attempt, const unsigned int number) const;
 
     /** Events cost far more than is allowed already, before the end of the step. */
     bool
     is_hopeless(const StepRecord &record, const unsigned int number) const;
 
-    /** What a step costs for not knowing when something happened within it [MNm]. */
-    double
-    cost(const StepRecord &record, const unsigned int number) const;
-
     double
     cost_of_events(const StepRecord &record, const unsigned int number) const;
-
-    /** The rung of the longest step that may follow upon an accepted one and does not cost too
-     * much, if it costs what that one has cost. */
-    unsigned int
-    promising_rung_after(const StepRecord &record, const unsigned int number) const;
 
     /** What events may cost [MNm]. */
     double
@@ -166,19 +159,8 @@ namespace fuga
     const TimeGrid grid;
     const PathOptions options;
     std::vector<std::unique_ptr<Rung>> rungs;
-    std::vector<std::size_t> steps_of_rung;
     /** In the time of a step. */
     const LoadHistory history_of_step;
-    MotionLedger ledger;
-    /** Shortest steps so far. */
-    std::size_t tick = 0;
-    /** By element in the step before, and its length. */
-    std::vector<TangentVector> slip_rates;
-    double length_before = 0.;
-    /** Largest mean rate of a jump in any step so far [m/s]. */
-    double largest_rate = 0.;
-    /** Longer steps are not attempted. */
-    unsigned int promising_rung = 0;
     MotionCut motion_cut;
     /** Where follow() goes on instead of beginning. */
     std::optional<MotionCut> restart;

@@ -10,13 +10,11 @@
 
 namespace fuga
 {
-  /** A place between two steps of time from which a motion can be followed again, bit for bit: what
-   * a PathCut does not know. */
-  struct MotionCut
+  /** What a motion hands on from step to step besides the bodies and the state of the joints. */
+  struct MotionProgress
   {
     /** Shortest steps so far. */
     std::size_t tick = 0;
-    MotionMemory bodies;
     MotionLedger ledger;
     /** Steps by rung. */
     std::vector<std::size_t> steps_of_rung;
@@ -28,6 +26,29 @@ namespace fuga
     double largest_rate = 0.;
     /** Of the longest step that is worth an attempt, by what the step before has cost. */
     unsigned int promising_rung = 0;
+  };
+
+  template <typename Progress, typename Visitor, only_for<Progress, MotionProgress> = 0>
+  void
+  for_each_field(Progress &progress, Visitor &&visit)
+  {
+    auto &[tick, ledger, steps_of_rung, slip_rates, length_before, largest_rate, promising_rung] =
+      progress;
+    visit("tick", tick);
+    visit("ledger", ledger);
+    visit("steps_of_rung", steps_of_rung);
+    visit("slip_rates", slip_rates);
+    visit("length_before", length_before);
+    visit("largest_rate", largest_rate);
+    visit("promising_rung", promising_rung);
+  }
+
+  /** A place between two steps of time from which a motion can be followed again, bit for bit: what
+   * a PathCut does not know. */
+  struct MotionCut
+  {
+    MotionProgress progress;
+    MotionMemory bodies;
     /** Of the rungs that have been needed: their numbers, and what the paths through them hand on
      * from step to step. */
     std::vector<std::pair<unsigned int, PathMemory>> rungs;
@@ -37,23 +58,9 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[tick,
-           bodies,
-           ledger,
-           steps_of_rung,
-           slip_rates,
-           length_before,
-           largest_rate,
-           promising_rung,
-           rungs] = cut;
-    visit("tick", tick);
+    auto &[progress, bodies, rungs] = cut;
+    visit("progress", progress);
     visit("bodies", bodies);
-    visit("ledger", ledger);
-    visit("steps_of_rung", steps_of_rung);
-    visit("slip_rates", slip_rates);
-    visit("length_before", length_before);
-    visit("largest_rate", largest_rate);
-    visit("promising_rung", promising_rung);
     visit("rungs", rungs);
   }
 } // namespace fuga
