@@ -201,5 +201,54 @@ namespace fuga::tests
     EXPECT_GT(n_slips, 5u);
   }
 
+  // Between bodies that hardly deform an element has lips that move as they are told. Without shear
+  // it does not slip, with all of it, it sticks or does: between these there is a slip for every
+  // strength. Where less shear loosens the layer faster than the strength falls it is a long one.
+  TEST(ImplicitStep, LetsLipsOfCoupledLayersGo)
+  {
+    std::size_t n_slips = 0;
+    for (unsigned int seed = 1; seed <= 400; ++seed)
+      {
+        SCOPED_TRACE(seed);
+        std::mt19937 generator(seed);
+        const auto between = [&](const double low, const double high) {
+          return std::uniform_real_distribution<>(low, high)(generator);
+        };
+        const auto kind =
+          seed % 2 == 0 ? ShearCoupling::Kind::closure : ShearCoupling::Kind::pressure;
+        ToyJoint joint(
+          1, 1., make_linear_law(0.5), make_linear_law(0.5), FrictionLaw{between(0.3, 1.5)});
+        const ShearCoupling coupling(kind,
+                                     *joint.normal,
+                                     std::pow(10., between(-1.5, 0.5)),
+                                     std::pow(10., between(-1.5, 0.5)),
+                                     between(0.3, 1.));
+        joint.elements[0].coupling = &coupling;
+        constexpr double stiff     = 1e4;
+        ToySystem system;
+        system.S = system.F = DenseMatrix(2, 2);
+        for (std::size_t i = 0; i < 2; ++i)
+          {
+            system.S(i, i) = stiff;
+            system.F(i, i) = stiff;
+          }
+        const double first = between(0.02, 1.), second = between(0.02, 1.);
+        const double closed = kind == ShearCoupling::Kind::closure ? coupling.closure_limit() : 1.;
+        const LoadHistory history({0., 1., 2.},
+                                  {{0., 0.},
+                                   {-first * std::min(closed, 1.), between(-1., 1.)},
+                                   {-second * std::min(closed, 1.), between(-1., 1.)}});
+        const Steps run(system, joint.elements, history, {1., 2.});
+        EXPECT_EQ(run.steps.size(), 2u);
+        EXPECT_LT(run.worst.worst(), 1e-9);
+        for (const auto &[from, to] : run.steps)
+          {
+            n_slips += is_slipping(to.states[0]) ? 1 : 0;
+            EXPECT_LT(wrong_slip(joint.elements[0], 0, from, to), 1e-9);
+          }
+      }
+    EXPECT_GT(n_slips, 200u);
+  }
+
   INSTANTIATE_TEST_SUITE_P(Laws, StepsWithLaws, testing::ValuesIn(scene_cases()), name_of_case);
 } // namespace fuga::tests

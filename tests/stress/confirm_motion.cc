@@ -175,13 +175,21 @@ namespace fuga::stress
         step      = nullptr;
       }
 
+      /** A run has followed the motion to its end; here it is followed for as long as it is
+       * examined. */
+      bool
+      wants_more() const override
+      {
+        return Clock::now() < end;
+      }
+
       void
       advanced(const PathPoint &from, const PathPoint &to, const double length) override
       {
         phase->judge.follow(from, to, length);
         last_state   = to.state;
         largest_jump = std::max(largest_jump, max_abs(to.state.dislocations));
-        if (step != nullptr && can_solve && Clock::now() < end &&
+        if (step != nullptr && can_solve &&
             judges_know_strengths(phase->joint.elements, from.state))
           examine({phase->joint.elements, *step, *history, from.state, to.state, largest_jump});
       }
@@ -267,12 +275,14 @@ namespace fuga::stress
     MotionWitness<dim> witness(seconds);
     auto model = std::make_unique<const Model<dim>>(parameters);
     auto phase = std::make_unique<PhaseRun<dim>>(*model, parameters);
+    if (verdict == "numerical failure")
+      {
+        witness.confirmation.objection = verdict;
+        return witness.confirmation;
+      }
     if (!judges_know_layers(phase->joint.elements))
       {
-        if (verdict == "numerical failure")
-          witness.confirmation.objection = verdict;
-        else
-          witness.confirmation.by = "certificate";
+        witness.confirmation.by = "certificate";
         return witness.confirmation;
       }
     witness.begin(*phase);
@@ -280,7 +290,7 @@ namespace fuga::stress
     try
       {
         PathResult result = phase->path->run(model->loads.levels, witness);
-        while (result.verdict == Verdict::done && !model->is_last_phase())
+        while (result.verdict == Verdict::done && !model->is_last_phase() && witness.wants_more())
           {
             const PhaseEnd end = phase->leave(witness.last_state, result, witness.levels);
             phase.reset();
@@ -298,10 +308,8 @@ namespace fuga::stress
       {
       }
     Confirmation &confirmation = witness.confirmation;
-    if (found != verdict)
+    if (witness.wants_more() && found != verdict)
       confirmation.objection += "the verdict is another one when the path is run again; ";
-    if (found == "numerical failure")
-      confirmation.objection += "numerical failure; ";
     if (confirmation.objection.empty())
       confirmation.by = confirmation_by_pieces(confirmation);
     return confirmation;

@@ -105,7 +105,8 @@ namespace fuga
     };
     RestWatch watch;
     const std::vector<double> reported = grid.until_rest ? std::vector<double>() : levels;
-    for (std::size_t step = tick >> grid.halvings; step < grid.n_steps && !watch.has_come_to_rest();
+    for (std::size_t step = tick >> grid.halvings;
+         step < grid.n_steps && !watch.has_come_to_rest() && observer.wants_more();
          ++step)
       {
         cut_here();
@@ -115,7 +116,7 @@ namespace fuga
         if (grid.until_rest)
           watch.note(ledger.kinetic);
       }
-    if (grid.until_rest && !watch.has_come_to_rest())
+    if (grid.until_rest && !watch.has_come_to_rest() && observer.wants_more())
       result.verdict = Verdict::limit_load;
     cut_here();
     return result;

@@ -109,10 +109,14 @@ namespace fuga
 
         const double size  = max_abs(growth);
         const double total = max_abs(context.system.jumps(state.dislocations, state.forces));
+        const std::vector<ContactState> states_before = state.states;
         if (take_demands(state))
           {
-            if (++visits[state.states] > max_returns)
+            const int n_visits = ++visits[state.states];
+            if (n_visits > max_returns)
               return false;
+            if (n_visits > 1)
+              unload_slips(states_before, state);
             complete(tau, state);
           }
         else if (size <= negligible_change * total ||
@@ -121,6 +125,22 @@ namespace fuga
         last = size;
       }
     return false;
+  }
+
+  // Less shear may loosen a layer faster than the strength falls. Lips that let go then slide
+  // farther than Newton's method finds, which asks how they begin to slide: it goes on from where
+  // nothing shears them.
+  void
+  ImplicitStep::unload_slips(const std::vector<ContactState> &before, JointState &state) const
+  {
+    const DenseMatrix &W = context.system.stiffness();
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (is_slipping(state.states[k]) && !is_slipping(before[k]))
+        for (std::size_t i = 1; i < context.elements[k].n_bars(); ++i)
+          {
+            const std::size_t bar = context.elements[k].bar(i);
+            state.dislocations[bar] += state.forces[bar] / W(bar, bar);
+          }
   }
 
   // Whether any state changes.

@@ -119,4 +119,22 @@ namespace fuga
       blas::axpy(n, -1., lost.column(j), result.column(j));
     return result;
   }
+
+  JointRates
+  WorkingScheme::mechanism() const
+  {
+    DenseMatrix M        = active_matrix();
+    const double epsilon = 1e-14;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
+                                    epsilon * system.largest_stiffness());
+    const Vector x = null_vector(std::move(M));
+    JointRates result;
+    result.forces.assign(system.n_bars(), 0.);
+    result.dislocations.assign(system.n_bars(), 0.);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t a = 0; a < elements[rows[i].element].n_bars(); ++a)
+        result.dislocations[elements[rows[i].element].bar(a)] += x[i] * rows[i].column[a];
+    return result;
+  }
 } // namespace fuga

@@ -258,14 +258,27 @@ namespace fuga
     return result;
   }
 
-  // Refinement takes the added stiffness back. Where the drive works on no motion that is free the
-  // defect vanishes; where it works on one, that share of the defect stays.
+  // Rigid joints that cross may resist less than the stiffness that is added for the usual case:
+  // what it hides a smaller one shows.
   std::optional<WorkingScheme::FreeMotion>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
-    constexpr double added_stiffness = 1e-8, undriven = 1e-12;
-    const std::size_t n = rows.size();
-    DenseMatrix M       = active_matrix();
+    constexpr double usual = 1e-8, smallest = 1e-12;
+    std::optional<FreeMotion> motion = motion_beside(usual, drive);
+    if (motion && motion->is_driven)
+      if (std::optional<FreeMotion> rest = motion_beside(smallest, drive); rest && !rest->is_driven)
+        return rest;
+    return motion;
+  }
+
+  // Refinement takes the added stiffness back. Where the drive works on no motion that is free the
+  // defect vanishes; where it works on one, that share of the defect stays.
+  std::optional<WorkingScheme::FreeMotion>
+  WorkingScheme::motion_beside(const double added_stiffness, const Drive &drive) const
+  {
+    constexpr double undriven = 1e-10;
+    const std::size_t n       = rows.size();
+    DenseMatrix M             = active_matrix();
     Vector rhs(n), defect(n);
     double driving_force = 0.;
     for (std::size_t i = 0; i < drive.reactions.size(); ++i)
@@ -325,23 +338,5 @@ namespace fuga
     Vector rhs(defects.size());
     std::transform(defects.begin(), defects.end(), rhs.begin(), [](const double r) { return -r; });
     return solve(rhs, Vector(system.n_bars(), 0.));
-  }
-
-  JointRates
-  WorkingScheme::mechanism() const
-  {
-    DenseMatrix M        = active_matrix();
-    const double epsilon = 1e-14;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
-                                    epsilon * system.largest_stiffness());
-    const Vector x = null_vector(std::move(M));
-    JointRates result;
-    result.forces.assign(system.n_bars(), 0.);
-    result.dislocations.assign(system.n_bars(), 0.);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (std::size_t a = 0; a < elements[rows[i].element].n_bars(); ++a)
-        result.dislocations[elements[rows[i].element].bar(a)] += x[i] * rows[i].column[a];
-    return result;
   }
 } // namespace fuga

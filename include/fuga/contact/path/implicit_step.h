@@ -51,6 +51,9 @@ namespace fuga
     solve(const JointState &from, const double tau, const JointState &guess);
     bool
     find_equilibrium(const double tau, JointState &state);
+    /** Lips that have begun to slip, unlike @p before, slide until nothing shears them. */
+    void
+    unload_slips(const std::vector<ContactState> &before, JointState &state) const;
     bool
     take_demands(JointState &state);
     Demand

@@ -224,6 +224,9 @@ namespace fuga
     forces_in(const SchemeRow &row, const double *forces) const;
     DenseMatrix
     active_matrix() const;
+    /** driven_motion() with this stiffness added, in units of scale()². */
+    std::optional<FreeMotion>
+    motion_beside(const double added_stiffness, const Drive &drive) const;
     bool
     bring_up_to_date();
     void
