@@ -258,27 +258,31 @@ namespace fuga
     return result;
   }
 
+  // Where the drive works on no motion that is free, next to nothing of it is left unresisted.
   // Rigid joints that cross may resist less than the stiffness that is added for the usual case:
-  // what it hides a smaller one shows.
+  // then a smaller one leaves far less.
   std::optional<WorkingScheme::FreeMotion>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
     constexpr double usual = 1e-8, smallest = 1e-12;
-    std::optional<FreeMotion> motion = motion_beside(usual, drive);
-    if (motion && motion->is_driven)
-      if (std::optional<FreeMotion> rest = motion_beside(smallest, drive); rest && !rest->is_driven)
-        return rest;
-    return motion;
+    constexpr double undriven = 1e-12, rounding = 1e-10, far_less = 1e-4;
+    const std::optional<MotionBeside> motion = motion_beside(usual, drive);
+    if (!motion)
+      return {};
+    if (motion->unresisted <= undriven)
+      return FreeMotion{motion->refined, false};
+    const std::optional<MotionBeside> rest = motion_beside(smallest, drive);
+    if (rest && rest->unresisted <= std::min(far_less * motion->unresisted, rounding))
+      return FreeMotion{rest->refined, false};
+    return FreeMotion{motion->first, true};
   }
 
-  // Refinement takes the added stiffness back. Where the drive works on no motion that is free the
-  // defect vanishes; where it works on one, that share of the defect stays.
-  std::optional<WorkingScheme::FreeMotion>
+  // Refinement takes the added stiffness back.
+  std::optional<WorkingScheme::MotionBeside>
   WorkingScheme::motion_beside(const double added_stiffness, const Drive &drive) const
   {
-    constexpr double undriven = 1e-10;
-    const std::size_t n       = rows.size();
-    DenseMatrix M             = active_matrix();
+    const std::size_t n = rows.size();
+    DenseMatrix M       = active_matrix();
     Vector rhs(n), defect(n);
     double driving_force = 0.;
     for (std::size_t i = 0; i < drive.reactions.size(); ++i)
@@ -295,20 +299,18 @@ namespace fuga
     if (!(factors.reciprocal_condition() > 0.))
       return {};
     std::vector<long double> active(n, 0.L);
-    FreeMotion result;
-    JointRates refined;
+    MotionBeside result;
     double last = std::numeric_limits<double>::infinity(), worst = last;
     for (int sweep = 0; sweep < max_stale_sweeps && (sweep < 2 || worst < 0.5 * last); ++sweep)
       {
         factors.solve(defect);
         for (std::size_t i = 0; i < n; ++i)
           active[i] += defect[i];
-        last  = worst;
-        worst = apply(active, drive.reactions, rhs, sweep == 0 ? result.rates : refined, defect);
+        last = worst;
+        worst =
+          apply(active, drive.reactions, rhs, sweep == 0 ? result.first : result.refined, defect);
       }
-    result.is_driven = worst > undriven * driving_force;
-    if (!result.is_driven)
-      result.rates = refined;
+    result.unresisted = worst / driving_force;
     return result;
   }
 

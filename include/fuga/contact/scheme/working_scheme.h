@@ -224,8 +224,15 @@ namespace fuga
     forces_in(const SchemeRow &row, const double *forces) const;
     DenseMatrix
     active_matrix() const;
-    /** driven_motion() with this stiffness added, in units of scale()². */
-    std::optional<FreeMotion>
+    /** The rates with a stiffness added, those with it taken back, and what share of the drive is
+     * left unresisted then. */
+    struct MotionBeside
+    {
+      JointRates first, refined;
+      double unresisted = 1.;
+    };
+    /** @p added_stiffness in units of scale()². */
+    std::optional<MotionBeside>
     motion_beside(const double added_stiffness, const Drive &drive) const;
     bool
     bring_up_to_date();
