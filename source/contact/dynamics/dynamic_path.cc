@@ -187,12 +187,14 @@ namespace fuga
   {
     if (number >= promising_rung)
       {
-        const Attempt step = attempt(number, state, result);
+        const IterationCount before = rung(number).path.iterations();
+        const Attempt step          = attempt(number, state, result);
         if (const auto promising = promising_rung_after(step, number))
           {
             promising_rung = *promising;
             return accept(step, number, levels, state, result, observer);
           }
+        rung(number).path.take_back_energies(before);
         if (number == grid.halvings)
           throw NumericalFailure(fmt::format(
             "No state of the joints was found at the end of a step of {:.3g} s at load time "

@@ -23,16 +23,15 @@ namespace fuga
         return c / (s - b);
       return a < 0. ? (b + s) / -a : no_boundary;
     }
-  } // namespace
 
-  double
-  used_up_after(const Reserve &reserve, const double noise)
-  {
-    if (reserve.rate >= 0. ||
-        (reserve.value <= reserve.tolerance && reserve.rate >= -std::max(reserve.tolerance, noise)))
-      return no_boundary;
-    return std::max(0., -reserve.value / reserve.rate);
-  }
+    /** Length τ after which a reserve is used up; `no_boundary` if it does not. */
+    double
+    used_up_after(const Reserve &reserve)
+    {
+      return reserve.rate >= 0. || reserve.rests() ? no_boundary
+                                                   : std::max(0., -reserve.value / reserve.rate);
+    }
+  } // namespace
 
   ContactBoundary::ContactBoundary(const std::vector<ContactElement> &contact_elements,
                                    const LayeredSystem &layered_system)
@@ -97,32 +96,52 @@ namespace fuga
   Reserve
   ContactBoundary::gap_reserve(const std::size_t k,
                                const JointState &state,
-                               const JointRates &rates) const
+                               const JointRates &rates,
+                               const RateNoise &noise) const
   {
-    return {
-      lip_opening(elements[k], state, k), lip_opening_rate(elements[k], state, rates), zero_gap};
+    return {lip_opening(elements[k], state, k),
+            lip_opening_rate(elements[k], state, rates),
+            zero_gap,
+            noise.jump()};
   }
 
   Reserve
   ContactBoundary::tension_reserve(const std::size_t k,
                                    const JointState &state,
                                    const JointRates &rates,
-                                   const Drive &drive) const
+                                   const Drive &drive,
+                                   const RateNoise &noise) const
   {
     const std::size_t n = elements[k].normal_bar;
     return {tensile_strength(elements[k], state, k) - state.forces[n],
             tensile_strength_rate(elements[k], drive) - rates.forces[n],
-            force_tolerances[n]};
+            force_tolerances[n],
+            noise.force(n)};
   }
 
   Reserve
   ContactBoundary::dilation_reserve(const std::size_t k,
                                     const JointState &state,
-                                    const JointRates &rates) const
+                                    const JointRates &rates,
+                                    const RateNoise &noise) const
   {
+    const double rise = state.strengths[k].dilatancy;
     return {elements[k].friction.dilation_limit - state.dilations[k],
-            -state.strengths[k].dilatancy * length(slip_rate(elements[k], state, k, rates)),
-            zero_gap};
+            -rise * length(slip_rate(elements[k], state, k, rates)),
+            zero_gap,
+            rise * noise.jump()};
+  }
+
+  double
+  ContactBoundary::noise_of_shear(const std::size_t k,
+                                  const JointState &state,
+                                  const RateNoise &noise) const
+  {
+    const ContactElement &element = elements[k];
+    double shear                  = 0.;
+    for (std::size_t i = 1; i < element.n_bars(); ++i)
+      shear = std::max(shear, noise.force(element.bar(i)));
+    return shear + state.strengths[k].friction * noise.force(element.normal_bar);
   }
 
   ContactBoundary::Shear
@@ -146,18 +165,21 @@ namespace fuga
                                          const JointState &state,
                                          const JointRates &rates,
                                          const Drive &drive,
+                                         const RateNoise &noise,
                                          std::vector<Reserve> &reserves) const
   {
     const auto [T, T_rate, strength, strength_rate, tolerance] = shear(k, state, rates, drive);
+    const double of_rates                                      = noise_of_shear(k, state, noise);
     if (elements[k].has_second_tangential_bar())
       {
         const double size   = length(T);
         const double growth = size > 0. ? dot(T, T_rate) / size : length(T_rate);
-        reserves.push_back({strength - size, strength_rate - growth, tolerance});
+        reserves.push_back({strength - size, strength_rate - growth, tolerance, of_rates});
       }
     else
       for (const double sign : {1., -1.})
-        reserves.push_back({strength - sign * T[0], strength_rate - sign * T_rate[0], tolerance});
+        reserves.push_back(
+          {strength - sign * T[0], strength_rate - sign * T_rate[0], tolerance, of_rates});
   }
 
   double
@@ -179,16 +201,15 @@ namespace fuga
         // On the cone. The rate problem has seen to it that the element does not leave it at once.
         return a < 0. && size > tolerance && b > 0. ? -2. * b / a : no_boundary;
       }
-    const double noise_of_shear = noise.force(element.tangential_bar) +
-                                  state.strengths[k].friction * noise.force(element.normal_bar);
     const double noise_of_value =
       tolerance + RateNoise::share * std::abs(rates.forces[element.normal_bar]);
     double nearest = no_boundary;
     for (const double sign : {1., -1.})
-      nearest = std::min(
-        nearest,
-        used_up_after({strength - sign * T[0], strength_rate - sign * T_rate[0], noise_of_value},
-                      noise_of_shear));
+      nearest = std::min(nearest,
+                         used_up_after({strength - sign * T[0],
+                                        strength_rate - sign * T_rate[0],
+                                        noise_of_value,
+                                        noise_of_shear(k, state, noise)}));
     return nearest;
   }
 
@@ -200,14 +221,11 @@ namespace fuga
                                const RateNoise &noise) const
   {
     if (state.states[k] == ContactState::open)
-      return used_up_after(gap_reserve(k, state, rates), noise.jump());
+      return used_up_after(gap_reserve(k, state, rates, noise));
     const Strength &strength = state.strengths[k];
-    double nearest =
-      used_up_after(tension_reserve(k, state, rates, drive), noise.force(elements[k].normal_bar));
+    double nearest           = used_up_after(tension_reserve(k, state, rates, drive, noise));
     if (is_slipping(state.states[k]) && strength.dilatancy > 0.)
-      nearest = std::min(
-        nearest,
-        used_up_after(dilation_reserve(k, state, rates), strength.dilatancy * noise.jump()));
+      nearest = std::min(nearest, used_up_after(dilation_reserve(k, state, rates, noise)));
     if (state.states[k] == ContactState::stick && carries_shear(elements[k], strength))
       nearest = std::min(nearest, distance_from_cone(k, state, rates, drive, noise));
     return nearest;
@@ -231,20 +249,21 @@ namespace fuga
                             const Drive &drive) const
   {
     std::vector<Reserve> result;
+    const RateNoise noise(system, rates, drive);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         if (state.states[k] == ContactState::open)
           {
-            result.push_back(gap_reserve(k, state, rates));
+            result.push_back(gap_reserve(k, state, rates, noise));
             continue;
           }
-        result.push_back(tension_reserve(k, state, rates, drive));
+        result.push_back(tension_reserve(k, state, rates, drive, noise));
         if (!carries_shear(elements[k], state.strengths[k]))
           continue;
         if (state.states[k] == ContactState::stick)
-          append_shear_reserves(k, state, rates, drive, result);
+          append_shear_reserves(k, state, rates, drive, noise, result);
         else if (state.strengths[k].dilatancy > 0.)
-          result.push_back(dilation_reserve(k, state, rates));
+          result.push_back(dilation_reserve(k, state, rates, noise));
       }
     return result;
   }

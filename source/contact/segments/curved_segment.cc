@@ -37,6 +37,7 @@ namespace fuga
     , equilibrium(context, course, options, count)
     , taus{0.}
     , points{start}
+    , first_reserves(reserves_by_start(start))
     , losses{0.}
     , functions{event_functions(0., start)}
     , largest_jump(jump_of(start))

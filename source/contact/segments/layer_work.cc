@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fuga
 {
@@ -91,6 +92,29 @@ namespace fuga
       return element.area * element.coupling->energy(closure, jump);
     }
 
+    /** What the layer of an element will store, foreseen with the present rates (@p of_rates, by
+     * bars) and bounded by what its law stores under the forces at the end. */
+    template <typename ForceOfBar>
+    double
+    foreseen_energy(const ContactElement &element,
+                    const Vector &of_rates,
+                    const ForceOfBar &force_at_end)
+    {
+      double result = 0.;
+      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
+        if (of_rates[bar] == 0. || element.coupling != nullptr)
+          result += of_rates[bar];
+        else
+          {
+            const double stress = std::abs(force_at_end(bar)) / element.area;
+            result += std::min(of_rates[bar], element.area * law.energy(law.deformation(stress)));
+          }
+      });
+      return result > 0. && element.coupling != nullptr
+               ? std::min(result, coupled_energy(element, force_at_end))
+               : result;
+    }
+
     /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
      */
     bool
@@ -119,8 +143,8 @@ namespace fuga
   // may fall to zero. What is to come is foreseen with the present rates; a layer that is soft at
   // first would promise too much of it, and what its law stores under the force at the end bounds
   // it. So do, near a limit load, where rates grow without bound, the energies known and the
-  // growth of the loads. Jumps are known but for rounding errors of the largest one; what these
-  // make no shorter step could mend.
+  // growth of the loads. In a motion the energies of the bodies are known as well. Jumps are known
+  // but for rounding errors of the largest one; what these make no shorter step could mend.
   StepEnergy
   energy_of_step(const PathContext &context,
                  const Course &course,
@@ -136,7 +160,8 @@ namespace fuga
     const auto force_at_end = [&](const std::size_t bar) {
       return to.state.forces[bar] + rest * to.rates.forces[bar];
     };
-    double defect = 0., work = 0., stored = 0., known = 0.;
+    double defect = 0., stored = 0., known = 0.;
+    Vector of_rates(jumps.size(), 0.);
     for (std::size_t i = 0; i < jumps.size(); ++i)
       known += 0.5 * std::abs(to.state.forces[i] * jumps[i]);
     for (std::size_t k = 0; k < context.elements.size(); ++k)
@@ -146,36 +171,21 @@ namespace fuga
         if (open ? !unloads_in_shear(element, from.state)
                  : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
           continue;
-        double element_work = 0., noise = 0., foreseen = 0.;
-        const auto work_of_bar = [&](const std::size_t bar,
-                                     const ComplianceLaw &law,
-                                     const LayerMotion &a,
-                                     const LayerMotion &b) {
-          const CubicOnUnitInterval force(from.state.forces[bar],
-                                          from.rates.forces[bar] * length,
-                                          to.state.forces[bar],
-                                          to.rates.forces[bar] * length);
-          element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
-          const double of_rates = 0.5 * std::abs(force_at_end(bar) * (b.value + rest * b.rate));
-          const double stress   = std::abs(force_at_end(bar)) / element.area;
-          foreseen += element.coupling != nullptr
-                        ? of_rates
-                        : std::min(of_rates, element.area * law.energy(law.deformation(stress)));
-          noise += jump_noise * std::abs(to.state.forces[bar]);
-        };
+        double element_work = 0., noise = 0.;
+        const auto work_of_bar =
+          [&](const std::size_t bar, const LayerMotion &a, const LayerMotion &b) {
+            const CubicOnUnitInterval force(from.state.forces[bar],
+                                            from.rates.forces[bar] * length,
+                                            to.state.forces[bar],
+                                            to.rates.forces[bar] * length);
+            element_work += work_of(force, {a.value, a.rate * length, b.value, b.rate * length});
+            of_rates[bar] = 0.5 * std::abs(force_at_end(bar) * (b.value + rest * b.rate));
+            noise += jump_noise * std::abs(to.state.forces[bar]);
+          };
         if (has_nonlinear_closure(element) && !open)
-          work_of_bar(element.normal_bar,
-                      *element.normal_law,
-                      closing(context, k, from),
-                      closing(context, k, to));
+          work_of_bar(element.normal_bar, closing(context, k, from), closing(context, k, to));
         for (std::size_t a = 1; a < element.n_bars() && has_nonlinear_shear(element); ++a)
-          work_of_bar(element.bar(a),
-                      *element.shear_law,
-                      shearing(context, k, a, from),
-                      shearing(context, k, a, to));
-        work += element.coupling != nullptr
-                  ? std::min(foreseen, coupled_energy(element, force_at_end))
-                  : foreseen;
+          work_of_bar(element.bar(a), shearing(context, k, a, from), shearing(context, k, a, to));
         const double stored_before = nonlinear_energy(element, from.state, k);
         const double mismatch =
           std::abs(element_work - (nonlinear_energy(element, to.state, k) - stored_before));
@@ -183,11 +193,19 @@ namespace fuga
         stored += stored_before;
       }
     count.largest_energy = std::max(count.largest_energy, stored);
-    known                = std::max(known, count.largest_energy);
+    const double before =
+      std::max(count.largest_energy, context.system.contact_system().energy_scale());
+    known       = std::max(known, before);
+    double work = std::accumulate(of_rates.begin(), of_rates.end(), 0.);
+    if (work > before) // the laws say more, and cost much
+      {
+        work = 0.;
+        for (const ContactElement &element : context.elements)
+          work += foreseen_energy(element, of_rates, force_at_end);
+      }
     if (work > known) // the growth is 1 at least, and costs two products
       work = std::min(work, known * growth_of_energy(context, course, tau, count));
-    work = std::max(work, count.largest_energy);
-    return {defect, work};
+    return {defect, std::max(work, before)};
   }
 
   double

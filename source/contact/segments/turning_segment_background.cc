@@ -271,12 +271,15 @@ namespace fuga
     return drive;
   }
 
-  // A load that is an unknown must not leave its range.
+  // What rests at the beginning of the segment drifts by its noise. A load that is an unknown must
+  // not leave its range.
   void
   TurningSegment::note_reserves(Station &station) const
   {
     const PathPoint &point = station.point;
     station.reserves       = context.boundary.reserves(point.state, point.rates, drive_of(station));
+    for (std::size_t i = 0; i < station.reserves.size() && !curve.empty(); ++i)
+      station.reserves[i].tolerance += curve.front().reserves[i].drift(station.tau);
     if (!course.yielding)
       return;
     constexpr double rounding = 1e-14;

@@ -58,11 +58,10 @@ namespace fuga
   }
 
   bool
-  TurningSegment::is_reached(const Station &station) const
+  TurningSegment::is_reached(const Station &from, const Station &station) const
   {
-    for (const Reserve &reserve : station.reserves)
-      if (reserve.value <= reserve.tolerance && reserve.rate < 0.)
-        return true;
+    if (way_to_event(from, station) < no_boundary)
+      return true;
     for (std::size_t i = 0; i < slipping.size(); ++i)
       if (station.slip_rates[i] <= rate_tolerance(station) &&
           curve.back().slip_rates[i] > rate_tolerance(curve.back()))
@@ -143,7 +142,7 @@ namespace fuga
         else
           {
             low = std::move(middle);
-            if (is_reached(low))
+            if (is_reached(from, low))
               break;
           }
       }

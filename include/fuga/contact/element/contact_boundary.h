@@ -7,6 +7,7 @@
 #include <fuga/contact/joint_state.h>
 #include <fuga/contact/system/layered_system.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace fuga
@@ -43,16 +44,27 @@ namespace fuga
     double rate  = 0.;
     /** Value that counts as zero. */
     double tolerance = 0.;
+    /** Rate that counts as none. */
+    double noise = 0.;
+
+    /** It is zero, and stays so but for rounding: the rate problem has taken its rate for none. */
+    bool
+    rests() const
+    {
+      return value <= tolerance && rate >= -std::max(tolerance, noise);
+    }
+
+    /** How far below zero rounding may have led it at @p tau along a path where it rests at the
+     * beginning. */
+    double
+    drift(const double tau) const
+    {
+      return rests() ? std::max(0., -value) + tau * std::max(tolerance, noise) : 0.;
+    }
   };
 
   /** Length of a path that does not meet a boundary. */
   constexpr double no_boundary = std::numeric_limits<double>::infinity();
-
-  /** Length τ after which a reserve is used up; `no_boundary` if it does not. At zero a rate of the
-   * size of
-   * @p noise is none: the rate problem has taken it for zero as well. */
-  double
-  used_up_after(const Reserve &reserve, const double noise);
 
   /**
    * Answers where a state stands with respect to the boundaries of Coulomb's contact conditions:
@@ -165,14 +177,23 @@ namespace fuga
           const JointRates &rates,
           const Drive &drive) const;
     Reserve
-    gap_reserve(const std::size_t k, const JointState &state, const JointRates &rates) const;
+    gap_reserve(const std::size_t k,
+                const JointState &state,
+                const JointRates &rates,
+                const RateNoise &noise) const;
     Reserve
     tension_reserve(const std::size_t k,
                     const JointState &state,
                     const JointRates &rates,
-                    const Drive &drive) const;
+                    const Drive &drive,
+                    const RateNoise &noise) const;
     Reserve
-    dilation_reserve(const std::size_t k, const JointState &state, const JointRates &rates) const;
+    dilation_reserve(const std::size_t k,
+                     const JointState &state,
+                     const JointRates &rates,
+                     const RateNoise &noise) const;
+    double
+    noise_of_shear(const std::size_t k, const JointState &state, const RateNoise &noise) const;
     void
     place_shear(const JointState &state, BoundaryElement &candidate) const;
     void
@@ -180,6 +201,7 @@ namespace fuga
                           const JointState &state,
                           const JointRates &rates,
                           const Drive &drive,
+                          const RateNoise &noise,
                           std::vector<Reserve> &reserves) const;
     double
     distance_from_cone(const std::size_t k,

@@ -79,6 +79,15 @@ namespace fuga
       return iteration_count;
     }
 
+    /** The energies of @p then count: what was followed since has come to nothing. */
+    void
+    take_back_energies(const IterationCount &then)
+    {
+      iteration_count.largest_energy = then.largest_energy;
+      iteration_count.largest_load   = then.largest_load;
+      iteration_count.energy_lost    = then.energy_lost;
+    }
+
     /** Work on the matrices of the working schemes so far. */
     virtual SchemeWork
     work() const = 0;

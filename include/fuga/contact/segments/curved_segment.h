@@ -61,6 +61,8 @@ namespace fuga
       std::size_t element = 0;
     };
 
+    std::vector<Reserve>
+    reserves_by_start(const PathPoint &point) const;
     std::vector<EventFunction>
     event_functions(const double tau, const PathPoint &point) const;
     double
@@ -116,6 +118,7 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
+    const std::vector<Reserve> first_reserves;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;
     std::vector<std::vector<EventFunction>> functions;

@@ -152,7 +152,7 @@ namespace fuga
     bool
     is_passed(const Station &station) const;
     bool
-    is_reached(const Station &station) const;
+    is_reached(const Station &from, const Station &station) const;
     double
     way_to_event(const Station &from, const Station &station) const;
     bool
