@@ -273,13 +273,13 @@ namespace fuga::stress
   confirm_motion(const Parameters &parameters, const std::string &verdict, const double seconds)
   {
     MotionWitness<dim> witness(seconds);
-    auto model = std::make_unique<const Model<dim>>(parameters);
-    auto phase = std::make_unique<PhaseRun<dim>>(*model, parameters);
     if (verdict == "numerical failure")
       {
         witness.confirmation.objection = verdict;
         return witness.confirmation;
       }
+    auto model = std::make_unique<const Model<dim>>(parameters);
+    auto phase = std::make_unique<PhaseRun<dim>>(*model, parameters);
     if (!judges_know_layers(phase->joint.elements))
       {
         witness.confirmation.by = "certificate";

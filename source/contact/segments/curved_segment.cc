@@ -37,7 +37,8 @@ namespace fuga
     , equilibrium(context, course, options, count)
     , taus{0.}
     , points{start}
-    , first_reserves(reserves_by_start(start))
+    , first_reserves(context.boundary.reserves(
+        start.state, start.rates, drive_at(context.elements, course, start.state)))
     , losses{0.}
     , functions{event_functions(0., start)}
     , largest_jump(jump_of(start))

@@ -116,13 +116,6 @@ namespace fuga
     return result;
   }
 
-  std::vector<Reserve>
-  CurvedSegment::reserves_by_start(const PathPoint &point) const
-  {
-    return context.boundary.reserves(
-      point.state, point.rates, drive_at(context.elements, course, point.state));
-  }
-
   // What is zero is told by the forces and jumps at the beginning of the segment, or of the point
   // itself: a segment that begins without any load has no scale for what is to come. What rests at
   // the beginning drifts by its noise along the whole segment.
@@ -130,11 +123,11 @@ namespace fuga
   CurvedSegment::event_functions(const double tau, const PathPoint &point) const
   {
     std::vector<EventFunction> result;
-    const JointState &state = point.state;
-    const std::vector<Reserve> reserves =
-      boundary_at(tau, state)
-        .reserves(state, point.rates, drive_at(context.elements, course, state));
-    const std::vector<Reserve> by_start = reserves_by_start(point);
+    const JointState &state             = point.state;
+    const ContactBoundary here          = boundary_at(tau, state);
+    const Drive drive                   = drive_at(context.elements, course, state);
+    const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
+    const std::vector<Reserve> by_start = context.boundary.reserves(state, point.rates, drive);
     for (std::size_t i = 0; i < reserves.size(); ++i)
       result.push_back(
         {reserves[i].value,

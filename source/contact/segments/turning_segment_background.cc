@@ -278,8 +278,9 @@ namespace fuga
   {
     const PathPoint &point = station.point;
     station.reserves       = context.boundary.reserves(point.state, point.rates, drive_of(station));
-    for (std::size_t i = 0; i < station.reserves.size() && !curve.empty(); ++i)
-      station.reserves[i].tolerance += curve.front().reserves[i].drift(station.tau);
+    if (!curve.empty())
+      for (std::size_t i = 0; i < station.reserves.size(); ++i)
+        station.reserves[i].tolerance += curve.front().reserves[i].drift(station.tau);
     if (!course.yielding)
       return;
     constexpr double rounding = 1e-14;

@@ -61,8 +61,6 @@ namespace fuga
       std::size_t element = 0;
     };
 
-    std::vector<Reserve>
-    reserves_by_start(const PathPoint &point) const;
     std::vector<EventFunction>
     event_functions(const double tau, const PathPoint &point) const;
     double
@@ -118,6 +116,7 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
+    /** At the beginning: what rests there. */
     const std::vector<Reserve> first_reserves;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;
