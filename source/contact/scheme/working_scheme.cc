@@ -265,14 +265,14 @@ namespace fuga
   WorkingScheme::driven_motion(const Drive &drive) const
   {
     constexpr double usual = 1e-8, smallest = 1e-12;
-    constexpr double undriven = 1e-12, rounding = 1e-10, far_less = 1e-4;
+    constexpr double undriven = 1e-12, far_less = 1e-4;
     const std::optional<MotionBeside> motion = motion_beside(usual, drive);
     if (!motion)
       return {};
     if (motion->unresisted <= undriven)
       return FreeMotion{motion->refined, false};
     const std::optional<MotionBeside> rest = motion_beside(smallest, drive);
-    if (rest && rest->unresisted <= std::min(far_less * motion->unresisted, rounding))
+    if (rest && rest->unresisted <= std::min(far_less * motion->unresisted, undriven))
       return FreeMotion{rest->refined, false};
     return FreeMotion{motion->first, true};
   }
@@ -310,7 +310,7 @@ namespace fuga
         worst =
           apply(active, drive.reactions, rhs, sweep == 0 ? result.first : result.refined, defect);
       }
-    result.unresisted = worst / driving_force;
+    result.unresisted = driving_force > 0. ? worst / driving_force : 0.;
     return result;
   }
 
