@@ -126,7 +126,7 @@ TEST(ConeScenes, SweepOverFriction)
                                           "--set",
                                           "Sweep/Friction coefficient=0.1 : 0.1 : 0.4"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const Table table = parse_csv(file_text(folder + "/sweep.csv"));
+  const CsvTable table = parse_csv(file_text(folder + "/sweep.csv"));
   ASSERT_EQ(table.rows.size(), 4u);
   for (std::size_t row = 0; row < 4; ++row)
     {

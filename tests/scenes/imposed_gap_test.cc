@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-  constexpr double E = 1000., length = 2., rho = 1e-3, pressed = 0.02, kerf = 0.05;
+  constexpr double E = 1000., height = 2., rho = 1e-3, pressed = 0.02, kerf = 0.05;
 
   /** A bar of two blocks, 1 wide and 2 long, ν = 0, between supports; the joint in the middle. */
   Json
@@ -58,7 +58,7 @@ namespace
   }
 } // namespace
 
-// Pressure (pressed - kerf t)/(length/E + ρ), open from kerf t = pressed on. Exact for bilinear
+// Pressure (pressed - kerf t)/(height/E + ρ), open from kerf t = pressed on. Exact for bilinear
 // elements; 1e-9 of the first pressure and of the kerf.
 TEST(ImposedGap, SawnBar)
 {
@@ -67,7 +67,7 @@ TEST(ImposedGap, SawnBar)
       const SceneRun run = sawn_bar(compliance, "0.05", 10);
       EXPECT_EQ(run.exit_code, 0);
       EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
-      const double stiffness = 1. / (length / E + compliance);
+      const double stiffness = 1. / (height / E + compliance);
       for (const double fraction : {0.1, 0.3, 0.5, 1.})
         {
           const double closed = pressed - kerf * fraction;
@@ -81,7 +81,7 @@ TEST(ImposedGap, SawnBar)
         EXPECT_NEAR(t, 1. + pressed / kerf, 1e-9);
       // In the end nothing is stored; the ledger leaves out what the bonded bar would store, E
       // u²/2L.
-      const double bonded = 0.5 * E / length * pressed * pressed;
+      const double bonded = 0.5 * E / height * pressed * pressed;
       EXPECT_NEAR(run.resultant("external_work", 2.), bonded, 1e-9 * bonded);
       EXPECT_NEAR(run.resultant("energy_bodies", 2.), bonded, 1e-9 * bonded);
       EXPECT_NEAR(run.resultant("energy_layer", 2.), 0., 1e-9 * bonded);
@@ -99,11 +99,11 @@ TEST(ImposedGap, JackedBar)
   EXPECT_LE(run.certificate(), 1e-9);
   for (const double t : {0.5, 1.})
     for (const double value : run.values("pressure", t))
-      EXPECT_NEAR(value, 0.03 * t / (length / E + rho), 1e-9 * 0.03 / (length / E + rho));
-  // ∫ -p dg, half of it in the joint's share ρ/(length/E + ρ) of the compliance.
-  const double work = 0.5 * 0.03 * 0.03 / (length / E + rho);
+      EXPECT_NEAR(value, 0.03 * t / (height / E + rho), 1e-9 * 0.03 / (height / E + rho));
+  // ∫ -p dg, half of it in the joint's share ρ/(height/E + ρ) of the compliance.
+  const double work = 0.5 * 0.03 * 0.03 / (height / E + rho);
   EXPECT_NEAR(run.resultant("external_work", 1.), work, 1e-9 * work);
-  EXPECT_NEAR(run.resultant("energy_layer", 1.), work * rho / (length / E + rho), 1e-9 * work);
+  EXPECT_NEAR(run.resultant("energy_layer", 1.), work * rho / (height / E + rho), 1e-9 * work);
 }
 
 // A wedge-shaped cut opens the joint element by element, and the lips slide as the pressure moves:
@@ -156,7 +156,7 @@ TEST(ImposedGap, CrossingJoints)
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
   for (const double value : run.values("pressure", 1.))
-    EXPECT_NEAR(value, 0.01 / (length / E + rho), 1e-9 * 0.01 / (length / E + rho));
+    EXPECT_NEAR(value, 0.01 / (height / E + rho), 1e-9 * 0.01 / (height / E + rho));
 }
 
 TEST(ImposedGap, UnknownJoint)

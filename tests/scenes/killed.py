@@ -17,7 +17,7 @@ import time
 from result_files import check_directory, results
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-N_RUNS = 15
+N_RUNS = 8
 complaints = []
 
 

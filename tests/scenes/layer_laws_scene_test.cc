@@ -286,7 +286,7 @@ TEST(PlotLaw, WritesTables)
   const std::string text = file_text(directory + "/law_base.csv");
   for (const char *column : {",deformation[m],", ",stress[MPa],", ",limit[m]\r\n"})
     EXPECT_NE(text.find(column), std::string::npos) << column;
-  const Table table = parse_csv(text);
+  const CsvTable table = parse_csv(text);
   // 400 steps up to 0.9 ζ0 = 1.8 mm.
   const double zeta = 2e-3, rho = 1.25e-4;
   ASSERT_EQ(table.text(200, "direction"), "normal");

@@ -17,7 +17,7 @@ using namespace fuga::tests;
 
 namespace
 {
-  constexpr double EA = 1000., k = 4., q = 2., f = 0.5, length = 200.;
+  constexpr double EA = 1000., k = 4., q = 2., f = 0.5, bar_length = 200.;
 } // namespace
 
 // The chain of tests/contact/pull_out_test.cc as one row of linear elements 0.002 high (ν = 0,
@@ -50,13 +50,14 @@ TEST(PullOutScene, LossPerCycle)
       scene["Stages"]["back"]["Loads"]  = "pull: 1-2*t";
       scene["Stages"]["forth"]["Loads"] = "pull: 2*t-1";
       const SceneRun run                = run_scene(write_scene(
-        block_mesh(uniform(0., length, static_cast<std::size_t>(n)), {0., height}, length), scene));
+        block_mesh(uniform(0., bar_length, static_cast<std::size_t>(n)), {0., height}, bar_length),
+        scene));
       EXPECT_EQ(run.exit_code, 0);
       EXPECT_LE(run.certificate(), 1e-9);
 
       const double digit     = std::pow(10., std::floor(std::log10(printed_error)) - 1.);
       const double tolerance = printed_error + 0.5 * digit + lambda * height;
-      const double first = run.resultant("dissipation", 2.), h = length / n;
+      const double first = run.resultant("dissipation", 2.), h = bar_length / n;
       const auto expect =
         [&](const char *quantity, const double known, const double ours, const double bound) {
           expect_answer({"V5 pull-out of a bar",

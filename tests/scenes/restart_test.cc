@@ -170,9 +170,9 @@ TEST(Restart, AddedStages)
   EXPECT_EQ(file_text(in_one + "/joint_history.csv"), file_text(in_two + "/joint_history.csv"));
   for (const char *name : {"/events.csv", "/resultants.csv"})
     {
-      tests::Table a = parse_csv(file_text(in_one + name)), b = parse_csv(file_text(in_two + name));
+      CsvTable a = parse_csv(file_text(in_one + name)), b = parse_csv(file_text(in_two + name));
       const auto certificate = static_cast<std::ptrdiff_t>(a.column("certificate"));
-      for (tests::Table *table : {&a, &b})
+      for (CsvTable *table : {&a, &b})
         for (auto &row : table->rows)
           row.erase(row.begin() + certificate);
       EXPECT_TRUE(a.rows == b.rows) << name;

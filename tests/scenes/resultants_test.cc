@@ -107,7 +107,7 @@ TEST(Monitors, OfABlock)
   scene["Monitors"]["top"]     = {{"Point", "0.5, 2"}};
   scene["Monitors"]["inside"]  = {{"Point", "-0.21, 0.83"}};
   scene["Monitors"]["base"]    = {{"Point", "0.25, 0"}, {"Body", "block"}};
-  const Table table            = run(scene).monitors;
+  const CsvTable table         = run(scene).monitors;
   ASSERT_EQ(table.rows.size(), 3u * 4u); // levels: one for each of the four stages
   const double y[] = {2., 0.83, 0.};
   for (std::size_t i = 0; i < 3; ++i)
@@ -121,7 +121,7 @@ TEST(Monitors, OfABlock)
 
   scene["Bodies"]["block"]["Young modulus"] = 1e9 * k;
   scene["Stages"]["turn"]["Loads"]          = "turn: 0.1*t"; // closed all along
-  const Table stiff                         = run(scene, {"Output/Monitors=events"}).monitors;
+  const CsvTable stiff                      = run(scene, {"Output/Monitors=events"}).monitors;
   const double angle = -0.1 * p * b / (k * b * b * b / 12. * (1. + 2. / (n * n)));
   const double x[]   = {0.5, -0.21, 0.25};
   for (std::size_t i = 0; i < 3; ++i)
@@ -154,13 +154,13 @@ TEST(Monitors, Stress)
                        {"corner", {{"Point", "0.5, 0"}, {"Body", "block"}, {"Stress", "true"}}},
                        {"without", {{"Point", "0.5, 2"}}}};
   const auto expect =
-    [&](const Table &table, const std::size_t row, const double xx, const double zz) {
+    [&](const CsvTable &table, const std::size_t row, const double xx, const double zz) {
       EXPECT_NEAR(table.number(row, "stress_xx"), xx, eps) << row;
       EXPECT_NEAR(table.number(row, "stress_yy"), -p, eps) << row;
       EXPECT_NEAR(table.number(row, "stress_zz"), zz, eps) << row;
       EXPECT_NEAR(table.number(row, "stress_xy"), 0., eps) << row;
     };
-  const Table table = run(scene).monitors;
+  const CsvTable table = run(scene).monitors;
   ASSERT_EQ(table.rows.size(), 2u * 4u);
   for (std::size_t i = 0; i < 3; ++i)
     {
@@ -200,7 +200,7 @@ TEST(Monitors, CostNothingIfNotAskedFor)
   EXPECT_EQ(solutions(with), solutions(without) + 4);
   EXPECT_EQ(with.summary.at("work").at("factorisations_of_bodies"), 1);
   std::size_t n_event_rows = 0;
-  const Table &table       = with.monitors;
+  const CsvTable &table    = with.monitors;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
     n_event_rows += table.text(row, "occasion") == "event";
   EXPECT_GT(n_event_rows, 0u);

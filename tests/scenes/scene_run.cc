@@ -89,10 +89,10 @@ namespace fuga::tests
     }
   } // namespace
 
-  Table
+  CsvTable
   parse_csv(const std::string &text)
   {
-    Table table;
+    CsvTable table;
     std::size_t i = 0;
     std::vector<std::string> record;
     while (i < text.size())
@@ -121,7 +121,7 @@ namespace fuga::tests
   }
 
   std::size_t
-  Table::column(const std::string &name) const
+  CsvTable::column(const std::string &name) const
   {
     for (std::size_t i = 0; i < header.size(); ++i)
       if (header[i] == name || header[i].substr(0, header[i].find('[')) == name)
@@ -130,13 +130,13 @@ namespace fuga::tests
   }
 
   const std::string &
-  Table::text(const std::size_t row, const std::string &name) const
+  CsvTable::text(const std::size_t row, const std::string &name) const
   {
     return rows.at(row).at(column(name));
   }
 
   double
-  Table::number(const std::size_t row, const std::string &name) const
+  CsvTable::number(const std::size_t row, const std::string &name) const
   {
     return std::stod(text(row, name));
   }

@@ -14,7 +14,7 @@
 namespace fuga::tests
 {
   /** A CSV file as it was read: strict RFC 4180, the lines end in CR LF. */
-  struct Table
+  struct CsvTable
   {
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> rows;
@@ -31,7 +31,7 @@ namespace fuga::tests
   };
 
   /** @throws std::runtime_error for anything RFC 4180 does not allow, and for ragged rows. */
-  Table
+  CsvTable
   parse_csv(const std::string &text);
 
   /** A directory of this process that vanishes at its end; a new one with every call. */
@@ -45,9 +45,9 @@ namespace fuga::tests
   struct SceneRun
   {
     int exit_code = -1;
-    Table events, history, resultants;
+    CsvTable events, history, resultants;
     /** Empty if there are no monitors. */
-    Table monitors;
+    CsvTable monitors;
     nlohmann::json summary;
 
     /** A column of joint_history.csv at load time @p t, by growing x (then y, then z). */

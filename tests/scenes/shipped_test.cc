@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 using namespace fuga;
@@ -29,7 +30,7 @@ namespace
   }
 
   std::vector<std::string>
-  names_without_units(const Table &table)
+  names_without_units(const CsvTable &table)
   {
     std::vector<std::string> names;
     for (const std::string &name : table.header)
@@ -39,6 +40,16 @@ namespace
 
   class Shipped : public testing::TestWithParam<std::string>
   {
+  protected:
+    /** The run of the file, which its tests share. */
+    const SceneRun &
+    run() const
+    {
+      static std::map<std::string, SceneRun> runs;
+      const auto known = runs.find(GetParam());
+      return known != runs.end() ? known->second
+                                 : runs.emplace(GetParam(), run_scene(GetParam())).first->second;
+    }
   };
 } // namespace
 
@@ -47,7 +58,7 @@ namespace
 // and those of space and of water in joints behind them.
 TEST_P(Shipped, RunsAndIsCertified)
 {
-  const SceneRun run = run_scene(GetParam());
+  const SceneRun &run = this->run();
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.summary.at("verdict"), "done");
   EXPECT_LE(run.certificate(), 1e-9) << run.summary.at("certificate").dump(1);
@@ -142,7 +153,7 @@ TEST_P(Shipped, RunsAndIsCertified)
 // numbered events in the order of their loads; shares add to one; stage and fraction belong to t.
 TEST_P(Shipped, TablesAreComplete)
 {
-  const SceneRun run = run_scene(GetParam());
+  const SceneRun &run = this->run();
   std::set<double> levels;
   std::set<std::string> joints;
   for (std::size_t r = 0; r < run.resultants.rows.size(); ++r)
@@ -195,7 +206,7 @@ TEST_P(Shipped, TablesAreComplete)
 // T/A, gap only where open, no force there. The numbers have 17 digits: 1e-15 relative.
 TEST_P(Shipped, ColumnsAgree)
 {
-  const Table history = run_scene(GetParam()).history;
+  const CsvTable &history = run().history;
   for (std::size_t r = 0; r < history.rows.size(); ++r)
     {
       const double A = history.number(r, "area"), N = history.number(r, "N");
@@ -223,7 +234,7 @@ TEST_P(Shipped, ColumnsAgree)
 // What summary.json must contain.
 TEST_P(Shipped, SummaryIsComplete)
 {
-  const nlohmann::json summary = run_scene(GetParam()).summary;
+  const nlohmann::json &summary = run().summary;
   for (const char *entry : {"verdict",
                             "exit_code",
                             "sizes",
