@@ -16,7 +16,7 @@ namespace
 {
   constexpr double E = 1000., height = 2., rho = 1e-3, pressed = 0.02, kerf = 0.05;
 
-  /** A bar of two blocks, 1 wide and 2 long, ν = 0, between supports; the joint in the middle. */
+  /** A bar of two blocks, 1 wide and 2 high, ν = 0, between supports; the joint in the middle. */
   Json
   bar(const double compliance)
   {

@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, HeldColumn, testing::ValuesIn(laws), [](const aut
 
 namespace
 {
-  class ColumnOfLaw : public testing::TestWithParam<LawCase>
+  class UnheldColumn : public testing::TestWithParam<LawCase>
   {
   };
 } // namespace
@@ -231,7 +231,7 @@ namespace
 // Pressed by p = 0.4 on its top the column sinks by p H/M + w(p); the pressure is taken away, and
 // as it turns into a pull nothing holds the column: the limit load is zero, and all four elements
 // open.
-TEST_P(ColumnOfLaw, IsLiftedAtNoLoad)
+TEST_P(UnheldColumn, IsLiftedAtNoLoad)
 {
   const LawCase &law       = GetParam();
   Json scene               = column(law.layer);
@@ -249,7 +249,7 @@ TEST_P(ColumnOfLaw, IsLiftedAtNoLoad)
     EXPECT_NEAR(law.stress(-jump), 0.4, 1e-9 * 0.4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ColumnOfLaw, testing::ValuesIn(laws), [](const auto &law) {
+INSTANTIATE_TEST_SUITE_P(Laws, UnheldColumn, testing::ValuesIn(laws), [](const auto &law) {
   return law.param.name;
 });
 
