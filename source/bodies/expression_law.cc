@@ -61,6 +61,13 @@ namespace fuga
     return first_compliance;
   }
 
+  bool
+  ExpressionLaw::is_nearly_linear(const double w) const
+  {
+    constexpr double small_change = 1e-2;
+    return w > 0. && std::abs(tangent(w) * first_compliance - 1.) <= small_change;
+  }
+
   // Near w = 0 the terms of an expression cancel, as in √(1 + w) - 1, and what is left of them is a
   // staircase on which Newton's method of a path finds no equilibrium. The tangent has no need to
   // vanish there, so that its integral keeps all digits; with x = w s³ it is smooth for roots as
@@ -68,8 +75,7 @@ namespace fuga
   double
   ExpressionLaw::stress(const double w) const
   {
-    constexpr double small_change = 1e-2;
-    if (w > 0. && std::abs(tangent(w) * first_compliance - 1.) <= small_change)
+    if (is_nearly_linear(w))
       return boost::math::quadrature::gauss<double, 7>::integrate(
         [this, w](const double s) { return 3. * w * s * s * tangent(w * s * s * s); }, 0., 1.);
     return parsers->stress.value(dealii::Point<1>(w));
@@ -155,12 +161,22 @@ namespace fuga
     }
   } // namespace
 
-  // x = w s³ makes a root of x at x = 0, as in law (9), smooth.
+  // Where the stress is an integral of the tangent, of both integrals that of x inside is done at
+  // once (Cauchy's formula for repeated integration): ∫ (w - x) σ'(x) dx. x = w s³ makes a root of
+  // x at x = 0, as in law (9), smooth.
   double
   ExpressionLaw::energy(const double w) const
   {
     if (w <= 0.)
       return 0.;
+    if (is_nearly_linear(w))
+      return Rule::integrate(
+        [this, w](const double s) {
+          const double s3 = s * s * s;
+          return 3. * w * w * s * s * (1. - s3) * tangent(w * s3);
+        },
+        0.,
+        1.);
     return adaptive_integral(
       [this, w](const double s) { return 3. * w * s * s * stress(w * s * s * s); });
   }

@@ -29,7 +29,10 @@ namespace fuga
   NonlinearLaw::deformation_between(const double sigma, double lower, double upper) const
   {
     const int max_iterations = 200;
-    double w                 = 0.5 * (lower + upper);
+    const double lowest = stress(lower), highest = stress(upper);
+    double w = lower + (upper - lower) * (sigma - lowest) / (highest - lowest);
+    if (!(w > lower && w <= upper))
+      w = 0.5 * (lower + upper);
     double change = upper - lower, last_change = change;
     for (int i = 0; i < max_iterations; ++i)
       {
@@ -45,7 +48,7 @@ namespace fuga
         last_change = change;
         change      = std::abs(next - w);
         w           = next;
-        if (change <= std::numeric_limits<double>::epsilon() * w)
+        if (change <= 2. * std::numeric_limits<double>::epsilon() * w)
           break;
       }
     return w;

@@ -51,6 +51,10 @@ namespace fuga
   private:
     struct Parsers;
 
+    /** Whether the tangent has hardly changed since w = 0, so that σ(w) is the integral of it. */
+    bool
+    is_nearly_linear(const double w) const;
+
     const std::string stress_text;
     const double limit;
     const std::unique_ptr<const Parsers> parsers;
