@@ -26,6 +26,7 @@ namespace fuga
   void
   interruption::listen()
   {
+    received = 0;
     for (const int number : {SIGINT, SIGTERM})
       if (std::signal(number, note_signal) == SIG_IGN)
         std::signal(number, SIG_IGN);

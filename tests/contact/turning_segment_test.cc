@@ -322,8 +322,12 @@ namespace fuga::tests
               boundary.set_scales(point.state, course.factors, 1.);
               WorkingScheme background(joint.elements, layered);
               IterationCount count;
-              TurningSegment segment(
-                {joint.elements, layered, boundary, background}, course, point, {e}, count);
+              TurningSegment segment({joint.elements, layered, boundary, background},
+                                     course,
+                                     point,
+                                     {e},
+                                     PathOptions(),
+                                     count);
               point = segment.at((t_end - 2.) / n_steps);
             }
           double error = 0.;

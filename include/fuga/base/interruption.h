@@ -25,8 +25,8 @@ namespace fuga
    */
   namespace interruption
   {
-    /** Signals are noted from now on, those that whoever started the program had ignored excepted.
-     */
+    /** Signals are noted from now on, those that whoever started the program had ignored excepted;
+     * one that came before is forgotten. */
     void
     listen();
 

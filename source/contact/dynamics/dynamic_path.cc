@@ -16,11 +16,15 @@ namespace fuga
   namespace
   {
     /** Lips without mass may have no continuous way on, where friction is large: they jump to where
-     * they are in equilibrium again. */
+     * they are in equilibrium again. The way through a step leads to its end, and the motion has
+     * the error of the step: it needs to be no more exact than what is certified of it, and other
+     * ways tell nothing about the motion. */
     PathOptions
-    with_jumps(PathOptions options)
+    of_steps(PathOptions options)
     {
-      options.follow_jumps = true;
+      options.follow_jumps     = true;
+      options.looks_for_others = false;
+      options.curve_tolerance  = 1e-9;
       return options;
     }
   } // namespace
@@ -49,7 +53,7 @@ namespace fuga
     : ContactPath(contact_elements, layered_system, load_history)
     , bodies(moving_bodies)
     , grid(time_grid)
-    , options(with_jumps(path_options))
+    , options(of_steps(path_options))
     , rungs(grid.halvings + 1)
     , history_of_step(StepSystem::history())
   {

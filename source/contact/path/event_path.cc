@@ -177,6 +177,7 @@ namespace fuga
           course,
           start,
           directions,
+          options,
           iteration_count);
       }
     if (is_curved)

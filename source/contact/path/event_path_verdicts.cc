@@ -62,7 +62,7 @@ namespace fuga
                            Continuation &continuation,
                            PathResult &result)
   {
-    if (!rate_problem.may_have_others(set, continuation))
+    if (!options.looks_for_others || !rate_problem.may_have_others(set, continuation))
       return;
     const std::vector<Branch> branches = rate_problem.branches(state, set, drive);
     if (branches.size() < 2)

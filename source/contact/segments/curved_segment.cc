@@ -6,6 +6,7 @@
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
+#include <fuga/contact/segments/step_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,13 @@ namespace fuga
 {
   namespace
   {
-    /** First step as share of the course, growth of steps, and the shortest one. */
-    constexpr double first_step  = 1e-3;
-    constexpr double step_growth = 2.;
-    /** The energy defect of a step falls with this power of its length. */
-    constexpr double order         = 5.;
+    /** First step as share of the course, unless it is the way to the first event along the first
+     * rates, and the shortest one. */
+    constexpr double first_step = 1e-3, longest_first_step = 0.1;
     constexpr double shortest_step = 1e-9;
+    /** The next step aims at a defect this many times smaller than what is allowed: what falls
+     * below it on the way to an event is not followed anew. */
+    constexpr double margin = 8.;
     /** The same for the constant-stiffness iteration, which only creeps towards its bound. */
     constexpr double shortest_constant_step = 1e-5;
   } // namespace
@@ -37,6 +39,7 @@ namespace fuga
     , equilibrium(context, course, options, count)
     , taus{0.}
     , points{start}
+    , known(known_forces(context, course, 0., start.state))
     , first_reserves(context.boundary.reserves(
         start.state, start.rates, drive_at(context.elements, course, start.state)))
     , losses{0.}
@@ -55,15 +58,19 @@ namespace fuga
   double
   CurvedSegment::find_end()
   {
-    const double shortest = course.length * (options.iteration == PathOptions::Iteration::newton
-                                               ? shortest_step
-                                               : shortest_constant_step);
-    double step           = first_step * course.length;
+    const double shortest  = course.length * (options.iteration == PathOptions::Iteration::newton
+                                                ? shortest_step
+                                                : shortest_constant_step);
+    const PathPoint &start = points.front();
+    const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
+    StepControl step(
+      std::clamp(to_event, first_step * course.length, longest_first_step * course.length));
     while (taus.back() < course.length)
       {
         const std::size_t a = taus.size() - 1;
         check_number_of_steps(a, points[a].state.t);
-        const double tau = course.length - taus[a] < 1.5 * step ? course.length : taus[a] + step;
+        const double tau =
+          course.length - taus[a] < 1.5 * step() ? course.length : taus[a] + step();
         Vector predicted = points[a].state.dislocations;
         for (std::size_t i = 0; i < predicted.size(); ++i)
           predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
@@ -75,7 +82,11 @@ namespace fuga
                                           : no_boundary;
         if (defect > 1. && tau - taus[a] > shortest)
           {
-            step = (tau - taus[a]) / (2. * step_growth);
+            step.limit(tau - taus[a]);
+            if (std::isfinite(defect))
+              step.reject(defect);
+            else
+              step.fail();
             continue;
           }
         if (!next && is_reduction())
@@ -95,8 +106,8 @@ namespace fuga
             divide_behind(a, shortest);
             return taus.back();
           }
-        if (defect < 1. / std::pow(step_growth, order))
-          step *= step_growth;
+        if (defect <= 1.)
+          step.accept(margin * defect, false);
       }
     return taus.back();
   }
@@ -108,20 +119,27 @@ namespace fuga
     JointState &state  = point.state;
     state.dislocations = predicted_dislocations;
     release(course.drive, tau, state);
-    complete_state(context, course, tau, state);
+    complete_state(context, course, tau, state, &known);
     // A law knows nothing behind its closure limit, where the prediction may lead.
     if (passes_limit_of_law(context.elements, state))
       {
         state.dislocations = points.front().state.dislocations;
-        complete_state(context, course, tau, state);
+        complete_state(context, course, tau, state, &known);
         if (passes_limit_of_law(context.elements, state))
           return {};
       }
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
-    if (!equilibrium.solve(tau, largest_jump, state))
+    // On the way forces follow from the first ones, in the end they do not.
+    if (!equilibrium.solve(tau, largest_jump, state, &known))
       return {};
+    if (context.system.refines_forces(state.dislocations, state.forces))
+      {
+        complete_state(context, course, tau, state);
+        if (!equilibrium.solve(tau, largest_jump, state))
+          return {};
+      }
 
     context.scheme.linearise(state);
     const std::optional<JointRates> rates =
@@ -159,7 +177,19 @@ namespace fuga
   void
   CurvedSegment::give_up() const
   {
-    const JointState &last = points.back().state;
+    const JointState &last    = points.back().state;
+    constexpr double rounding = 1e-12;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (const ContactElement &element = context.elements[k];
+          has_nonlinear_closure(element) && last.states[k] != ContactState::open &&
+          -gap(element, last, k) >= (1. - rounding) * closure_limit(element))
+        throw PathFailure(fmt::format(
+          "A layer has reached the limit of its law, a closure of {:.6g} m, at load time {:.9g}: "
+          "under a pressure of {:.4g} MPa its closure differs from that by rounding only. Check "
+          "thickness (or closure limit) and compliance of the joint.",
+          closure_limit(element),
+          last.t,
+          -last.forces[element.normal_bar] / element.area));
     if (options.iteration == PathOptions::Iteration::newton)
       throw PathFailure(fmt::format(
         "No equilibrium of the nonlinear layer was found behind load time {:.9g}.", last.t));

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/path_segment.h>
@@ -39,6 +40,7 @@ namespace fuga
   check_number_of_steps(const std::size_t n_steps, const double t)
   {
     constexpr std::size_t largest_number = 10000;
+    interruption::check("on the way along a curve of the path");
     if (n_steps > largest_number)
       throw PathFailure(fmt::format(
         "The steps along a curve have become too short at load time {:.12g}: {} of them "
@@ -99,11 +101,22 @@ namespace fuga
   complete_state(const PathContext &context,
                  const Course &course,
                  const double tau,
-                 JointState &state)
+                 JointState &state,
+                 const KnownForces *const known)
   {
     const Vector factors = set_loads(context, course, tau, state);
-    state.forces         = context.system.forces(factors, state.dislocations, state.water);
+    state.forces         = context.system.forces(factors, state.dislocations, state.water, known);
     set_slips(context, course, tau, state);
+  }
+
+  KnownForces
+  known_forces(const PathContext &context, const Course &course, const double tau, JointState state)
+  {
+    Vector factors = set_loads(context, course, tau, state);
+    return {std::move(factors),
+            std::move(state.dislocations),
+            std::move(state.water),
+            std::move(state.forces)};
   }
 
   // A correction knows its forces, unless the load gives way to it as well.

@@ -32,7 +32,10 @@ namespace fuga
   // A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3), (7), (8): with the
   // residual written out that is the same correction with the constant matrix.
   bool
-  SchemeEquilibrium::solve(const double tau, const double largest_jump, JointState &state)
+  SchemeEquilibrium::solve(const double tau,
+                           const double largest_jump,
+                           JointState &state,
+                           const KnownForces *const known)
   {
     const bool constant      = options.iteration == PathOptions::Iteration::constant_stiffness;
     const int max_iterations = constant ? static_cast<int>(options.max_iterations) : max_newton;
@@ -58,7 +61,7 @@ namespace fuga
                    : limit_safeguard(context.elements, state, growth, OpenLips::may_pass_limit);
         for (std::size_t b = 0; b < state.dislocations.size(); ++b)
           state.dislocations[b] += share * change->dislocations[b];
-        complete_state(context, course, tau, state);
+        complete_state(context, course, tau, state, known);
 
         const double size = max_abs(growth);
         const double total =

@@ -51,6 +51,7 @@ namespace fuga
                                  const Course &path_course,
                                  const PathPoint &path_start,
                                  const std::vector<TangentVector> &directions,
+                                 const PathOptions &options,
                                  IterationCount &iteration_count)
     : context(path_context)
     , course(path_course)
@@ -59,6 +60,7 @@ namespace fuga
     , slipping(turning)
     , stuck(with_stuck(turning, start.state))
     , linear(!context.scheme.is_nonlinear() && course.share_rate == 0.)
+    , step_tolerance(options.curve_tolerance)
     , count(iteration_count)
     , solver(shear_stiffnesses(context, turning), count)
     , equilibrium(context, course, PathOptions(), count)

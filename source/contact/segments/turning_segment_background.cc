@@ -139,14 +139,17 @@ namespace fuga
   // The state of the background with the slips of a stage; the dislocations of @p state are a first
   // guess.
   bool
-  TurningSegment::settle(const double tau, const TurningStage &stage, JointState &state)
+  TurningSegment::settle(const double tau,
+                         const TurningStage &stage,
+                         JointState &state,
+                         const KnownForces *const known)
   {
     const Vector guess = state.dislocations;
     state              = stuck;
     state.dislocations = guess;
     release(course.drive, tau, state);
     set_slips(stage, state);
-    complete_state(context, course, tau, state);
+    complete_state(context, course, tau, state, known);
     if (linear)
       {
         constexpr double rounding = 1e-14;
@@ -156,7 +159,8 @@ namespace fuga
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
-    if (passes_limit_of_law(context.elements, state) || !equilibrium.solve(tau, jump_scale, state))
+    if (passes_limit_of_law(context.elements, state) ||
+        !equilibrium.solve(tau, jump_scale, state, known))
       return false;
     context.scheme.linearise(state);
     return true;
@@ -171,6 +175,7 @@ namespace fuga
                               const double advance,
                               const TurningStage &base,
                               const double slip_noise,
+                              const KnownForces &known,
                               Vector &xi,
                               TurningStage &stage,
                               JointState &state)
@@ -186,7 +191,7 @@ namespace fuga
     solver.set_slips(base, xi, stage);
     for (int i = 0; i < max_iterations; ++i)
       {
-        if (!settle(tau, stage, state))
+        if (!settle(tau, stage, state, &known))
           return false;
         take_strengths(tau, state);
         if (!take_response(tau, stage, state))
@@ -217,7 +222,7 @@ namespace fuga
   {
     JointState state   = stuck;
     state.dislocations = station.point.state.dislocations;
-    if (!settle(station.tau, station.stage, state))
+    if (!settle(station.tau, station.stage, state, nullptr))
       return false;
     take_strengths(station.tau, state);
     if (!linear && !take_response(station.tau, station.stage, state))

@@ -158,10 +158,12 @@ namespace fuga
     const double slip_noise =
       drive > 0. ? force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / drive
                  : 0.;
-    JointState &state = to.point.state;
-    state             = from.point.state;
-    to.stage          = from.stage;
-    double work       = length * rk::weights.back()[0] * power(from.stage, rates[0]);
+    // On the way forces follow from the last ones; those of the result do not.
+    const KnownForces known = known_forces(context, course, from.tau, from.point.state);
+    JointState &state       = to.point.state;
+    state                   = from.point.state;
+    to.stage                = from.stage;
+    double work             = length * rk::weights.back()[0] * power(from.stage, rates[0]);
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
     // Of the stages so far: rates of slip along the directions, and these.
     std::vector<Vector> stage_rates                          = {xi};
@@ -191,6 +193,7 @@ namespace fuga
                          length * rk::diagonal,
                          base,
                          slip_noise,
+                         known,
                          xi,
                          to.stage,
                          state))
@@ -221,9 +224,9 @@ namespace fuga
         for (std::size_t i = 0; i < n; ++i)
           of_rises[i] += weight * rise[i] * stage_rates[k][i];
       }
-    error = std::max(max_abs(difference) / (turning_step_tolerance * jump_scale + slip_noise),
+    error = std::max(max_abs(difference) / (step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /
-                       (turning_step_tolerance * force_scale + force_noise(to.point.state)));
+                       (step_tolerance * force_scale + force_noise(to.point.state)));
     error = std::max({error,
                       work_defect(from, to, length, work),
                       turn_defect(from, to, length),

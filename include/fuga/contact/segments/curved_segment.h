@@ -116,7 +116,8 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
-    /** At the beginning: what rests there. */
+    /** At the beginning: the forces, and what rests there. */
+    const KnownForces known;
     const std::vector<Reserve> first_reserves;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;

@@ -43,6 +43,8 @@ namespace fuga
 
     Follow follow        = Follow::events;
     NonUnique non_unique = NonUnique::stop;
+    /** Whether other continuations than the one found are looked for. */
+    bool looks_for_others = true;
     /** Where no continuous path goes on, the path jumps to an equilibrium near by if there is one.
      */
     bool follow_jumps = false;
@@ -53,7 +55,10 @@ namespace fuga
     Iteration iteration = Iteration::newton;
     /** Difference of two successive iterations that ends the iteration, relative to the largest
      * jump. */
-    double tolerance            = 1e-13;
+    double tolerance = 1e-13;
+    /** Largest error of one step along a curve whose directions of slip turn, relative to the
+     * largest force and jump. */
+    double curve_tolerance      = 1e-11;
     unsigned int max_iterations = 200;
   };
 

@@ -143,7 +143,7 @@ namespace fuga
   rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within);
 
   /** @throws NumericalFailure if @p n_steps along one curve are more than any needs, at load time
-   * @p t. */
+   * @p t; Interrupted if a signal came. */
   void
   check_number_of_steps(const std::size_t n_steps, const double t);
 
@@ -151,13 +151,21 @@ namespace fuga
   void
   release(const Drive &drive, const double tau, JointState &state);
 
-  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, time,
-   * slips, water, reduced strengths. */
+  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, see
+   * LayeredSystem::forces() for @p known, time, slips, water, reduced strengths. */
   void
   complete_state(const PathContext &context,
                  const Course &course,
                  const double tau,
-                 JointState &state);
+                 JointState &state,
+                 const KnownForces *known = nullptr);
+
+  /** The forces of a state that complete_state() has completed. */
+  KnownForces
+  known_forces(const PathContext &context,
+               const Course &course,
+               const double tau,
+               JointState state);
 
   /**
    * Corrects the dislocations of a state of a linear scheme until its equations hold to rounding.

@@ -22,9 +22,12 @@ namespace fuga
                       IterationCount &count);
 
     /** Corrects @p state, which complete_state() has completed, at @p tau. @p largest_jump: the scale of
-     * the iteration. Returns false if it does not converge. */
+     * the iteration; @p known: as there. Returns false if it does not converge. */
     bool
-    solve(const double tau, const double largest_jump, JointState &state);
+    solve(const double tau,
+          const double largest_jump,
+          JointState &state,
+          const KnownForces *known = nullptr);
 
   private:
     PathContext context;

@@ -9,9 +9,6 @@
 
 namespace fuga
 {
-  /** Largest error of one step along a curve, relative to the largest force and jump. */
-  constexpr double turning_step_tolerance = 1e-11;
-
   /** It slips along two tangents and carries shear, so that the direction of slip may turn. */
   inline bool
   may_turn(const ContactElement &element, const JointState &state, const std::size_t k)
@@ -43,6 +40,7 @@ namespace fuga
                    const Course &course,
                    const PathPoint &start,
                    const std::vector<TangentVector> &directions,
+                   const PathOptions &options,
                    IterationCount &count);
 
     double
@@ -100,13 +98,17 @@ namespace fuga
     void
     set_slips(const TurningStage &stage, JointState &state) const;
     bool
-    settle(const double tau, const TurningStage &stage, JointState &state);
+    settle(const double tau,
+           const TurningStage &stage,
+           JointState &state,
+           const KnownForces *known);
     bool
     solve_stage(const TurningStageSolver::Demand demand,
                 const double tau,
                 const double advance,
                 const TurningStage &base,
                 const double slip_noise,
+                const KnownForces &known,
                 Vector &xi,
                 TurningStage &stage,
                 JointState &state);
@@ -179,6 +181,7 @@ namespace fuga
     JointState stuck;
     /** The background answers linearly, everywhere along the segment in the same way. */
     const bool linear;
+    const double step_tolerance;
     IterationCount &count;
     TurningStageSolver solver;
     SchemeEquilibrium equilibrium;

@@ -13,6 +13,13 @@
 
 namespace fuga
 {
+  /** A state whose forces are as exact as they can be, from which those of states near by differ by
+   * little. */
+  struct KnownForces
+  {
+    Vector factors, dislocations, water, forces;
+  };
+
   /**
    * Bodies and layer in series. Every bar's jump is split into an elastic part and a *dislocation*
    * d,
@@ -114,10 +121,13 @@ namespace fuga
      * Forces p = R a - W d, and those of the water ω if it is not empty. Where a joint is so much
      * softer than the bodies that the digits of p decide about their deformation, or where p is a
      * small difference, it is refined until it satisfies the equations of the ContactSystem, of
-     * which W is but the inverse.
+     * which W is but the inverse, or until it differs from what is @p known by what W and R say.
      */
     Vector
-    forces(const Vector &factors, const Vector &dislocations, const Vector &water = {}) const;
+    forces(const Vector &factors,
+           const Vector &dislocations,
+           const Vector &water      = {},
+           const KnownForces *known = nullptr) const;
 
     /** Whether forces() refines @p forces such as these: then rates of forces, which come from W
      * alone, do not add up to them. */
@@ -148,6 +158,8 @@ namespace fuga
     eliminate_with_jump_operator(const ContactSystem &system);
     void
     add_imposed_jumps(const ContactSystem &system);
+    Vector
+    forces_near(const KnownForces &known, Vector factors, Vector dislocations, Vector water) const;
     void
     refine_in_jumps(const Vector &factors,
                     const Vector &dislocations,
