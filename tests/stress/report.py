@@ -101,7 +101,7 @@ def verdict_table(scenes):
     return table(["verdict", "confirmed by", "scenes", "worst certificate"], rows)
 
 
-END_NAMES = ["scenes", "done", "limit load", "no continuation", "outside of the law", "exit code 2", "certificate above bound", "other failures"]
+END_NAMES = ["scenes", "done", "limit load", "no continuation", "interrupted", "outside of the law", "exit code 2", "certificate above bound", "other failures"]
 
 
 def ends(part):
@@ -109,7 +109,7 @@ def ends(part):
     uncertified = part.failure.str.startswith("certificate")
     outside = part.confirmed_by == "limit of the law"
     not_computed = (part.verdict == "numerical failure") & ~outside
-    return [len(part), *[int((part.verdict == v).sum()) for v in ("done", "limit load", "no continuation")],
+    return [len(part), *[int((part.verdict == v).sum()) for v in ("done", "limit load", "no continuation", "interrupted")],
             int(outside.sum()), int(not_computed.sum()), int((uncertified & ~not_computed).sum()),
             int((part.failed & ~uncertified & ~not_computed).sum())]
 
@@ -234,6 +234,9 @@ forces per area, opening and slip to 1e-6). Of the others up to seven steps are 
 where directions of slip turn, an implicit step is another one, and "residual" says that the state satisfies all conditions but the direction.
 "No implicit step" means that this method finds none to a load larger by 1e-4 and 1e-3 of a stage. Where the continuation is not unique, "implicit
 step" means that it finds one of them; how many there are is not examined in space.
+
+A **motion** is **interrupted** after twenty seconds of a processor, as a user would with Ctrl-C, and what it has reached is
+examined like the others: certificate, energies, and up to four seconds of it followed again, every fifth piece solved anew.
 
 "Limit of the law": the run ended with the message that a layer is outside of its law, and by the forces there it has closed by its
 `Shear growth closure`, all but a millionth. Such a draw has no answer; it is not counted as a failure.

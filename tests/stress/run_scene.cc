@@ -8,6 +8,7 @@
 #include "stress/confirm_motion.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/read/read_parameters.h>
@@ -20,6 +21,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
+#include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <numeric>
@@ -55,6 +58,9 @@ namespace fuga::stress
   {
     /** Seconds spent on solving steps of one scene anew. */
     constexpr double confirmation_time = 4.;
+    /** Seconds of a processor after which a motion is interrupted, as by Ctrl-C, and what it has
+     * reached is examined. */
+    constexpr int time_of_motion       = 20;
     constexpr std::size_t n_pieces     = 6;
     constexpr double certificate_bound = 1e-9;
 
@@ -285,6 +291,33 @@ namespace fuga::stress
           confirm_in_space(scene, model, joint, result, sample, directory, confirmation_time));
     }
 
+    /** Interrupts what is done while it lives. */
+    class Interrupter
+    {
+    public:
+      explicit Interrupter(const int seconds)
+      {
+        interruption::listen();
+        sigevent event{};
+        event.sigev_notify = SIGEV_SIGNAL;
+        event.sigev_signo  = SIGTERM; // SIGINT may be ignored, as behind a shell in the background
+        itimerspec time{};
+        time.it_value.tv_sec = seconds;
+        if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) != 0 ||
+            timer_settime(timer, 0, &time, nullptr) != 0)
+          throw std::runtime_error("no timer");
+      }
+
+      ~Interrupter()
+      {
+        timer_delete(timer);
+        interruption::listen();
+      }
+
+    private:
+      timer_t timer;
+    };
+
     template <int dim>
     void
     run(const SceneData &scene, const std::string &directory, const Writer &write)
@@ -297,7 +330,17 @@ namespace fuga::stress
       parameters.output.directory = directory + "/out";
       auto model                  = std::make_unique<const Model<dim>>(parameters);
       if (scene.is_in_motion())
-        run_all_phases(std::move(model));
+        {
+          const Interrupter interrupter(time_of_motion);
+          try
+            {
+              run_all_phases(std::move(model));
+            }
+          catch (const Interrupted &)
+            {
+              // Its files say so.
+            }
+        }
       else
         Simulation<dim>(*model).run();
       tell(write,

@@ -96,6 +96,7 @@ namespace fuga::stress
   const std::vector<SceneKind> &
   scene_kinds()
   {
+    constexpr std::uint64_t seeds_of_motions  = 250; // a thousand of all kinds of motion
     static const std::vector<SceneKind> kinds = {
       {"single", "one to five contact elements", families::single},
       {"stack", "anything of a block on a foundation", families::stack},
@@ -141,8 +142,14 @@ namespace fuga::stress
       {"polygons with laws",
        "the same with any strength on any layer",
        families::polygons_with_laws},
-      {"motion", "loads at once or shaking, bodies that arrive", families::motion},
-      {"motion with laws", "the same with any strength on any layer", families::motion_with_laws},
+      {"motion",
+       "loads at once or shaking, bodies that arrive",
+       families::motion,
+       seeds_of_motions},
+      {"motion with laws",
+       "the same with any strength on any layer",
+       families::motion_with_laws,
+       seeds_of_motions},
       {"extruded",
        "plane scenes made spatial: one path with lines of friction, one with cones",
        families::extruded},
@@ -159,7 +166,8 @@ namespace fuga::stress
       {"polyhedra", "random polyhedra cut by one to three planes, tetrahedra", families::polyhedra},
       {"motion in space",
        "blocks and wedges under loads at once or shaking",
-       families::motion_in_space},
+       families::motion_in_space,
+       seeds_of_motions},
       {"extruded with laws",
        "plane scenes made spatial with any strength on any layer",
        families::extruded_with_laws},
@@ -171,7 +179,8 @@ namespace fuga::stress
        families::polyhedra_with_laws},
       {"motion in space with laws",
        "motions in space with any strength on any layer",
-       families::motion_in_space_with_laws},
+       families::motion_in_space_with_laws,
+       seeds_of_motions},
     };
     return kinds;
   }

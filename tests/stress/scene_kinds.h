@@ -18,12 +18,18 @@ namespace fuga::stress
     /** Which ways to break an event-driven solver it has, in words for the report. */
     const char *purpose;
     std::function<std::unique_ptr<SceneData>(Random &random)> draw;
+    /** In the whole campaign. */
+    std::uint64_t n_seeds;
 
     template <typename Scene>
-    SceneKind(const char *const kind, const char *const breaks, Scene (*family)(Random &random))
+    SceneKind(const char *const kind,
+              const char *const breaks,
+              Scene (*family)(Random &random),
+              const std::uint64_t number_of_seeds = 120)
       : name(kind)
       , purpose(breaks)
       , draw([family](Random &random) { return std::make_unique<Scene>(family(random)); })
+      , n_seeds(number_of_seeds)
     {
     }
   };

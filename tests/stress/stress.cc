@@ -16,6 +16,7 @@
 #include <fstream>
 #include <list>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -31,7 +32,8 @@ namespace
   {
     std::string kind, table = "scenes.csv", keep;
     std::string causes       = FUGA_SOURCE_DIR "/tests/stress/causes.csv";
-    std::uint64_t first_seed = 1, n_seeds = 120;
+    std::uint64_t first_seed = 1;
+    std::optional<std::uint64_t> n_seeds;
     unsigned int n_jobs = 2;
     double time_limit   = 120.;
     double allowed      = 0.;
@@ -97,11 +99,16 @@ namespace
       table.open(options.table, std::ios::binary);
       table << fmt::format("{}\r\n", fmt::join(scene_columns(), ","));
       // Seeds outside, kinds inside: any beginning of the campaign has scenes of all kinds.
-      for (std::uint64_t seed = options.first_seed; seed < options.first_seed + options.n_seeds;
-           ++seed)
+      const auto n_seeds = [this](const SceneKind &kind) {
+        return options.n_seeds.value_or(kind.n_seeds);
+      };
+      std::uint64_t most_seeds = 0;
+      for (const SceneKind &kind : scene_kinds())
+        most_seeds = std::max(most_seeds, n_seeds(kind));
+      for (std::uint64_t i = 0; i < most_seeds; ++i)
         for (const SceneKind &kind : scene_kinds())
-          if (options.kind.empty() || options.kind == kind.name)
-            waiting.emplace_back(kind.name, seed);
+          if (i < n_seeds(kind) && (options.kind.empty() || options.kind == kind.name))
+            waiting.emplace_back(kind.name, options.first_seed + i);
     }
 
     ~Campaign()
@@ -221,7 +228,8 @@ main(int argc, char **argv)
   CLI::App app("stress: random scenes of all kinds, each confirmed by independent solvers");
   app.add_option("--kind", options.kind, "One kind of scenes only");
   app.add_option("--seed", options.first_seed, "First seed");
-  app.add_option("--seeds", options.n_seeds, "Number of seeds per kind");
+  app.add_option(
+    "--seeds", options.n_seeds, "Number of seeds per kind; if not given: 120, of motions 250");
   app.add_option("--jobs", options.n_jobs, "Processes at once")->check(CLI::Range(1, 256));
   app.add_option(
     "--time-limit", options.time_limit, "Seconds of a processor after which a scene has failed");
