@@ -9,6 +9,7 @@
 #include "stress/examiner.h"
 
 #include <fuga/base/errors.h>
+#include <fuga/base/interruption.h>
 #include <fuga/contact/dynamics/step_system.h>
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/run/model/phase_run.h>
@@ -306,6 +307,10 @@ namespace fuga::stress
       }
     catch (const NumericalFailure &)
       {
+      }
+    catch (const Interrupted &)
+      {
+        found = verdict; // what was followed is examined
       }
     Confirmation &confirmation = witness.confirmation;
     if (witness.wants_more() && verdict != "interrupted" && found != verdict)

@@ -353,7 +353,10 @@ namespace fuga::stress
                      dynamics.spectral_radius < 1. ? std::numeric_limits<double>::infinity()
                                                    : dynamics.event_tolerance);
       if (scene.is_in_motion())
-        tell_confirmation(write, confirm_motion<dim>(parameters, verdict, confirmation_time));
+        {
+          const Interrupter interrupter(time_of_motion); // one step may have thousands of events
+          tell_confirmation(write, confirm_motion<dim>(parameters, verdict, confirmation_time));
+        }
       else
         ask_judges(write, *model, scene, verdict, directory);
     }
