@@ -16,15 +16,12 @@ namespace fuga
 {
   namespace
   {
-    /** First step as share of the course, unless it is the way to the first event along the first
-     * rates, and the shortest one. */
-    constexpr double first_step = 1e-3, longest_first_step = 0.1;
-    constexpr double shortest_step = 1e-9;
+    /** As shares of the course: least first step, shortest step, and the latter for the
+     * constant-stiffness iteration, which only creeps towards its bound. */
+    constexpr double least_first_step = 1e-3, shortest_step = 1e-9, shortest_constant_step = 1e-5;
     /** The next step aims at a defect this many times smaller than what is allowed: what falls
      * below it on the way to an event is not followed anew. */
     constexpr double margin = 8.;
-    /** The same for the constant-stiffness iteration, which only creeps towards its bound. */
-    constexpr double shortest_constant_step = 1e-5;
   } // namespace
 
   CurvedSegment::CurvedSegment(const PathContext &path_context,
@@ -58,13 +55,10 @@ namespace fuga
   double
   CurvedSegment::find_end()
   {
-    const double shortest  = course.length * (options.iteration == PathOptions::Iteration::newton
-                                                ? shortest_step
-                                                : shortest_constant_step);
-    const PathPoint &start = points.front();
-    const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
-    StepControl step(
-      std::clamp(to_event, first_step * course.length, longest_first_step * course.length));
+    const double shortest = course.length * (options.iteration == PathOptions::Iteration::newton
+                                               ? shortest_step
+                                               : shortest_constant_step);
+    StepControl step(first_step(context, course, points.front(), least_first_step * course.length));
     while (taus.back() < course.length)
       {
         const std::size_t a = taus.size() - 1;

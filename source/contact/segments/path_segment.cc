@@ -36,6 +36,16 @@ namespace fuga
     }
   } // namespace
 
+  double
+  first_step(const PathContext &context,
+             const Course &course,
+             const PathPoint &start,
+             const double least)
+  {
+    const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
+    return std::clamp(to_event, least, 0.1 * course.length);
+  }
+
   void
   check_number_of_steps(const std::size_t n_steps, const double t)
   {

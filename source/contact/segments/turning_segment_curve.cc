@@ -159,11 +159,12 @@ namespace fuga
       drive > 0. ? force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / drive
                  : 0.;
     // On the way forces follow from the last ones; those of the result do not.
-    const KnownForces known = known_forces(context, course, from.tau, from.point.state);
-    JointState &state       = to.point.state;
-    state                   = from.point.state;
-    to.stage                = from.stage;
-    double work             = length * rk::weights.back()[0] * power(from.stage, rates[0]);
+    const KnownForces known =
+      linear ? KnownForces() : known_forces(context, course, from.tau, from.point.state);
+    JointState &state = to.point.state;
+    state             = from.point.state;
+    to.stage          = from.stage;
+    double work       = length * rk::weights.back()[0] * power(from.stage, rates[0]);
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
     // Of the stages so far: rates of slip along the directions, and these.
     std::vector<Vector> stage_rates                          = {xi};
@@ -280,8 +281,7 @@ namespace fuga
     // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
     // be followed.
     constexpr double near_limit = 1e-8, near_maximum = 1e-9;
-    const double to_event = 1.1 * context.boundary.distance(start.state, start.rates, course.drive);
-    StepControl length(std::clamp(to_event, 1e-6 * course.length, 0.1 * course.length));
+    StepControl length(first_step(context, course, start, 1e-6 * course.length));
     double allowed  = 1.; // error, as far as it is rounding at the present point
     bool is_known   = course.length <= 2. * shortest;
     double rejected = no_boundary; // error of a longer step from the present point

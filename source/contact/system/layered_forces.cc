@@ -59,43 +59,46 @@ namespace fuga
   }
 
   Vector
+  LayeredSystem::response(const Vector &factors,
+                          const Vector &dislocations,
+                          const Vector &water) const
+  {
+    Vector p = multiply(R, factors);
+    subtract_response(dislocations, p);
+    add_water(water, p);
+    return p;
+  }
+
+  namespace
+  {
+    Vector
+    sum(Vector x, const double sign, const Vector &y)
+    {
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += sign * y[i];
+      return x;
+    }
+  } // namespace
+
+  Vector
   LayeredSystem::forces(const Vector &factors,
                         const Vector &dislocations,
                         const Vector &water,
                         const KnownForces *const known) const
   {
-    Vector p = multiply(R, factors);
-    subtract_response(dislocations, p);
-    add_water(water, p);
+    Vector p = response(factors, dislocations, water);
     if (!refines_forces(dislocations, p))
       return p;
     if (known != nullptr)
-      return forces_near(*known, factors, dislocations, water);
+      return sum(response(sum(factors, -1., known->factors),
+                          sum(dislocations, -1., known->dislocations),
+                          sum(water, -1., known->water)),
+                 1.,
+                 known->forces);
     if (saddle_factors)
       refine_with_jump_operator(factors, dislocations, water, p);
     else
       refine_in_jumps(factors, dislocations, water, p);
-    return p;
-  }
-
-  Vector
-  LayeredSystem::forces_near(const KnownForces &known,
-                             Vector factors,
-                             Vector dislocations,
-                             Vector water) const
-  {
-    const auto subtract = [](const Vector &of_known, Vector &values) {
-      for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] -= of_known[i];
-    };
-    subtract(known.factors, factors);
-    subtract(known.dislocations, dislocations);
-    subtract(known.water, water);
-    Vector p = multiply(R, factors);
-    subtract_response(dislocations, p);
-    add_water(water, p);
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] += known.forces[i];
     return p;
   }
 

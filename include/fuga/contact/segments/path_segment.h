@@ -142,6 +142,15 @@ namespace fuga
   bool
   rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within);
 
+  /** Length of the first step along a curve: a little more than the way to the first event along
+   * the
+   * rates of @p start, from @p least to a tenth of the course. */
+  double
+  first_step(const PathContext &context,
+             const Course &course,
+             const PathPoint &start,
+             const double least);
+
   /** @throws NumericalFailure if @p n_steps along one curve are more than any needs, at load time
    * @p t; Interrupted if a signal came. */
   void

@@ -158,8 +158,9 @@ namespace fuga
     eliminate_with_jump_operator(const ContactSystem &system);
     void
     add_imposed_jumps(const ContactSystem &system);
+    /** R a - W d and the forces of the water, in double precision. */
     Vector
-    forces_near(const KnownForces &known, Vector factors, Vector dislocations, Vector water) const;
+    response(const Vector &factors, const Vector &dislocations, const Vector &water) const;
     void
     refine_in_jumps(const Vector &factors,
                     const Vector &dislocations,
