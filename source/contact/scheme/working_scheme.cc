@@ -28,6 +28,8 @@ namespace fuga
      * other bars, where the structure is statically determinate, have no stiffness to be measured
      * by. */
     constexpr double largest_answer = 1e13, rounding_of_drive = 1e-14;
+    /** Stiffness that lets free motions rest, in units of scale()². */
+    constexpr double usual_addition = 1e-8;
     /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
      * as long as each divides the defect by two. */
     constexpr int max_sweeps       = 3;
@@ -193,7 +195,7 @@ namespace fuga
   // A body that hardly anything holds moves by far more than it deforms, and W d in double
   // precision has not digits enough for the latter: the extended one gives three more.
   std::optional<JointRates>
-  WorkingScheme::solve(const Vector &rhs, Vector force_offset)
+  WorkingScheme::solve(const Vector &rhs, Vector force_offset, const SchemeAnswer answer)
   {
     if (!bring_up_to_date())
       return {};
@@ -221,11 +223,22 @@ namespace fuga
           (stale || refine<long double>(rhs, force_offset, driving_force, result) >
                       accepted_defect * driving_force))
         return false;
-      return system.scaled_size(result.dislocations) <= largest;
+      return answer == SchemeAnswer::of_any_size ||
+             system.scaled_size(result.dislocations) <= largest;
     };
     if (!refined_solution() && ((singular = !rebuild()) || !refined_solution()))
       return {};
-    last_solution = {rhs, std::move(force_offset), result};
+    if (answer == SchemeAnswer::of_no_mechanism)
+      last_solution = {rhs, std::move(force_offset), result};
+    return result;
+  }
+
+  Vector
+  WorkingScheme::drives_of_rows(const Drive &drive) const
+  {
+    Vector result;
+    for (const SchemeRow &row : rows)
+      result.push_back(row_drive(row, elements[row.element], states[row.element], drive));
     return result;
   }
 
@@ -238,12 +251,11 @@ namespace fuga
     if (!bring_up_to_date())
       return {};
     const DenseMatrix &W = system.stiffness();
-    Vector rhs(rows.size(), 0.), offset = drive.reactions;
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    Vector rhs = drives_of_rows(drive), offset = drive.reactions;
+    for (std::size_t i = 0; i < rows.size() && !imposed.empty(); ++i)
       {
         const ContactElement &element = elements[rows[i].element];
-        rhs[i]                        = row_drive(rows[i], element, states[rows[i].element], drive);
-        for (std::size_t a = 0; a < element.n_bars() && !imposed.empty(); ++a)
+        for (std::size_t a = 0; a < element.n_bars(); ++a)
           if (position[element.bar(a)] != no_row)
             rhs[i] -= rows[i].stiffness[a] * imposed[element.bar(a)];
       }
@@ -264,14 +276,15 @@ namespace fuga
   std::optional<WorkingScheme::FreeMotion>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
-    constexpr double usual = 1e-8, smallest = 1e-12;
+    constexpr double smallest = 1e-12;
     constexpr double undriven = 1e-12, far_less = 1e-4;
-    const std::optional<MotionBeside> motion = motion_beside(usual, drive);
+    const Vector rhs          = drives_of_rows(drive);
+    const std::optional<MotionBeside> motion = motion_beside(usual_addition, rhs, drive.reactions);
     if (!motion)
       return {};
     if (motion->unresisted <= undriven)
       return FreeMotion{motion->refined, false};
-    const std::optional<MotionBeside> rest = motion_beside(smallest, drive);
+    const std::optional<MotionBeside> rest = motion_beside(smallest, rhs, drive.reactions);
     if (rest && rest->unresisted <= std::min(far_less * motion->unresisted, undriven))
       return FreeMotion{rest->refined, false};
     return FreeMotion{motion->first, true};
@@ -279,20 +292,21 @@ namespace fuga
 
   // Refinement takes the added stiffness back.
   std::optional<WorkingScheme::MotionBeside>
-  WorkingScheme::motion_beside(const double added_stiffness, const Drive &drive) const
+  WorkingScheme::motion_beside(const double added_stiffness,
+                               const Vector &rhs,
+                               const Vector &force_offset) const
   {
     const std::size_t n = rows.size();
     DenseMatrix M       = active_matrix();
-    Vector rhs(n), defect(n);
+    Vector defect(n);
     double driving_force = 0.;
-    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
-      driving_force = std::max(driving_force, std::abs(drive.reactions[i]) / system.scale(i));
+    for (std::size_t i = 0; i < force_offset.size(); ++i)
+      driving_force = std::max(driving_force, std::abs(force_offset[i]) / system.scale(i));
     for (std::size_t i = 0; i < n; ++i)
       {
         const double scale = system.scale(rows[i].bar);
         M(i, i) += added_stiffness * scale * scale;
-        rhs[i]    = row_drive(rows[i], elements[rows[i].element], states[rows[i].element], drive);
-        defect[i] = forces_in(rows[i], drive.reactions.data()) - rhs[i];
+        defect[i]     = forces_in(rows[i], force_offset.data()) - rhs[i];
         driving_force = std::max(driving_force, std::abs(rhs[i]) / scale);
       }
     const LuFactors factors(std::move(M));
@@ -306,9 +320,8 @@ namespace fuga
         factors.solve(defect);
         for (std::size_t i = 0; i < n; ++i)
           active[i] += defect[i];
-        last = worst;
-        worst =
-          apply(active, drive.reactions, rhs, sweep == 0 ? result.first : result.refined, defect);
+        last  = worst;
+        worst = apply(active, force_offset, rhs, sweep == 0 ? result.first : result.refined, defect);
       }
     result.unresisted = driving_force > 0. ? worst / driving_force : 0.;
     return result;
@@ -335,10 +348,18 @@ namespace fuga
   }
 
   std::optional<JointRates>
-  WorkingScheme::correction(const Vector &defects)
+  WorkingScheme::correction(const Vector &defects, const SchemeAnswer answer)
   {
     Vector rhs(defects.size());
     std::transform(defects.begin(), defects.end(), rhs.begin(), [](const double r) { return -r; });
-    return solve(rhs, Vector(system.n_bars(), 0.));
+    const Vector no_drive(system.n_bars(), 0.);
+    std::optional<JointRates> result = solve(rhs, no_drive, answer);
+    if (result || answer == SchemeAnswer::of_no_mechanism)
+      return result;
+    constexpr double hardly_unresisted = 1e-3;
+    const std::optional<MotionBeside> motion = motion_beside(usual_addition, rhs, no_drive);
+    if (motion && motion->unresisted <= hardly_unresisted)
+      return motion->refined;
+    return {};
   }
 } // namespace fuga

@@ -137,6 +137,10 @@ namespace fuga
          const std::array<double, 4> &negligible,
          JointState &state)
   {
+    // Beyond a limit the scheme is a mechanism, of which a correction must not make use.
+    const SchemeAnswer answer = course.kind == Course::Kind::beyond_limit
+                                  ? SchemeAnswer::of_no_mechanism
+                                  : SchemeAnswer::of_any_size;
     double moved = 0., before = std::numeric_limits<double>::infinity();
     for (const double left : negligible)
       {
@@ -145,7 +149,7 @@ namespace fuga
         if (worst <= left * max_abs(state.forces) || worst > 0.5 * before)
           break;
         before                                 = worst;
-        const std::optional<JointRates> change = context.scheme.correction(residual);
+        const std::optional<JointRates> change = context.scheme.correction(residual, answer);
         if (!change)
           break;
         moved += max_abs(change->dislocations);

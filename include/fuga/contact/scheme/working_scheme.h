@@ -20,6 +20,16 @@ namespace fuga
     initial
   };
 
+  /** Which answers of a scheme count. */
+  enum class SchemeAnswer
+  {
+    /** None that shows that it is a mechanism, see largest_motion. */
+    of_no_mechanism,
+    /** All that annul its defects, of motions that nothing resists as little as possible: for
+     * rounding in a scheme in which the path has come so far. */
+    of_any_size
+  };
+
   /** What was done with the active matrix so far, by this object. */
   struct SchemeWork
   {
@@ -128,7 +138,7 @@ namespace fuga
      * The forces of the result are those of the linear relation p = R a - W d.
      */
     std::optional<JointRates>
-    correction(const Vector &residual);
+    correction(const Vector &residual, const SchemeAnswer answer = SchemeAnswer::of_no_mechanism);
 
     /** How a drive sets a singular scheme in motion. */
     struct FreeMotion
@@ -233,7 +243,11 @@ namespace fuga
     };
     /** @p added_stiffness in units of scale()². */
     std::optional<MotionBeside>
-    motion_beside(const double added_stiffness, const Drive &drive) const;
+    motion_beside(const double added_stiffness,
+                  const Vector &rhs,
+                  const Vector &force_offset) const;
+    Vector
+    drives_of_rows(const Drive &drive) const;
     bool
     bring_up_to_date();
     void
@@ -258,7 +272,9 @@ namespace fuga
     std::optional<DenseMatrix>
     solve_all(const DenseMatrix &C);
     std::optional<JointRates>
-    solve(const Vector &rhs, Vector force_offset);
+    solve(const Vector &rhs,
+          Vector force_offset,
+          const SchemeAnswer answer = SchemeAnswer::of_no_mechanism);
     template <typename Number>
     double
     refine(const Vector &rhs,
