@@ -16,6 +16,19 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** States that the elements of @p set may take, all together. */
+    std::size_t
+    n_choices(const std::vector<BoundaryElement> &set)
+    {
+      std::size_t n = 0;
+      for (const BoundaryElement &candidate : set)
+        n += admissible_states(candidate).size();
+      return n;
+    }
+  } // namespace
+
   EventPath::EventPath(const std::vector<ContactElement> &contact_elements,
                        const LayeredSystem &layered_system,
                        const LoadHistory &load_history,
@@ -98,20 +111,15 @@ namespace fuga
 
     // How does the contact go on from here? The rates of all elements on a boundary decide
     // together.
-    boundary.set_scales(state, course.factors, widening_of_tolerances());
-    // A step without length may end at a boundary that it does not reach: where all forces and
-    // jumps vanish together, the last digit of the load time is worth more than their rounding.
-    if (standstill.n_steps() == 0)
-      last_rates = {};
-    else
-      boundary.take_unresolved(
-        last_rates, std::numeric_limits<double>::epsilon() * state.t * widening_of_tolerances());
+    set_boundary(state, course, widening_of_tolerances());
     Continuation continuation = decide(state, course, observer, result);
     // A motion is no limit where it closes what a rounding error has left open.
     while (
       !continuation.exists && continuation.has_mechanism &&
       boundary.take_for_closed(widest_gap_closed(continuation.mechanism, elements, system, state)))
       continuation = decide(state, course, observer, result);
+    if (!continuation.exists && result.verdict != Verdict::non_unique_continuation)
+      decide_on_wider_boundary(state, course, observer, continuation, result);
     if (!continuation.exists)
       {
         if (result.verdict != Verdict::non_unique_continuation &&
@@ -159,6 +167,46 @@ namespace fuga
     constexpr double near_limit = 2e-6;
     go_beyond_limit(state, near_limit, observer, result);
     return false;
+  }
+
+  // A step without length may end at a boundary that it does not reach: where all forces and jumps
+  // vanish together, the last digit of the load time is worth more than their rounding.
+  void
+  EventPath::set_boundary(const JointState &state, const Course &course, const double widening)
+  {
+    boundary.set_scales(state, course.factors, widening);
+    if (standstill.n_steps() == 0)
+      last_rates = {};
+    else
+      boundary.take_unresolved(last_rates,
+                               std::numeric_limits<double>::epsilon() * state.t * widening);
+  }
+
+  // Where the forces of several elements vanish together, as a block comes free, rounding may leave
+  // some of them off the boundary by a little more than what counts as zero, and no states of the
+  // others go on. No verdict may rest on that.
+  void
+  EventPath::decide_on_wider_boundary(JointState &state,
+                                      const Course &course,
+                                      PathObserver &observer,
+                                      Continuation &continuation,
+                                      PathResult &result)
+  {
+    constexpr double widening = 10.;
+    if (continuation.has_mechanism && is_free_motion(continuation.mechanism, system))
+      return;
+    const std::size_t n_known = n_choices(boundary.elements_on_boundary(state));
+    set_boundary(state, course, widening * widening_of_tolerances());
+    if (n_choices(boundary.elements_on_boundary(state)) > n_known)
+      {
+        Continuation wider = decide(state, course, observer, result);
+        if (wider.exists)
+          {
+            continuation = std::move(wider);
+            return;
+          }
+      }
+    set_boundary(state, course, widening_of_tolerances());
   }
 
   std::unique_ptr<PathSegment>

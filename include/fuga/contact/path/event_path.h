@@ -62,8 +62,19 @@ namespace fuga
                    const std::vector<double> &levels,
                    PathObserver &observer,
                    PathResult &result);
+    /** What counts as zero in forces, jumps and their rates at @p state. */
+    void
+    set_boundary(const JointState &state, const Course &course, const double widening);
     Continuation
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
+    /** Asks again, with more elements on their boundaries, where nothing moves freely and yet no
+     * @p continuation exists. */
+    void
+    decide_on_wider_boundary(JointState &state,
+                             const Course &course,
+                             PathObserver &observer,
+                             Continuation &continuation,
+                             PathResult &result);
     bool
     break_exhausted_bonds(JointState &state, PathObserver &observer, PathResult &result) const;
     void
