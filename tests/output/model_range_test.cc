@@ -71,6 +71,18 @@ TEST_F(JointOfTwo, LargeSlip)
     EXPECT_NE(spoken[0].find(part), std::string::npos) << spoken[0];
 }
 
+// A joint of one element is as long as its area says, in space as wide.
+TEST_F(JointOfTwo, OneElementHasALength)
+{
+  elements.resize(1);
+  elements[0].area = 0.25;
+  state.slips[0]   = {{0.02, 0.}};
+  ASSERT_EQ(warnings().size(), 1u);
+  EXPECT_NE(warnings()[0].find("0.08 times"), std::string::npos) << warnings()[0];
+  elements[0].second_tangential_bar = 2;
+  EXPECT_EQ(warnings(), std::vector<std::string>{});
+}
+
 // Bodies that fly do not turn.
 TEST_F(JointOfTwo, LargeRotation)
 {

@@ -32,10 +32,13 @@ namespace fuga
         excess = {value, limit, t, element.number, element.position};
     }
 
+    // A joint of one element has the length that its area tells.
     std::vector<double>
     lengths_of_joints(const std::vector<ContactElement> &elements, const std::size_t n_joints)
     {
-      std::vector<double> squares(n_joints, 0.);
+      std::vector<double> areas(n_joints, 0.), squares(n_joints, 0.);
+      for (const ContactElement &element : elements)
+        areas[element.joint] += element.area;
       for (unsigned int c = 0; c < 3; ++c)
         {
           std::vector<double> first(n_joints, std::numeric_limits<double>::infinity());
@@ -49,9 +52,12 @@ namespace fuga
             if (last[joint] > first[joint])
               squares[joint] += (last[joint] - first[joint]) * (last[joint] - first[joint]);
         }
-      std::transform(
-        squares.begin(), squares.end(), squares.begin(), [](double x) { return std::sqrt(x); });
-      return squares;
+      const bool in_space = have_two_tangents(elements);
+      std::vector<double> lengths;
+      for (std::size_t joint = 0; joint < n_joints; ++joint)
+        lengths.push_back(std::max(std::sqrt(squares[joint]),
+                                   in_space ? std::sqrt(areas[joint]) : areas[joint]));
+      return lengths;
     }
 
     template <int dim>
