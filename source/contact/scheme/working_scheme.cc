@@ -233,15 +233,6 @@ namespace fuga
     return result;
   }
 
-  Vector
-  WorkingScheme::drives_of_rows(const Drive &drive) const
-  {
-    Vector result;
-    for (const SchemeRow &row : rows)
-      result.push_back(row_drive(row, elements[row.element], states[row.element], drive));
-    return result;
-  }
-
   // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
   std::optional<JointRates>
   WorkingScheme::rates(const Drive &drive, const Vector &imposed)
@@ -278,7 +269,7 @@ namespace fuga
   {
     constexpr double smallest = 1e-12;
     constexpr double undriven = 1e-12, far_less = 1e-4;
-    const Vector rhs          = drives_of_rows(drive);
+    const Vector rhs                         = drives_of_rows(drive);
     const std::optional<MotionBeside> motion = motion_beside(usual_addition, rhs, drive.reactions);
     if (!motion)
       return {};
@@ -320,8 +311,9 @@ namespace fuga
         factors.solve(defect);
         for (std::size_t i = 0; i < n; ++i)
           active[i] += defect[i];
-        last  = worst;
-        worst = apply(active, force_offset, rhs, sweep == 0 ? result.first : result.refined, defect);
+        last = worst;
+        worst =
+          apply(active, force_offset, rhs, sweep == 0 ? result.first : result.refined, defect);
       }
     result.unresisted = driving_force > 0. ? worst / driving_force : 0.;
     return result;
@@ -337,16 +329,6 @@ namespace fuga
     return rates(at_rest, imposed);
   }
 
-  Vector
-  WorkingScheme::residual(const JointState &at)
-  {
-    bring_up_to_date();
-    Vector result(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      result[i] = row_residual(rows[i], elements[rows[i].element], at);
-    return result;
-  }
-
   std::optional<JointRates>
   WorkingScheme::correction(const Vector &defects, const SchemeAnswer answer)
   {
@@ -356,7 +338,7 @@ namespace fuga
     std::optional<JointRates> result = solve(rhs, no_drive, answer);
     if (result || answer == SchemeAnswer::of_no_mechanism)
       return result;
-    constexpr double hardly_unresisted = 1e-3;
+    constexpr double hardly_unresisted       = 1e-3;
     const std::optional<MotionBeside> motion = motion_beside(usual_addition, rhs, no_drive);
     if (motion && motion->unresisted <= hardly_unresisted)
       return motion->refined;

@@ -249,4 +249,23 @@ namespace fuga
     exchanges.push_back({RowExchange::none, row});
     return true;
   }
+
+  Vector
+  WorkingScheme::drives_of_rows(const Drive &drive) const
+  {
+    Vector result;
+    for (const SchemeRow &row : rows)
+      result.push_back(row_drive(row, elements[row.element], states[row.element], drive));
+    return result;
+  }
+
+  Vector
+  WorkingScheme::residual(const JointState &at)
+  {
+    bring_up_to_date();
+    Vector result(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result[i] = row_residual(rows[i], elements[rows[i].element], at);
+    return result;
+  }
 } // namespace fuga

@@ -143,8 +143,7 @@ namespace fuga
   rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within);
 
   /** Length of the first step along a curve: a little more than the way to the first event along
-   * the
-   * rates of @p start, from @p least to a tenth of the course. */
+   * the rates of @p start, from @p least to a tenth of the course. */
   double
   first_step(const PathContext &context,
              const Course &course,
