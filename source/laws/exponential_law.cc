@@ -36,6 +36,12 @@ namespace fuga
   }
 
   double
+  ExponentialLaw::reference_compliance() const
+  {
+    return std::sqrt(initial_compliance() * closure / pressure);
+  }
+
+  double
   ExponentialLaw::stress(const double w) const
   {
     return w < foot.length ? foot.stress(w) : pressure * std::exp(beta * (w - closure));

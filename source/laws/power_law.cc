@@ -45,6 +45,12 @@ namespace fuga
   }
 
   double
+  PowerLaw::reference_compliance() const
+  {
+    return std::sqrt(initial_compliance() * scale / reference);
+  }
+
+  double
   PowerLaw::stress(const double w) const
   {
     return w < foot.length ? foot.stress(w) : reference * std::pow(w / scale, exponent);

@@ -125,6 +125,12 @@ namespace fuga
   }
 
   double
+  TabularLaw::reference_compliance() const
+  {
+    return std::sqrt(initial_compliance() * last.deformation / last.stress);
+  }
+
+  double
   TabularLaw::stress(const double w) const
   {
     const Piece &piece = piece_at(w);

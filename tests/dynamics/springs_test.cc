@@ -244,4 +244,26 @@ namespace fuga::tests
                   known + fine,
                   6e-3 * known);
   }
+
+  // A point without mass on a damper is pulled along, by 1 m/s in a step of 1 µs and then, in steps
+  // of 0.1 s, at 0.5 m/s. The trapezoidal rule has v = 2 Δu/h - v before: 2 m/s, then -1 and 2 in
+  // turn. The acceleration of the first step, 4e6 m/s², must not be in the sums: it would leave
+  // 1e-10.
+  TEST(Springs, SuddenVelocityWithoutMassLeavesNoRounding)
+  {
+    TimeIntegration integration(
+      {0.}, [](const Vector &v) { return Vector{3. * v[0]}; }, 1.);
+    integration.begin({0.}, {0.});
+    MotionLedger ledger;
+    const auto pull = [&](const double h, const double speed) {
+      integration.advance(h, {h * speed - integration.predicted(h).u[0]}, {0.}, ledger);
+    };
+    pull(1e-6, 1.);
+    EXPECT_NEAR(integration.velocity()[0], 2., 1e-14);
+    for (unsigned int n = 0; n < 100; ++n)
+      {
+        pull(0.1, 0.5);
+        EXPECT_NEAR(integration.velocity()[0], n % 2 == 0 ? -1. : 2., 1e-13);
+      }
+  }
 } // namespace fuga::tests

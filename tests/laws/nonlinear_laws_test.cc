@@ -65,6 +65,23 @@ TEST(HyperbolicLaw, EnergyOfSmallClosures)
                  u < 1e-3 ? rounding : 1e-8);
 }
 
+// The linear system has what lies between the beginning of a law and the point that it is made for,
+// by its own data. m = 2.5: the foot ends at w_r/100 with 1e-5 σ_r, its first slope is 0.28e-3
+// σ_r/w_r. The first interval of a table of straight lines has the slope of that.
+TEST(NonlinearLaws, LinearPart)
+{
+  expect_close(
+    PowerLaw(2e-3, 0.5, 2.5).reference_compliance(), 4e-3 / std::sqrt(0.28e-3), rounding);
+  const double slope = std::log(100.) / 20.;
+  expect_close(ExponentialLaw(1e-3, 4.).reference_compliance(),
+               2.5e-4 /
+                 std::sqrt((3. - 2. * slope + 0.5 * slope * slope) * 20. * std::pow(100., -0.95)),
+               rounding);
+  const TabularLaw table({{0., 0.}, {1e-3, 0.1}, {2e-3, 1.}}, TableInterpolation::piecewise_linear);
+  expect_close(table.reference_compliance(), std::sqrt(1e-2 * 2e-3), rounding);
+  EXPECT_EQ(HyperbolicLaw(rho, limit).reference_compliance(), rho);
+}
+
 // V11: p = p0 exp(-β g), β = ln(100)/c0, g = c0 - w. p0 at w = c0, p0/10 at c0/2, 10 p0 at 3/2 c0;
 // the tangent is β p. Less than c0/20 of closure: the foot, whose cubic is fixed by (0, 0) and by
 // value, slope and curvature at its end; its initial slope by hand in units of p(c0/20)/(c0/20),

@@ -55,7 +55,7 @@ namespace fuga::stress
   }
 
   // Openings count from where the lips touch; a layer that closes along a curve deforms by more or
-  // less than its first compliance says, which is what its dislocation has left.
+  // less than its linear part says, which is what its dislocation has left.
   judges::ConeState
   cone_state(const std::vector<ContactElement> &elements, const JointState &state)
   {
@@ -67,7 +67,7 @@ namespace fuga::stress
         result.dislocations[n] += element.initial_gap - state.dilations[k];
         if (element.normal_law->kind() == ComplianceKind::nonlinear)
           result.dislocations[n] +=
-            element.normal_law->initial_compliance() * state.forces[n] / element.area;
+            element.normal_law->reference_compliance() * state.forces[n] / element.area;
       }
     return result;
   }

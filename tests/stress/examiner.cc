@@ -32,7 +32,7 @@ namespace fuga::stress
              (!element.has_tangential_bar() || is_known(*element.shear_law, false));
     }
 
-    /** Where the judges do not know a law they get its first tangent: good for the size of
+    /** Where the judges do not know a law they get its linear part: good for the size of
      * numbers, not for steps. */
     JudgeProblem
     problem_of(const ContactSystem &system, std::vector<ContactElement> elements)
@@ -41,7 +41,7 @@ namespace fuga::stress
       const auto replace = [&tangents](const ComplianceLaw *&law, const bool normal) {
         if (is_known(*law, normal))
           return;
-        tangents.push_back(make_linear_law(law->initial_compliance()));
+        tangents.push_back(make_linear_law(law->reference_compliance()));
         law = tangents.back().get();
       };
       for (ContactElement &element : elements)

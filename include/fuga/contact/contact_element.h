@@ -44,7 +44,7 @@ namespace fuga
     const ComplianceLaw *normal_law = nullptr;
     const ComplianceLaw *shear_law  = nullptr;
     /** If the shear stiffness grows with closure or pressure: what then replaces both laws, which
-     * give the first compliances. */
+     * give the compliances. */
     const ShearCoupling *coupling = nullptr;
     FrictionLaw friction;
 

@@ -39,6 +39,17 @@ namespace fuga
     virtual double
     initial_compliance() const = 0;
 
+    /** ρ with which the linear system of the bodies and their joints knows the layer [m/MPa]; the
+     * dislocation d is the rest of the jump ρσ + d. Any would do, but if ρ is too soft where the
+     * layer is digits of the jump are lost, and if it is too stiff those of the force: laws that
+     * know a deformation they are made for have the geometric mean of the compliance at w = 0 and
+     * the secant one there. */
+    virtual double
+    reference_compliance() const
+    {
+      return initial_compliance();
+    }
+
     /** σ(w). Not to be called for a rigid law, nor the four functions below. */
     virtual double
     stress(const double w) const = 0;

@@ -23,6 +23,8 @@ namespace fuga
     ExponentialLaw(const double reference_closure, const double reference_stress);
 
     double
+    reference_compliance() const override;
+    double
     stress(const double w) const override;
     double
     tangent(const double w) const override;

@@ -13,8 +13,7 @@ namespace fuga
    * σ = σ_r (w/w_r)^m. The power itself has the tangent 0 (m > 1) or ∞ (m < 1) at w = 0. Up to
    *     w1 = w_r max(10^{-3/|m-1|}, 10⁻³ (m > 1) or 10⁻⁶ (m ≤ 1))
    * a polynomial leads from the origin to the curve and meets it with equal value, slope and
-   * curvature. So the first stiffness is within a factor of some thousand of σ_r/w_r: it is what
-   * the layer has in the linear system, and each digit by which it is wrong is a digit lost.
+   * curvature. So the first stiffness is within a factor of some thousand of σ_r/w_r.
    */
   class PowerLaw : public NonlinearLaw
   {
@@ -28,6 +27,8 @@ namespace fuga
              const double reference_stress,
              const double exponent);
 
+    double
+    reference_compliance() const override;
     double
     stress(const double w) const override;
     double

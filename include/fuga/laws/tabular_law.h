@@ -39,6 +39,8 @@ namespace fuga
     TabularLaw(const std::vector<Point> &table, const TableInterpolation interpolation);
 
     double
+    reference_compliance() const override;
+    double
     stress(const double w) const override;
     double
     tangent(const double w) const override;

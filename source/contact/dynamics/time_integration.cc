@@ -87,8 +87,13 @@ namespace fuga
       {
         const double a_before = a[i], v_before = v_at_begin[i];
         u[i] += du[i];
-        a[i]                  = predicted_acceleration(i, h) + correction[i] / (beta * h * h);
-        v[i]                  = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
+        a[i] = predicted_acceleration(i, h) + correction[i] / (beta * h * h);
+        v[i] = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
+        // Without mass it resists nothing, and one sudden change of velocity would let it swing
+        // with every step for ever: the velocity would then be a small difference of two such
+        // swings.
+        if (m[i] == 0.)
+          a[i] = (v[i] - v_before) / h;
         steady_v[i]           = m[i] > 0. ? v[i] : du[i] / h;
         const double q_before = out_of_balance[i], known_at_begin = q_before + defect[i];
         out_of_balance[i] =

@@ -49,6 +49,14 @@ namespace fuga
                                                  : shear_deformation(element, at, k);
     }
 
+    /** What D of a normal bar is below its first compliance, which a layer keeps under tension. */
+    double
+    lack_of_compliance(const ContactElement &element)
+    {
+      const ComplianceLaw &law = *element.normal_law;
+      return (law.initial_compliance() - law.reference_compliance()) / element.area;
+    }
+
     double
     first_stiffness(const ComplianceLaw &law, const double area)
     {
@@ -84,13 +92,13 @@ namespace fuga
            bar_compliance(*element.normal_law, element.area) * at.forces[n];
   }
 
-  // Under tension a layer keeps its first stiffness, so that g - D N = g0 - ω + d.
   double
   lip_opening(const ContactElement &element, const JointState &at, const std::size_t k)
   {
     const std::size_t n = element.normal_bar;
     if (!widens(element, at))
-      return element.initial_gap - at.dilations[k] + at.dislocations[n];
+      return element.initial_gap - at.dilations[k] + at.dislocations[n] -
+             lack_of_compliance(element) * at.forces[n];
     const double A = element.area;
     return gap(element, at, k) +
            element.coupling->deformation(-at.forces[n] / A, shear_force(element, at) / A).closure;
@@ -101,7 +109,7 @@ namespace fuga
   {
     const std::size_t n = element.normal_bar;
     if (!widens(element, at))
-      return rates.dislocations[n];
+      return rates.dislocations[n] - lack_of_compliance(element) * rates.forces[n];
     const double A          = element.area;
     const TangentVector T   = tangential(element, at.forces);
     const auto [w, e]       = element.coupling->deformation(-at.forces[n] / A, length(T) / A);

@@ -65,7 +65,7 @@ namespace fuga
         element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
           weights.resize(std::max<std::size_t>(weights.size(), bar + 1), 1.);
           weights[bar] =
-            std::max(smallest, 1. / (1. + stiffness * law.initial_compliance() / element.area));
+            std::max(smallest, 1. / (1. + stiffness * bar_compliance(law, element.area)));
         });
       return weights;
     }
@@ -173,7 +173,7 @@ namespace fuga
     Vector result = dislocations;
     for (const ContactElement &element : elements)
       element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
-        result[bar] += law.initial_compliance() / element.area * forces[bar];
+        result[bar] += bar_compliance(law, element.area) * forces[bar];
       });
     return result;
   }

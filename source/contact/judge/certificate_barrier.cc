@@ -138,11 +138,11 @@ namespace fuga
         const Layer y                 = {jump[n] - deformed.normal,
                                          sum(shear_part(element, jump), -1., deformed.shear)};
         const double normal_unit =
-          std::sqrt(own_stiffness(n, element.normal_law->initial_compliance() / element.area));
+          std::sqrt(own_stiffness(n, bar_compliance(*element.normal_law, element.area)));
         const double shear_unit =
           element.has_tangential_bar()
             ? std::sqrt(own_stiffness(element.tangential_bar,
-                                      element.shear_law->initial_compliance() / element.area))
+                                      bar_compliance(*element.shear_law, element.area)))
             : normal_unit;
         if (free.kind != Freedom::Kind::open)
           largest =

@@ -117,7 +117,7 @@ namespace fuga
   {
     const ContactElement &element = elements[k];
     const TangentVector jump_rate = sum(tangential(element, point.rates.dislocations),
-                                        element.shear_law->initial_compliance() / element.area,
+                                        bar_compliance(*element.shear_law, element.area),
                                         tangential(element, point.rates.forces));
     return sum(jump_rate, -1., layer_rates(k, point).shear);
   }
@@ -148,7 +148,7 @@ namespace fuga
     const std::size_t n           = element.normal_bar;
     if (from.state.unreleased[n] == 0. && to.state.unreleased[n] == 0.)
       return 0.;
-    const double D     = element.normal_law->initial_compliance() / element.area;
+    const double D     = bar_compliance(*element.normal_law, element.area);
     const auto opening = [&](const PathPoint &point) {
       return point.state.dislocations[n] + D * point.state.forces[n] - layer(k, point.state).normal;
     };

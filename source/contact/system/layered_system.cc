@@ -28,7 +28,7 @@ namespace fuga
   double
   bar_compliance(const ComplianceLaw &law, const double area)
   {
-    return law.initial_compliance() / area;
+    return law.reference_compliance() / area;
   }
 
   LayeredSystem::LayeredSystem(const ContactSystem &system,

@@ -15,7 +15,7 @@ namespace fuga
   {
     /** To be raised with every change of what the stored numbers mean that no name of a field
      * shows. */
-    constexpr int format = 3;
+    constexpr int format = 4;
 
     using archive::Json;
 

@@ -12,8 +12,8 @@ namespace fuga
   /**
    * The force-deformation relations of one element's layer, with the signs of the bars: gap
    * positive in opening, N positive in tension, so that N = -A σ(w), w = -gap. A *nonlinear* bar
-   * has in LayeredSystem only its stiffness at zero deformation; its dislocation is the rest. With
-   * a shear coupling both bars are nonlinear.
+   * has in LayeredSystem only the reference_compliance() of its law; its dislocation is the rest.
+   * With a shear coupling both bars are nonlinear.
    */
   bool
   has_nonlinear_closure(const ContactElement &element);

@@ -24,7 +24,7 @@ namespace fuga
    * Bodies and layer in series. Every bar's jump is split into an elastic part and a *dislocation*
    * d,
    *
-   *     δ = d + D p,    D = ρ/A, with a nonlinear layer ρ at zero deformation,
+   *     δ = d + D p,    D = ρ/A, ρ the ComplianceLaw::reference_compliance(),
    *
    * and the bodies are eliminated:
    *
@@ -34,7 +34,7 @@ namespace fuga
    * the bar forces of the fully closed and sticking joint. W exists for every compliance from zero
    * (W = S) to infinity (W = 0) and for bodies that only their joints hold, so neither a rigid
    * joint nor a floating body is a special case. The dislocation is the opening, the slip, and what
-   * a nonlinear layer deforms less than its first tangent says; a bar that does none of this is
+   * a nonlinear layer deforms more or less than D p; a bar that does none of this is
    * never touched.
    */
   class LayeredSystem
