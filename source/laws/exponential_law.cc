@@ -3,6 +3,7 @@
 
 #include <fuga/laws/exponential_law.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ namespace fuga
   double
   ExponentialLaw::reference_compliance() const
   {
-    return std::sqrt(initial_compliance() * closure / pressure);
+    return std::min(initial_compliance(), std::sqrt(initial_compliance() * closure / pressure));
   }
 
   double

@@ -47,7 +47,7 @@ namespace fuga
   double
   PowerLaw::reference_compliance() const
   {
-    return std::sqrt(initial_compliance() * scale / reference);
+    return std::min(initial_compliance(), std::sqrt(initial_compliance() * scale / reference));
   }
 
   double

@@ -127,7 +127,8 @@ namespace fuga
   double
   TabularLaw::reference_compliance() const
   {
-    return std::sqrt(initial_compliance() * last.deformation / last.stress);
+    return std::min(initial_compliance(),
+                    std::sqrt(initial_compliance() * last.deformation / last.stress));
   }
 
   double

@@ -79,6 +79,8 @@ TEST(NonlinearLaws, LinearPart)
                rounding);
   const TabularLaw table({{0., 0.}, {1e-3, 0.1}, {2e-3, 1.}}, TableInterpolation::piecewise_linear);
   expect_close(table.reference_compliance(), std::sqrt(1e-2 * 2e-3), rounding);
+  const PowerLaw begins_stiffly(2e-3, 0.5, 0.5);
+  EXPECT_EQ(begins_stiffly.reference_compliance(), begins_stiffly.initial_compliance());
   EXPECT_EQ(HyperbolicLaw(rho, limit).reference_compliance(), rho);
 }
 
