@@ -3,7 +3,6 @@
 
 #include <fuga/laws/exponential_law.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -39,7 +38,7 @@ namespace fuga
   double
   ExponentialLaw::reference_compliance() const
   {
-    return std::min(initial_compliance(), std::sqrt(initial_compliance() * closure / pressure));
+    return compliance_towards(closure / pressure);
   }
 
   double

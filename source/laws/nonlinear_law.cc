@@ -3,6 +3,7 @@
 
 #include <fuga/laws/nonlinear_law.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuga
@@ -17,6 +18,13 @@ namespace fuga
   NonlinearLaw::initial_compliance() const
   {
     return 1. / tangent(0.);
+  }
+
+  double
+  NonlinearLaw::compliance_towards(const double secant_compliance) const
+  {
+    const double initial = initial_compliance();
+    return std::min(initial, std::sqrt(initial * secant_compliance));
   }
 
   double

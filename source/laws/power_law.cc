@@ -47,7 +47,7 @@ namespace fuga
   double
   PowerLaw::reference_compliance() const
   {
-    return std::min(initial_compliance(), std::sqrt(initial_compliance() * scale / reference));
+    return compliance_towards(scale / reference);
   }
 
   double

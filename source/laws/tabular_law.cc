@@ -127,8 +127,7 @@ namespace fuga
   double
   TabularLaw::reference_compliance() const
   {
-    return std::min(initial_compliance(),
-                    std::sqrt(initial_compliance() * last.deformation / last.stress));
+    return compliance_towards(last.deformation / last.stress);
   }
 
   double

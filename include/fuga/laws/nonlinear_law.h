@@ -23,6 +23,11 @@ namespace fuga
     secant(const double w) const override;
 
   protected:
+    /** What reference_compliance() is of a law with this secant compliance at the deformation it is
+     * made for: the geometric mean with the initial one, or this itself if it is smaller. */
+    double
+    compliance_towards(const double secant_compliance) const;
+
     /**
      * The deformation in [@p lower, @p upper] whose stress is @p sigma, by Newton's method within a
      * bracket that shrinks: exact up to rounding wherever the stress is monotone.

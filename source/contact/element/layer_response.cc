@@ -54,7 +54,7 @@ namespace fuga
     lack_of_compliance(const ContactElement &element)
     {
       const ComplianceLaw &law = *element.normal_law;
-      return (law.initial_compliance() - law.reference_compliance()) / element.area;
+      return law.initial_compliance() / element.area - bar_compliance(law, element.area);
     }
 
     double
