@@ -5,6 +5,8 @@
 
 #include "stress/examiner.h"
 
+#include <fuga/contact/element/layer_response.h>
+
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
@@ -42,6 +44,21 @@ namespace fuga::stress
   {
     end = state;
     levels.push_back(state);
+  }
+
+  bool
+  law_is_exhausted(const std::vector<ContactElement> &elements, const JointState &state)
+  {
+    return !state.states.empty() &&
+           std::any_of(elements.begin(), elements.end(), [&](const ContactElement &element) {
+             if (element.coupling == nullptr)
+               return false;
+             const double limit = element.coupling->closure_limit();
+             const auto layer   = element.coupling->deformation(
+               -state.forces[element.normal_bar] / element.area,
+               length(shear_part(element, state.forces)) / element.area);
+             return layer.closure >= (1. - 1e-6) * limit;
+           });
   }
 
   void

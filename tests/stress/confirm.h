@@ -73,6 +73,10 @@ namespace fuga::stress
   JointState
   end_of(const PieceSample &sample, const JointModel &joint);
 
+  /** Whether a layer has closed as far as its law reaches, by the forces of @p state. */
+  bool
+  law_is_exhausted(const std::vector<ContactElement> &elements, const JointState &state);
+
   /** Counts a step to load time @p t. */
   void
   count_piece(const StepReport &report, const double t, Confirmation &confirmation);

@@ -12,6 +12,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/contact/dynamics/step_system.h>
 #include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/run/model/phase_run.h>
 
 #include <algorithm>
@@ -22,6 +23,9 @@ namespace fuga::stress
 {
   namespace
   {
+    /** Seconds for which an interruption comes before. */
+    constexpr double to_the_end = 3600.;
+
     /**
      * Elements and a state of theirs as a step of time sees them: jumps count from its beginning.
      * What is left of the @p largest jumps that there have been is rounding, and no measure of
@@ -273,18 +277,15 @@ namespace fuga::stress
   Confirmation
   confirm_motion(const Parameters &parameters, const std::string &verdict, const double seconds)
   {
-    MotionWitness<dim> witness(seconds);
-    if (verdict == "numerical failure")
+    const bool has_failed = verdict == "numerical failure";
+    MotionWitness<dim> witness(has_failed ? to_the_end : seconds);
+    Confirmation &confirmation = witness.confirmation;
+    auto model                 = std::make_unique<const Model<dim>>(parameters);
+    auto phase                 = std::make_unique<PhaseRun<dim>>(*model, parameters);
+    if (!has_failed && !judges_know_layers(phase->joint.elements))
       {
-        witness.confirmation.objection = verdict;
-        return witness.confirmation;
-      }
-    auto model = std::make_unique<const Model<dim>>(parameters);
-    auto phase = std::make_unique<PhaseRun<dim>>(*model, parameters);
-    if (!judges_know_layers(phase->joint.elements))
-      {
-        witness.confirmation.by = "certificate";
-        return witness.confirmation;
+        confirmation.by = "certificate";
+        return confirmation;
       }
     witness.begin(*phase);
     std::string found = "numerical failure";
@@ -305,6 +306,11 @@ namespace fuga::stress
           phase->judge, phase->joint.elements, phase->layered, witness.last_state, result);
         found = verdict_name(result.verdict);
       }
+    catch (const LawExhausted &limit)
+      {
+        if (law_is_exhausted(phase->joint.elements, limit.state))
+          confirmation.by = "limit of the law";
+      }
     catch (const NumericalFailure &)
       {
       }
@@ -312,10 +318,11 @@ namespace fuga::stress
       {
         found = verdict; // what was followed is examined
       }
-    Confirmation &confirmation = witness.confirmation;
     if (witness.wants_more() && verdict != "interrupted" && found != verdict)
       confirmation.objection += "the verdict is another one when the path is run again; ";
-    if (confirmation.objection.empty())
+    if (has_failed && confirmation.by.empty() && confirmation.objection.empty())
+      confirmation.objection = verdict;
+    if (confirmation.by.empty() && confirmation.objection.empty())
       confirmation.by = confirmation_by_pieces(confirmation);
     return confirmation;
   }

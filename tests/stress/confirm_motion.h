@@ -12,8 +12,8 @@ namespace fuga::stress
    * Follows a scene with motions again and puts pieces of its steps of time before the independent
    * solvers, for @p seconds: a step is the static problem with another stiffness and with the jumps
    * that there are when it begins. What the stiffness and the loads of a step are worth is seen
-   * from
-   * the ledger of energies, not here. @p verdict: that of the first time.
+   * from the ledger of energies, not here. @p verdict: that of the first time; a numerical failure
+   * is followed to its end, whose law may be exhausted.
    */
   template <int dim>
   Confirmation

@@ -11,6 +11,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/path/event_path.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/output/files/threads.h>
 #include <fuga/output/tables/summary.h>
@@ -210,22 +211,6 @@ namespace fuga::stress
       Judge judge;
     };
 
-    /** Whether a layer has closed as far as its law reaches, by the forces of @p state. */
-    bool
-    law_is_exhausted(const std::vector<ContactElement> &elements, const JointState &state)
-    {
-      return !state.states.empty() &&
-             std::any_of(elements.begin(), elements.end(), [&](const ContactElement &element) {
-               if (element.coupling == nullptr)
-                 return false;
-               const double limit = element.coupling->closure_limit();
-               const auto layer   = element.coupling->deformation(
-                 -state.forces[element.normal_bar] / element.area,
-                 length(shear_part(element, state.forces)) / element.area);
-               return layer.closure >= (1. - 1e-6) * limit;
-             });
-    }
-
     void
     tell_confirmation(const Writer &write, const Confirmation &confirmation)
     {
@@ -260,6 +245,10 @@ namespace fuga::stress
             sample.judge.judge(sample.end);
           prove_limit(sample.judge, joint.elements, layered, sample.end, result);
           end = std::move(result);
+        }
+      catch (const LawExhausted &limit)
+        {
+          sample.end = limit.state;
         }
       catch (const NumericalFailure &)
         {

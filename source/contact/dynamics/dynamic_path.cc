@@ -200,16 +200,25 @@ namespace fuga
           }
         rung(number).path.take_back_energies(before);
         if (number == grid.halvings)
-          throw NumericalFailure(fmt::format(
-            "No state of the joints was found at the end of a step of {:.3g} s at load time "
-            "{:.12g}. Allow more halvings (Dynamics/Halvings) or shorter steps. What ended the "
-            "last attempt, in the time of the step from 0 to 1: {}",
-            grid.length_of(number),
-            state.t,
-            step.failure));
+          give_up(step, number, state.t);
       }
     advance(number + 1, levels, state, result, observer);
     advance(number + 1, levels, state, result, observer);
+  }
+
+  void
+  DynamicPath::give_up(const Attempt &last, const unsigned int number, const double t) const
+  {
+    const std::string what = fmt::format(
+      "No state of the joints was found at the end of a step of {:.3g} s at load time {:.12g}. "
+      "Allow more halvings (Dynamics/Halvings) or shorter steps. What ended the last attempt, in "
+      "the time of the step from 0 to 1: {}",
+      grid.length_of(number),
+      t,
+      last.failure);
+    if (last.exhausted)
+      throw LawExhausted(what, *last.exhausted);
+    throw NumericalFailure(what);
   }
 
   DynamicPath::Rung &
@@ -230,7 +239,7 @@ namespace fuga
     JointState start = state;
     start.t          = 0.;
     take_water(JointState(), start);
-    Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered()), {}};
+    Attempt attempt{{}, StepRecord(state, end, elements, step.system.layered()), {}, {}};
     attempt.record.stop_if(
       [this, number](const StepRecord &record) { return is_hopeless(record, number); });
     try
@@ -240,6 +249,12 @@ namespace fuga
           attempt.failure =
             attempt.result.tried.empty() ? verdict_name(verdict) : attempt.result.tried;
       }
+    catch (const LawExhausted &limit)
+      {
+        attempt.failure      = limit.what();
+        attempt.exhausted    = limit.state;
+        attempt.exhausted->t = state.t + limit.state.t * (end - state.t);
+      }
     catch (const NumericalFailure &failure)
       {
         attempt.failure = failure.what();
@@ -247,7 +262,7 @@ namespace fuga
     if (attempt.failure.empty() || number < grid.halvings)
       return attempt;
     // No shorter step will help. At its end there may be an equilibrium, whatever lies before it.
-    Attempt jump{result, StepRecord(state, end, elements, step.system.layered()), {}};
+    Attempt jump{result, StepRecord(state, end, elements, step.system.layered()), {}, {}};
     return step.path.jump_over_course(start, jump.record, jump.result) ? std::move(jump)
                                                                        : std::move(attempt);
   }

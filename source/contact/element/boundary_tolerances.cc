@@ -25,8 +25,8 @@ namespace fuga
     /** Shares of d and D p that count for a nonlinear bar, whose jump d + D p may be much smaller
      * than either: their rounding errors, not the size of the jump. */
     constexpr double value_rounding = 1e-2, rate_rounding = 1e-3;
-    /** In space no force tolerance is below this share of the largest: a few times the rounding of
-     * the largest forces. */
+    /** In space no force tolerance is below this share of the largest, and no noise of a rate below
+     * that of the largest that drives: a few times the rounding of the largest forces. */
     constexpr double smallest_share = 1e-3;
     /** Nor does it grow, in space, beyond this share of the forces that act, be steps without
      * length ever so many: an element that opens with a force, or slips off its cone, is no
@@ -129,8 +129,10 @@ namespace fuga
         size               = std::max(
           size, system.is_curved(i) ? std::max(std::abs(jumps[i]), rate_rounding * parts) : parts);
       }
-    jump_noise    = share * size;
-    largest_noise = largest_force_noise * max_abs(drive.reactions);
+    jump_noise                    = share * size;
+    const double largest_reaction = max_abs(drive.reactions);
+    largest_noise = largest_force_noise * std::max(largest_reaction, max_abs(rates.forces));
+    least_noise   = share * smallest_share * largest_reaction;
   }
 
   double
@@ -139,6 +141,7 @@ namespace fuga
     const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
     const double terms =
       std::abs(drive.reactions[bar]) + system.scale(bar) * scaled_dislocation + strength;
-    return largest_noise > 0. ? std::min(share * terms, largest_noise) : share * terms;
+    return largest_noise > 0. ? std::clamp(share * terms, least_noise, largest_noise)
+                              : share * terms;
   }
 } // namespace fuga

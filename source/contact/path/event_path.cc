@@ -87,10 +87,10 @@ namespace fuga
           }
         catch (const PathFailure &failure)
           {
-            if (!options.follow_jumps)
+            if (!options.follow_jumps && dynamic_cast<const LawExhausted *>(&failure) == nullptr)
               throw NumericalFailure(
                 failure.what() + std::string(" Solver/No continuation = jump may go on behind."));
-            if (!jump_over_failure(state, levels, observer, result))
+            if (!options.follow_jumps || !jump_over_failure(state, levels, observer, result))
               throw;
           }
       }

@@ -177,13 +177,15 @@ namespace fuga
       if (const ContactElement &element = context.elements[k];
           has_nonlinear_closure(element) && last.states[k] != ContactState::open &&
           -gap(element, last, k) >= (1. - rounding) * closure_limit(element))
-        throw PathFailure(fmt::format(
-          "A layer has reached the limit of its law, a closure of {:.6g} m, at load time {:.9g}: "
-          "under a pressure of {:.4g} MPa its closure differs from that by rounding only. Check "
-          "thickness (or closure limit) and compliance of the joint.",
-          closure_limit(element),
-          last.t,
-          -last.forces[element.normal_bar] / element.area));
+        throw LawExhausted(
+          fmt::format(
+            "A layer has reached the limit of its law, a closure of {:.6g} m, at load time {:.9g}: "
+            "under a pressure of {:.4g} MPa its closure differs from that by rounding only. Check "
+            "thickness (or closure limit) and compliance of the joint.",
+            closure_limit(element),
+            last.t,
+            -last.forces[element.normal_bar] / element.area),
+          last);
     if (options.iteration == PathOptions::Iteration::newton)
       throw PathFailure(fmt::format(
         "No equilibrium of the nonlinear layer was found behind load time {:.9g}.", last.t));

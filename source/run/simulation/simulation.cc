@@ -4,6 +4,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/contact/judge/limit_proof.h>
+#include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/run/journal/closing_table.h>
 #include <fuga/run/journal/log_header.h>
 #include <fuga/run/journal/run_summary.h>
@@ -153,10 +154,11 @@ namespace fuga
   void
   Simulation<dim>::conclude(const NumericalFailure &failure, RunOutcome &outcome)
   {
-    const JointState &last = journal.record.last_state;
-    outcome.verdict        = "numerical failure";
-    outcome.code           = ExitCode::numerical_failure;
-    outcome.message        = limit_of_law(phase, last);
+    const JointState &last      = journal.record.last_state;
+    outcome.verdict             = "numerical failure";
+    outcome.code                = ExitCode::numerical_failure;
+    const auto *const exhausted = dynamic_cast<const LawExhausted *>(&failure);
+    outcome.message = limit_of_law(phase, exhausted == nullptr ? last : exhausted->state);
     if (outcome.message.empty())
       {
         const std::string of_data = doubt();

@@ -88,6 +88,8 @@ namespace fuga
       StepRecord record;
       /** Why there is no state at the end of the step; empty if there is one. */
       std::string failure;
+      /** Where a layer was at its closure limit, if that is why. */
+      std::optional<JointState> exhausted;
     };
 
     PathResult
@@ -118,6 +120,10 @@ namespace fuga
 
     Attempt
     attempt(const unsigned int number, const JointState &state, const PathResult &result);
+
+    /** The shortest step, @p number, has failed, and so has the @p last attempt at load time @p t. */
+    [[noreturn]] void
+    give_up(const Attempt &last, const unsigned int number, const double t) const;
 
     /** After an attempt that is accepted: the rung of the longest step that will not cost too much,
      * if it costs what this one has cost. Nothing if this one has failed or costs too much. */

@@ -160,7 +160,7 @@ namespace fuga
       const Drive &drive;
       double scaled_dislocation;
       double jump_noise;
-      double largest_noise;
+      double least_noise, largest_noise;
     };
 
   private:

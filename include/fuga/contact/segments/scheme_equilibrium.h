@@ -4,11 +4,23 @@
 #ifndef fuga_contact_segments_scheme_equilibrium_h
 #define fuga_contact_segments_scheme_equilibrium_h
 
+#include <fuga/base/errors.h>
 #include <fuga/contact/segments/path_options.h>
 #include <fuga/contact/segments/path_segment.h>
 
 namespace fuga
 {
+  /** A closed layer has come so near to its closure limit that rounding only lies between them. */
+  class LawExhausted : public PathFailure
+  {
+  public:
+    LawExhausted(const std::string &what, const JointState &last) : PathFailure(what), state(last)
+    {
+    }
+
+    const JointState state;
+  };
+
   /**
    * Iterates a working scheme with nonlinear layers to equilibrium at given loads, with Newton's
    * method or the constant matrix of the paper.
