@@ -287,12 +287,14 @@ TEST(CoupledColumn, EndsWhereTheLawDoes)
   expect_end_of_law(run_scene(write_scene(column_mesh(), pressed_to_the_end_of_its_law())), 4e-9);
 }
 
-// The slowest motion of the column, some thousandths of a second, is left out: the load takes 1 s.
+// The closure w grows steadily beside a free vibration that the beginning of the load leaves, of
+// the amplitude w'/omega: the end moves by 1/omega at most, 2e-4 s with the whole mass on the
+// layer.
 TEST(CoupledColumn, InMotionEndsWhereTheLawDoes)
 {
   Json scene                                 = pressed_to_the_end_of_its_law();
   scene["Bodies"]["block"]["Weight density"] = 1e-4;
   scene["Stages"]["press"]["Duration"]       = 1.;
   scene["Dynamics"]                          = {{"Time step", 0.05}, {"Gravity", 10.}};
-  expect_end_of_law(run_scene(write_scene(column_mesh(), scene)), 1e-2);
+  expect_end_of_law(run_scene(write_scene(column_mesh(), scene)), 1e-3);
 }

@@ -160,8 +160,10 @@ namespace fuga::stress
     class MotionWitness : public PathObserver
     {
     public:
-      explicit MotionWitness(const double seconds)
-        : end(Clock::now() +
+      /** @p examines: whether pieces are put before the independent solvers. */
+      MotionWitness(const double seconds, const bool examines)
+        : is_examined(examines)
+        , end(Clock::now() +
               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
       {
       }
@@ -174,8 +176,8 @@ namespace fuga::stress
       begin(PhaseRun<dim> &next)
       {
         phase     = &next;
-        can_solve = dim == 3 ? cones_know_layers(phase->joint.elements)
-                             : judges_know_layers(phase->joint.elements);
+        can_solve = is_examined && (dim == 3 ? cones_know_layers(phase->joint.elements)
+                                             : judges_know_layers(phase->joint.elements));
         levels    = 0;
         step      = nullptr;
       }
@@ -263,6 +265,7 @@ namespace fuga::stress
           count_piece(*report, piece.to.t, confirmation);
       }
 
+      const bool is_examined;
       const Clock::time_point end;
       PhaseRun<dim> *phase       = nullptr;
       const StepSystem *step     = nullptr;
@@ -278,7 +281,7 @@ namespace fuga::stress
   confirm_motion(const Parameters &parameters, const std::string &verdict, const double seconds)
   {
     const bool has_failed = verdict == "numerical failure";
-    MotionWitness<dim> witness(has_failed ? to_the_end : seconds);
+    MotionWitness<dim> witness(has_failed ? to_the_end : seconds, !has_failed);
     Confirmation &confirmation = witness.confirmation;
     auto model                 = std::make_unique<const Model<dim>>(parameters);
     auto phase                 = std::make_unique<PhaseRun<dim>>(*model, parameters);

@@ -22,11 +22,13 @@ namespace fuga
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
      * beside what they deform, refinement keeps their forces better than their terms tell. */
     constexpr double largest_force_noise = 1e-9;
+    /** And below which every rate is: a few times the rounding of the largest of these forces. */
+    constexpr double least_force_noise = 1e-13;
     /** Shares of d and D p that count for a nonlinear bar, whose jump d + D p may be much smaller
      * than either: their rounding errors, not the size of the jump. */
     constexpr double value_rounding = 1e-2, rate_rounding = 1e-3;
-    /** In space no force tolerance is below this share of the largest, and no noise of a rate below
-     * that of the largest that drives: a few times the rounding of the largest forces. */
+    /** In space no force tolerance is below this share of the largest: a few times the rounding of
+     * the largest forces. */
     constexpr double smallest_share = 1e-3;
     /** Nor does it grow, in space, beyond this share of the forces that act, be steps without
      * length ever so many: an element that opens with a force, or slips off its cone, is no
@@ -131,8 +133,9 @@ namespace fuga
       }
     jump_noise                    = share * size;
     const double largest_reaction = max_abs(drive.reactions);
-    largest_noise = largest_force_noise * std::max(largest_reaction, max_abs(rates.forces));
-    least_noise   = share * smallest_share * largest_reaction;
+    least_noise                   = least_force_noise * largest_reaction;
+    if (largest_reaction > 0.)
+      largest_noise = largest_force_noise * std::max(largest_reaction, max_abs(rates.forces));
   }
 
   double
@@ -141,7 +144,6 @@ namespace fuga
     const double strength = drive.strength.empty() ? 0. : std::abs(drive.strength[bar]);
     const double terms =
       std::abs(drive.reactions[bar]) + system.scale(bar) * scaled_dislocation + strength;
-    return largest_noise > 0. ? std::clamp(share * terms, least_noise, largest_noise)
-                              : share * terms;
+    return std::clamp(share * terms, least_noise, largest_noise);
   }
 } // namespace fuga

@@ -84,6 +84,14 @@ namespace fuga
                                        : element.normal_law->deformation_limit();
   }
 
+  bool
+  is_at_closure_limit(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    constexpr double nearest = 1e-8;
+    return has_nonlinear_closure(element) && at.states[k] != ContactState::open &&
+           -gap(element, at, k) >= (1. - nearest) * closure_limit(element);
+  }
+
   double
   gap(const ContactElement &element, const JointState &at, const std::size_t k)
   {

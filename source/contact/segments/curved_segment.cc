@@ -171,17 +171,15 @@ namespace fuga
   void
   CurvedSegment::give_up() const
   {
-    const JointState &last    = points.back().state;
-    constexpr double rounding = 1e-12;
+    const JointState &last = points.back().state;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (const ContactElement &element = context.elements[k];
-          has_nonlinear_closure(element) && last.states[k] != ContactState::open &&
-          -gap(element, last, k) >= (1. - rounding) * closure_limit(element))
+          is_at_closure_limit(element, last, k))
         throw LawExhausted(
           fmt::format(
             "A layer has reached the limit of its law, a closure of {:.6g} m, at load time {:.9g}: "
-            "under a pressure of {:.4g} MPa its closure differs from that by rounding only. Check "
-            "thickness (or closure limit) and compliance of the joint.",
+            "under a pressure of {:.4g} MPa its closure differs from that by less than 1e-8 of it. "
+            "Check thickness (or closure limit) and compliance of the joint.",
             closure_limit(element),
             last.t,
             -last.forces[element.normal_bar] / element.area),

@@ -125,18 +125,15 @@ namespace fuga
   std::string
   limit_of_law(const PhaseRun<dim> &phase, const JointState &state)
   {
-    constexpr double nearest = 1e-8;
     for (std::size_t k = 0; k < state.states.size(); ++k)
       {
         const ContactElement &element = phase.joint.elements[k];
         const double limit            = closure_limit(element);
-        if (state.states[k] == ContactState::open ||
+        if (!is_at_closure_limit(element, state, k) ||
             limit == element.normal_law->deformation_limit())
           continue;
         const double closure = -gap(element, state, k);
-        if (limit - closure > nearest * limit)
-          continue;
-        const Units &u = phase.parameters.output.units;
+        const Units &u       = phase.parameters.output.units;
         return fmt::format(
           "outside of the law: at load time {:.9g} element {} of joint '{}', at "
           "({:g}; {:g}; {:g}), is closed by {:.9g} {}, all but {:.1e} of its "

@@ -99,9 +99,13 @@ namespace fuga
         if (!conclude(path_to_follow(), outcome))
           return ExitCode::done;
       }
+    catch (const LawExhausted &failure)
+      {
+        conclude(failure, failure.state, outcome);
+      }
     catch (const NumericalFailure &failure)
       {
-        conclude(failure, outcome);
+        conclude(failure, journal.record.last_state, outcome);
       }
     catch (const Interrupted &)
       {
@@ -152,19 +156,19 @@ namespace fuga
 
   template <int dim>
   void
-  Simulation<dim>::conclude(const NumericalFailure &failure, RunOutcome &outcome)
+  Simulation<dim>::conclude(const NumericalFailure &failure,
+                            const JointState &last,
+                            RunOutcome &outcome)
   {
-    const JointState &last      = journal.record.last_state;
-    outcome.verdict             = "numerical failure";
-    outcome.code                = ExitCode::numerical_failure;
-    const auto *const exhausted = dynamic_cast<const LawExhausted *>(&failure);
-    outcome.message = limit_of_law(phase, exhausted == nullptr ? last : exhausted->state);
+    outcome.verdict = "numerical failure";
+    outcome.code    = ExitCode::numerical_failure;
+    outcome.message = limit_of_law(phase, last);
     if (outcome.message.empty())
       {
         const std::string of_data = doubt();
         outcome.message = of_data.empty() ? failure.what() : of_data + ". " + failure.what();
       }
-    outcome.path.t = last.t;
+    outcome.path.t = journal.record.last_state.t;
   }
 
   // Every search begins with the state at the end of the loads, also where another one came before

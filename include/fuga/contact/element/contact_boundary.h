@@ -160,7 +160,9 @@ namespace fuga
       const Drive &drive;
       double scaled_dislocation;
       double jump_noise;
-      double least_noise, largest_noise;
+      double least_noise;
+      /** No bound where no force drives, but strengths that change. */
+      double largest_noise = std::numeric_limits<double>::infinity();
     };
 
   private:

@@ -24,6 +24,11 @@ namespace fuga
   double
   closure_limit(const ContactElement &element);
 
+  /** Whether the closure of element @p k differs from that by less than 1e-8 of it: no law is meant
+   * to be used there, and Newton's method has few digits left. */
+  bool
+  is_at_closure_limit(const ContactElement &element, const JointState &at, const std::size_t k);
+
   /**
    * Gap g = initial gap + normal jump - dilation [m] of element @p k: between the lips where they are
    * apart, minus the closure of the layer where they touch.

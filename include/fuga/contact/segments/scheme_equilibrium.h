@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** A closed layer has come so near to its closure limit that rounding only lies between them. */
+  /** A closed layer is_at_closure_limit(), and no equilibrium is found behind that state. */
   class LawExhausted : public PathFailure
   {
   public:
