@@ -80,30 +80,55 @@ namespace fuga
   DenseMatrix
   CondensedOperator<dim>::loads_out_of_balance(const std::vector<LoadPattern> &patterns) const
   {
-    const auto &coordinates       = model.interface_coordinates();
-    constexpr std::size_t at_once = 16; // one pass over the factors serves them all
+    const auto &coordinates = model.interface_coordinates();
     DenseMatrix result(coordinates.size(), patterns.size());
     if (coordinates.n_interface() == 0)
       return result; // recover() does all that is to be done
     for (std::size_t first = 0; first < patterns.size(); first += at_once)
       {
         const std::size_t n = std::min(at_once, patterns.size() - first);
-        std::vector<Vector> u;
-        DenseMatrix y(coordinates.size(), n);
+        std::vector<Vector> loads, u;
         for (std::size_t j = 0; j < n; ++j)
           {
             const LoadPattern &pattern = patterns[first + j];
-            u.push_back(coordinates.distribute(y.column(j), pattern.prescribed));
-            const Vector load = model.out_of_balance(pattern.forces, u.back());
-            std::copy(load.begin(), load.end(), y.column(j));
+            loads.push_back(pattern.forces);
+            u.push_back(
+              coordinates.distribute(Vector(coordinates.size(), 0.).data(), pattern.prescribed));
           }
-        solver->solve(y);
+        solve_bonded(loads, u);
         for (std::size_t j = 0; j < n; ++j)
           {
-            u[j]                  = coordinates.distribute(y.column(j), u[j]);
-            const Vector residual = model.out_of_balance(patterns[first + j].forces, u[j]);
+            const Vector residual = model.out_of_balance(loads[j], u[j]);
             std::copy(residual.begin(), residual.end(), result.column(first + j));
           }
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  DenseMatrix
+  CondensedOperator<dim>::resistance_of_bodies(const DenseMatrix &x) const
+  {
+    const auto &coordinates = model.interface_coordinates();
+    const std::vector<Vector> no_loads(x.n_columns(), Vector(model.discretization().n_dofs(), 0.));
+    std::vector<Vector> u;
+    for (std::size_t j = 0; j < x.n_columns(); ++j)
+      {
+        Vector y(coordinates.size(), 0.);
+        std::copy_n(x.column(j), x.n_rows(), y.data() + y.size() - x.n_rows());
+        u.push_back(coordinates.distribute(y.data(), {}));
+      }
+    solve_bonded(no_loads, u);
+    solve_bonded(no_loads, u);
+    DenseMatrix result(x.n_rows(), x.n_columns());
+    for (std::size_t j = 0; j < x.n_columns(); ++j)
+      {
+        const Vector held = model.out_of_balance(no_loads[j], u[j]);
+        std::transform(held.end() - static_cast<std::ptrdiff_t>(x.n_rows()),
+                       held.end(),
+                       result.column(j),
+                       std::negate<>());
       }
     return result;
   }
@@ -116,21 +141,28 @@ namespace fuga
   void
   CondensedOperator<dim>::add_bonded_response(const Vector &loads, Vector &u) const
   {
-    solve_bonded(loads, u);
-    solve_bonded(loads, u);
+    std::vector<Vector> field = {std::move(u)};
+    for (unsigned int i = 0; i < 2; ++i)
+      solve_bonded({loads}, field);
+    u = std::move(field.front());
   }
 
 
   template <int dim>
   void
-  CondensedOperator<dim>::solve_bonded(const Vector &loads, Vector &u) const
+  CondensedOperator<dim>::solve_bonded(const std::vector<Vector> &loads,
+                                       std::vector<Vector> &u) const
   {
     const auto &coordinates = model.interface_coordinates();
-    const Vector load       = model.out_of_balance(loads, u);
-    DenseMatrix y(load.size(), 1);
-    std::copy(load.begin(), load.end(), y.data());
+    DenseMatrix y(coordinates.size(), u.size());
+    for (std::size_t j = 0; j < u.size(); ++j)
+      {
+        const Vector load = model.out_of_balance(loads[j], u[j]);
+        std::copy(load.begin(), load.end(), y.column(j));
+      }
     solver->solve(y);
-    u = coordinates.distribute(y.data(), u);
+    for (std::size_t j = 0; j < u.size(); ++j)
+      u[j] = coordinates.distribute(y.column(j), u[j]);
   }
 
 

@@ -108,7 +108,12 @@ namespace fuga
                                     strength.dilatancy * along_slip(k, from.state, rate0),
                                     to.state.dilations[k],
                                     strength.dilatancy * along_slip(k, from.state, rate1)));
-    check_rise(k, from.state, to.state, slipping ? length(slid) + detour(slip[0], slip[1]) : 0.);
+    // In the plane slip that goes one way at both ends has not turned, though a cubic may overshoot
+    // where the rates of the one are many times those of the other.
+    const bool may_turn =
+      element.has_second_tangential_bar() || std::min(rate0[0] * slid[0], rate1[0] * slid[0]) < 0.;
+    const double way = length(slid) + (may_turn ? detour(slip[0], slip[1]) : 0.);
+    check_rise(k, from.state, to.state, slipping ? way : 0.);
     return result;
   }
 

@@ -129,12 +129,12 @@ namespace fuga
     const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
     const std::vector<Reserve> by_start = context.boundary.reserves(state, point.rates, drive);
     for (std::size_t i = 0; i < reserves.size(); ++i)
-      result.push_back(
-        {reserves[i].value,
-         reserves[i].rate,
-         std::max(reserves[i].tolerance, by_start[i].tolerance) + first_reserves[i].drift(tau),
-         true,
-         0});
+      result.push_back({reserves[i].value,
+                        reserves[i].rate,
+                        std::max(reserves[i].tolerance, by_start[i].tolerance) +
+                          first_reserves[i].drift(tau, reserves[i].noise),
+                        true,
+                        0});
     const double slip_rate_noise =
       slip_rate_tolerance *
       max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));

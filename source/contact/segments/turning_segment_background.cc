@@ -285,7 +285,8 @@ namespace fuga
     station.reserves       = context.boundary.reserves(point.state, point.rates, drive_of(station));
     if (!curve.empty())
       for (std::size_t i = 0; i < station.reserves.size(); ++i)
-        station.reserves[i].tolerance += curve.front().reserves[i].drift(station.tau);
+        station.reserves[i].tolerance +=
+          curve.front().reserves[i].drift(station.tau, station.reserves[i].noise);
     if (!course.yielding)
       return;
     constexpr double rounding = 1e-14;

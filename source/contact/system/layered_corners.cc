@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/system/layered_system.h>
 #include <fuga/contact/system/soft_bars.h>
 
@@ -56,6 +57,28 @@ namespace fuga
         result.push_back(values[i]);
       return result;
     }
+
+    /** V = (1 + S D)⁻¹ B_eᵀ, with @p residual = B_eᵀ; as a difference it has lost digits where S D is
+     * large. */
+    void
+    refine_at_corners(const DenseMatrix &S,
+                      DenseMatrix residual,
+                      const DenseMatrix &W_0,
+                      const Vector &D,
+                      DenseMatrix &V)
+    {
+      DenseMatrix deformation = V;
+      scale_rows(deformation, D);
+      const auto add = [](const double sign, const DenseMatrix &from, DenseMatrix &to) {
+        for (std::size_t j = 0; j < to.n_columns(); ++j)
+          blas::axpy(to.n_rows(), sign, from.column(j), to.column(j));
+      };
+      add(-1., V, residual);
+      add(-1., multiply(S, deformation), residual);
+      add(1., residual, V);
+      scale_rows(residual, D);
+      add(-1., multiply(W_0, residual), V);
+    }
   } // namespace
 
   void
@@ -92,13 +115,15 @@ namespace fuga
            system.rigid_motion_loads()})))
       return false;
 
-    DenseMatrix V  = transposed(submatrix(B, extra, all_columns(B)));
-    DenseMatrix DB = V;
+    const DenseMatrix B_e = submatrix(B, extra, all_columns(B));
+    DenseMatrix V         = transposed(B_e);
+    DenseMatrix DB        = V;
     scale_rows(DB, D_b);
     const DenseMatrix W_DB = multiply(W_0, DB);
     for (std::size_t k = 0; k < m; ++k)
       for (std::size_t i = 0; i < n; ++i)
         V(i, k) -= W_DB(i, k);
+    refine_at_corners(system.stiffness(), transposed(B_e), W_0, D_b, V);
     DenseMatrix H = multiply_transposed(DB, V);
     for (std::size_t k = 0; k < m; ++k)
       H(k, k) += D_e[k];

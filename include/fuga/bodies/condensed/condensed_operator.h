@@ -129,8 +129,11 @@ namespace fuga
     void
     choose_solver(SymmetricTriplets &matrix);
 
-    Vector
-    diagonal_of_lips(const SymmetricTriplets &matrix) const;
+    void
+    check_stiffness();
+
+    void
+    take_stiffness_of_bodies();
 
     void
     remove_rounding();
@@ -141,8 +144,16 @@ namespace fuga
     DenseMatrix
     loads_out_of_balance(const std::vector<LoadPattern> &patterns) const;
 
+    /** S x by columns, from the displacements that the jumps x cause. */
+    DenseMatrix
+    resistance_of_bodies(const DenseMatrix &x) const;
+
+    /** Adds to every u the bonded response to what is out of balance under its loads. */
     void
-    solve_bonded(const Vector &loads, Vector &u) const;
+    solve_bonded(const std::vector<Vector> &loads, std::vector<Vector> &u) const;
+
+    /** Columns for which one pass over the factors serves. */
+    static constexpr std::size_t at_once = 16;
 
     BodyModel<dim> &model;
     std::unique_ptr<InteriorSolver> solver;

@@ -55,11 +55,13 @@ namespace fuga
     }
 
     /** How far below zero rounding may have led it at @p tau along a path where it rests at the
-     * beginning. */
+     * beginning; rates that begin large on a soft layer soon have less @p noise_there. */
     double
-    drift(const double tau) const
+    drift(const double tau, const double noise_there) const
     {
-      return rests() ? std::max(0., -value) + tau * std::max(tolerance, noise) : 0.;
+      return rests()
+               ? std::max(0., -value) + tau * std::max(tolerance, std::min(noise, noise_there))
+               : 0.;
     }
   };
 
