@@ -12,27 +12,37 @@
 // Where the curve meets the first boundary of the contact conditions.
 namespace fuga
 {
-  // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event.
+  // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event. Behind
+  // an event a law may be followed where Newton's method fails: then the event is looked for before
+  // it.
   void
   CurvedSegment::locate_end(std::size_t a, std::size_t b)
   {
     lost_slip.clear();
-    const int max_trials = 200;
+    const int max_trials   = 200;
+    const double narrowest = 1e-14 * course.length;
+    double unsolved        = no_boundary;
     for (int trial = 0; trial < max_trials; ++trial)
       {
         double root        = first_root(a, b);
-        const double width = taus[b] - taus[a];
+        const double end   = std::min(taus[b], unsolved);
+        const double width = end - taus[a];
         // The interpolation is trusted as long as it shrinks the bracket; every fourth time it is
         // halved.
-        if (trial % 4 == 3 || root == no_boundary)
+        if (trial % 4 == 3 || root >= unsolved)
           root = taus[a] + 0.5 * width;
-        root = std::clamp(root, taus[a] + 1e-3 * width, taus[b]);
+        root = std::clamp(root, taus[a] + 1e-3 * width, end);
 
         if (root < taus[b])
           {
             std::optional<PathPoint> point = solve(root, interpolate(a, root));
-            if (!point)
+            if (!point && width <= narrowest)
               fail_behind(a, "An event could not be located");
+            if (!point)
+              {
+                unsolved = root;
+                continue;
+              }
             b = insert(root, std::move(*point));
           }
         const auto &at_root = functions[b];
@@ -40,7 +50,7 @@ namespace fuga
           std::any_of(at_root.begin(), at_root.end(), [](const EventFunction &f) {
             return f.value < -f.tolerance;
           });
-        const bool narrow = taus[b] - taus[a] <= 1e-14 * course.length;
+        const bool narrow = taus[b] - taus[a] <= narrowest;
         const auto is_met = [&](const std::size_t i) {
           return at_root[i].value <= at_root[i].tolerance &&
                  functions[a][i].value > at_root[i].value;
