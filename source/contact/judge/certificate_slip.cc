@@ -37,6 +37,15 @@ namespace fuga
                      to.rates.forces[bar]);
       }
     };
+
+    /** More than by an angle whose square is rounding. */
+    bool
+    turns_away(const TangentVector &rate, const TangentVector &chord)
+    {
+      constexpr double straight = 1e-7;
+      return dot(rate, chord) < 0. ||
+             std::abs(dot(rate, normal_to(chord))) > straight * length(rate) * length(chord);
+    }
   } // namespace
 
   void
@@ -108,11 +117,10 @@ namespace fuga
                                     strength.dilatancy * along_slip(k, from.state, rate0),
                                     to.state.dilations[k],
                                     strength.dilatancy * along_slip(k, from.state, rate1)));
-    // In the plane slip that goes one way at both ends has not turned, though a cubic may overshoot
-    // where the rates of the one are many times those of the other.
-    const bool may_turn =
-      element.has_second_tangential_bar() || std::min(rate0[0] * slid[0], rate1[0] * slid[0]) < 0.;
-    const double way = length(slid) + (may_turn ? detour(slip[0], slip[1]) : 0.);
+    // Slip that goes along its chord at both ends has not turned, though a cubic may overshoot
+    // where the rate of one end is many times that of the other.
+    const bool turns = turns_away(rate0, slid) || turns_away(rate1, slid);
+    const double way = length(slid) + (turns ? detour(slip[0], slip[1]) : 0.);
     check_rise(k, from.state, to.state, slipping ? way : 0.);
     return result;
   }

@@ -267,7 +267,7 @@ namespace fuga
              const int exponent,
              const double within)
     {
-      constexpr double bend = 0.1, smaller = 1. / 1.2;
+      constexpr double bend = 0.2, smaller = 1. / 1.2;
       constexpr std::size_t n_points = 4;
       std::array<double, n_points> place, value;
       std::size_t n = 0;
