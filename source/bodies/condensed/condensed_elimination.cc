@@ -73,7 +73,7 @@ namespace fuga
     else
       S = solver->eliminate(matrix, coordinates.n_interface());
     model.phases().finish("factorisation");
-    if (!matrix_free_solver && may_lack_digits(diagonal))
+    if (is_direct(used_solver) && may_lack_digits(diagonal))
       check_stiffness();
   }
 
