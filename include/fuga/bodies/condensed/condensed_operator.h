@@ -132,8 +132,8 @@ namespace fuga
     void
     check_stiffness();
 
-    void
-    take_stiffness_of_bodies();
+    DenseMatrix
+    stiffness_by_displacements() const;
 
     void
     remove_rounding();
