@@ -128,7 +128,8 @@ namespace fuga
 
   // What is zero is told by the forces and jumps at the beginning of the segment, or of the point
   // itself: a segment that begins without any load has no scale for what is to come. What rests at
-  // the beginning drifts by its noise along the whole segment.
+  // the beginning drifts by its noise along the whole segment, and what is below zero there stays
+  // so.
   std::vector<CurvedSegment::EventFunction>
   CurvedSegment::event_functions(const double tau, const PathPoint &point) const
   {
@@ -137,14 +138,15 @@ namespace fuga
     const ContactBoundary here          = boundary_at(tau, state);
     const Drive drive                   = drive_at(context.elements, course, state);
     const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
-    const std::vector<Reserve> by_start = context.boundary.reserves(state, point.rates, drive);
+    const std::vector<Reserve> by_start = first_boundary.reserves(state, point.rates, drive);
     for (std::size_t i = 0; i < reserves.size(); ++i)
-      result.push_back({reserves[i].value,
-                        reserves[i].rate,
-                        std::max(reserves[i].tolerance, by_start[i].tolerance) +
-                          first_reserves[i].drift(tau, reserves[i].noise),
-                        true,
-                        0});
+      result.push_back(
+        {reserves[i].value,
+         reserves[i].rate,
+         std::max({reserves[i].tolerance, by_start[i].tolerance, -first_reserves[i].value}) +
+           first_reserves[i].drift(tau, reserves[i].noise),
+         true,
+         0});
     const double slip_rate_noise =
       slip_rate_tolerance *
       max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));

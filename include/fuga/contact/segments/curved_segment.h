@@ -119,6 +119,8 @@ namespace fuga
     /** At the beginning: the forces, and what rests there. */
     const KnownForces known;
     const std::vector<Reserve> first_reserves;
+    /** There, without what steps of no length have widened. */
+    const ContactBoundary first_boundary;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;
     std::vector<std::vector<EventFunction>> functions;
