@@ -18,7 +18,7 @@ namespace fuga
      * what is left of it that one step may lose, and what rounding leaves it in any case. */
     constexpr double largest_loss  = 3e-10;
     constexpr double share_of_step = 1e-2;
-    constexpr double least_of_step = 1e-13;
+    constexpr double least_of_step = 1e-12;
     /** Rounding error of a jump relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
