@@ -84,6 +84,7 @@ namespace fuga
     DenseMatrix result(coordinates.size(), patterns.size());
     if (coordinates.n_interface() == 0)
       return result; // recover() does all that is to be done
+    const Vector no_coordinates(coordinates.size(), 0.);
     for (std::size_t first = 0; first < patterns.size(); first += at_once)
       {
         const std::size_t n = std::min(at_once, patterns.size() - first);
@@ -92,8 +93,7 @@ namespace fuga
           {
             const LoadPattern &pattern = patterns[first + j];
             loads.push_back(pattern.forces);
-            u.push_back(
-              coordinates.distribute(Vector(coordinates.size(), 0.).data(), pattern.prescribed));
+            u.push_back(coordinates.distribute(no_coordinates.data(), pattern.prescribed));
           }
         solve_bonded(loads, u);
         for (std::size_t j = 0; j < n; ++j)
@@ -141,9 +141,10 @@ namespace fuga
   void
   CondensedOperator<dim>::add_bonded_response(const Vector &loads, Vector &u) const
   {
-    std::vector<Vector> field = {std::move(u)};
-    for (unsigned int i = 0; i < 2; ++i)
-      solve_bonded({loads}, field);
+    const std::vector<Vector> given = {loads};
+    std::vector<Vector> field       = {std::move(u)};
+    solve_bonded(given, field);
+    solve_bonded(given, field);
     u = std::move(field.front());
   }
 

@@ -179,11 +179,12 @@ namespace fuga
         throw LawExhausted(
           fmt::format(
             "A layer has reached the limit of its law, a closure of {:.6g} m, at load time {:.9g}: "
-            "under a pressure of {:.4g} MPa its closure differs from that by less than 1e-8 of it. "
+            "under a pressure of {:.4g} MPa its closure differs from that by {:.1e} of it. "
             "Check thickness (or closure limit) and compliance of the joint.",
             closure_limit(element),
             last.t,
-            -last.forces[element.normal_bar] / element.area),
+            -last.forces[element.normal_bar] / element.area,
+            1. + gap(element, last, k) / closure_limit(element)),
           last);
     if (options.iteration == PathOptions::Iteration::newton)
       throw PathFailure(fmt::format(

@@ -156,17 +156,15 @@ namespace fuga
 
   template <int dim>
   void
-  Simulation<dim>::conclude(const NumericalFailure &failure,
-                            const JointState &last,
-                            RunOutcome &outcome)
+  Simulation<dim>::conclude(const NumericalFailure &why, const JointState &at, RunOutcome &outcome)
   {
     outcome.verdict = "numerical failure";
     outcome.code    = ExitCode::numerical_failure;
-    outcome.message = limit_of_law(phase, last);
+    outcome.message = limit_of_law(phase, at);
     if (outcome.message.empty())
       {
         const std::string of_data = doubt();
-        outcome.message = of_data.empty() ? failure.what() : of_data + ". " + failure.what();
+        outcome.message           = of_data.empty() ? why.what() : of_data + ". " + why.what();
       }
     outcome.path.t = journal.record.last_state.t;
   }

@@ -85,10 +85,10 @@ namespace fuga
     /** Comes to the verdict of @p outcome, unless another phase follows: then returns false. */
     bool
     conclude(PathResult found, RunOutcome &outcome);
-    /** The verdict of a path that could not be followed behind its @p last state for the reason that
-     * @p failure gives. */
+    /** The verdict of a path that could not be followed, for the reason that @p why gives of the
+     * state @p at. */
     void
-    conclude(const NumericalFailure &failure, const JointState &last, RunOutcome &outcome);
+    conclude(const NumericalFailure &why, const JointState &at, RunOutcome &outcome);
     /** Follows each search for a factor of safety from the end of the loads. */
     std::vector<SafetyFactor>
     find_safety(const PathResult &loaded);
