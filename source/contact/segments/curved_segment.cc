@@ -39,7 +39,7 @@ namespace fuga
     , known(known_forces(context, course, 0., start.state))
     , first_reserves(context.boundary.reserves(
         start.state, start.rates, drive_at(context.elements, course, start.state)))
-    , first_boundary(boundary_at(0., start.state))
+    , first_boundary(boundary_at(context, course, 0., start.state))
     , losses{0.}
     , functions{event_functions(0., start)}
     , largest_jump(jump_of(start))

@@ -109,19 +109,12 @@ namespace fuga
     functions[b] = std::move(there);
   }
 
-  ContactBoundary
-  CurvedSegment::boundary_at(const double tau, const JointState &state) const
-  {
-    ContactBoundary result(context.elements, context.system);
-    result.set_scales(state, course.factors_at(tau), 1.);
-    return result;
-  }
-
   std::vector<std::size_t>
   CurvedSegment::elements_on_boundary(const double tau, const JointState &state) const
   {
     std::vector<std::size_t> result;
-    for (const BoundaryElement &candidate : boundary_at(tau, state).elements_on_boundary(state))
+    for (const BoundaryElement &candidate :
+         boundary_at(context, course, tau, state).elements_on_boundary(state))
       result.push_back(candidate.element);
     return result;
   }
@@ -135,18 +128,17 @@ namespace fuga
   {
     std::vector<EventFunction> result;
     const JointState &state             = point.state;
-    const ContactBoundary here          = boundary_at(tau, state);
+    const ContactBoundary here          = boundary_at(context, course, tau, state);
     const Drive drive                   = drive_at(context.elements, course, state);
     const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
     const std::vector<Reserve> by_start = first_boundary.reserves(state, point.rates, drive);
     for (std::size_t i = 0; i < reserves.size(); ++i)
-      result.push_back(
-        {reserves[i].value,
-         reserves[i].rate,
-         std::max({reserves[i].tolerance, by_start[i].tolerance, -first_reserves[i].value}) +
-           first_reserves[i].drift(tau, reserves[i].noise),
-         true,
-         0});
+      result.push_back({reserves[i].value,
+                        reserves[i].rate,
+                        std::max(reserves[i].tolerance, by_start[i].tolerance) +
+                          first_reserves[i].drift(tau, reserves[i].noise),
+                        true,
+                        0});
     const double slip_rate_noise =
       slip_rate_tolerance *
       max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));

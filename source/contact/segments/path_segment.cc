@@ -59,6 +59,18 @@ namespace fuga
         largest_number));
   }
 
+  ContactBoundary
+  boundary_at(const PathContext &context,
+              const Course &course,
+              const double tau,
+              const JointState &state)
+  {
+    ContactBoundary result(context.elements, context.system);
+    result.set_scales(state, course.factors_at(tau), 1.);
+    return result;
+  }
+
+
   void
   release(const Drive &drive, const double tau, JointState &state)
   {
@@ -267,7 +279,8 @@ namespace fuga
              const int exponent,
              const double within)
     {
-      constexpr double bend = 0.2, smaller = 1. / 1.2;
+      constexpr double smaller       = 1. / 1.2;
+      const double bend              = 0.2 / exponent; // a slip that turns soon looks like n = 2
       constexpr std::size_t n_points = 4;
       std::array<double, n_points> place, value;
       std::size_t n = 0;

@@ -56,6 +56,7 @@ namespace fuga
     : context(path_context)
     , course(path_course)
     , start(path_start)
+    , first_boundary(boundary_at(context, course, 0., start.state))
     , turning(turning_elements(context.elements, start.state))
     , slipping(turning)
     , stuck(with_stuck(turning, start.state))

@@ -282,7 +282,8 @@ namespace fuga
   TurningSegment::note_reserves(Station &station) const
   {
     const PathPoint &point = station.point;
-    station.reserves       = context.boundary.reserves(point.state, point.rates, drive_of(station));
+    station.reserves       = (curve.empty() ? context.boundary : first_boundary)
+                         .reserves(point.state, point.rates, drive_of(station));
     if (!curve.empty())
       for (std::size_t i = 0; i < station.reserves.size(); ++i)
         station.reserves[i].tolerance +=

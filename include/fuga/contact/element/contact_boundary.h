@@ -54,14 +54,14 @@ namespace fuga
       return value <= tolerance && rate >= -std::max(tolerance, noise);
     }
 
-    /** How far below zero rounding may have led it at @p tau along a path where it rests at the
-     * beginning; rates that begin large on a soft layer soon have less @p noise_there. */
+    /** How far below zero it may be at @p tau along a path of which this is the beginning: as far as
+     * there, and where it rests there by what rounding leads it; rates that begin large on a soft
+     * layer soon have less @p noise_there. */
     double
     drift(const double tau, const double noise_there) const
     {
-      return rests()
-               ? std::max(0., -value) + tau * std::max(tolerance, std::min(noise, noise_there))
-               : 0.;
+      return std::max(0., -value) +
+             (rests() ? tau * std::max(tolerance, std::min(noise, noise_there)) : 0.);
     }
   };
 

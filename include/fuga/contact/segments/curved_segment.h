@@ -100,8 +100,6 @@ namespace fuga
     insert(const double tau, PathPoint &&point, const std::optional<double> &lost = {});
     double
     jump_of(const PathPoint &point) const;
-    ContactBoundary
-    boundary_at(const double tau, const JointState &state) const;
     std::vector<std::size_t>
     elements_on_boundary(const double tau, const JointState &state) const;
     [[noreturn]] void
@@ -119,7 +117,7 @@ namespace fuga
     /** At the beginning: the forces, and what rests there. */
     const KnownForces known;
     const std::vector<Reserve> first_reserves;
-    /** There, without what steps of no length have widened. */
+    /** There: boundary_at(). */
     const ContactBoundary first_boundary;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;

@@ -155,6 +155,14 @@ namespace fuga
   void
   check_number_of_steps(const std::size_t n_steps, const double t);
 
+  /** What counts as zero in a state at @p tau, without what steps of no length have widened: that
+   * is for the point where they ended. */
+  ContactBoundary
+  boundary_at(const PathContext &context,
+              const Course &course,
+              const double tau,
+              const JointState &state);
+
   /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
   void
   release(const Drive &drive, const double tau, JointState &state);

@@ -175,6 +175,8 @@ namespace fuga
     PathContext context;
     const Course course;
     const PathPoint start;
+    /** There: boundary_at(). */
+    const ContactBoundary first_boundary;
     /** Numbers of the turning elements, and of all that slip: these first. */
     std::vector<std::size_t> turning, slipping;
     /** The start as the background sees it: turning elements stick. */
