@@ -51,12 +51,15 @@ namespace fuga::stress
   {
     return !state.states.empty() &&
            std::any_of(elements.begin(), elements.end(), [&](const ContactElement &element) {
+             const double pressure = -state.forces[element.normal_bar] / element.area;
              if (element.coupling == nullptr)
-               return false;
+               return element.normal_law != nullptr &&
+                      std::isfinite(element.normal_law->deformation_limit()) &&
+                      pressure > element.normal_law->stress(
+                                   (1. - 1e-12) * element.normal_law->deformation_limit());
              const double limit = element.coupling->closure_limit();
              const auto layer   = element.coupling->deformation(
-               -state.forces[element.normal_bar] / element.area,
-               length(shear_part(element, state.forces)) / element.area);
+               pressure, length(shear_part(element, state.forces)) / element.area);
              return layer.closure >= (1. - 1e-6) * limit;
            });
   }

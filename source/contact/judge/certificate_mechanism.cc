@@ -52,6 +52,13 @@ namespace fuga
     return error() <= largest_error && is_driven(*this);
   }
 
+  bool
+  MechanismCertificate::is_neutral() const
+  {
+    constexpr double rounding = 1e-9;
+    return std::max(error(), std::abs(drive)) <= rounding;
+  }
+
   Freedom
   Judge::freedom(const std::size_t k, const JointState &state, const Vector &delta) const
   {

@@ -5,6 +5,7 @@
 #include <fuga/contact/judge/limit_proof.h>
 #include <fuga/contact/virgin_state.h>
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace fuga
@@ -31,6 +32,26 @@ namespace fuga
                          proof.equilibrium,
                          proof.inadmissible,
                          proof.drive);
+    }
+
+    /** The motion that was found proves nothing; that all states were tried, does. */
+    void
+    take_no_continuation(const std::vector<ContactElement> &elements,
+                         const JointState &state,
+                         PathResult &result)
+    {
+      constexpr double moves = 1e-6; // of the largest jump
+      result.verdict         = Verdict::no_continuation;
+      result.mechanism       = MechanismKind::none;
+      result.critical.t      = state.t;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        for (std::size_t a = 0; a < elements[k].n_bars(); ++a)
+          if (std::abs(result.mechanism_jumps[elements[k].bar(a)]) > moves)
+            {
+              result.critical.elements.push_back(k);
+              break;
+            }
+      result.mechanism_jumps.clear();
     }
   } // namespace
 
@@ -67,6 +88,11 @@ namespace fuga
         result.tried.clear();
         result.barrier = {};
         return {of_judge, {}};
+      }
+    if (is_limit && of_path.is_neutral() && result.critical.all_counted)
+      {
+        take_no_continuation(elements, state, result);
+        return {};
       }
     if (!is_limit && result.tried.empty())
       return {};

@@ -169,6 +169,8 @@ namespace fuga
         return;
       }
     take_limit(state, continuation.mechanism, result);
+    result.critical.all_counted =
+      rate_problem.can_be_enumerated(boundary.elements_on_boundary(state));
 
     // The elements that reach their boundary at the limit take the state in which the mechanism
     // moves.

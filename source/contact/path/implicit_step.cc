@@ -241,11 +241,10 @@ namespace fuga
         const Strength &strength      = state.strengths[k];
         const bool slips              = is_slipping(state.states[k]);
         const bool rises              = slips && start.strengths[k].dilatancy > 0.;
-        state.dilations[k] =
-          !rises ? start.dilations[k]
-          : strength.dilatancy == 0.
-            ? element.friction.dilation_limit
-            : start.dilations[k] + strength.dilatancy * length(slip_of_step(state, k));
+        if (!rises)
+          state.dilations[k] = start.dilations[k];
+        else if (strength.dilatancy == 0.)
+          state.dilations[k] = element.friction.dilation_limit;
         if (state.states[k] == ContactState::open)
           continue;
         if (!has_nonlinear_closure(element) && !(rises && strength.dilatancy > 0.))
@@ -258,6 +257,12 @@ namespace fuga
     const Vector factors = course.factors_at(tau);
     set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
+    // The slip is what forces and dislocations of the same state leave of the jump, on layers that
+    // know their closure with the last rise.
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (is_slipping(state.states[k]) && state.strengths[k].dilatancy > 0.)
+        state.dilations[k] =
+          start.dilations[k] + state.strengths[k].dilatancy * length(slip_of_step(state, k));
   }
 
   TangentVector

@@ -105,6 +105,8 @@ namespace fuga
       }
     else
       search_all(state, set, drive, result);
+    if (!result.exists && !result.is_ruled_out)
+      search_by_cones(state, set, drive, resticking, result);
     return result;
   }
 
@@ -174,16 +176,12 @@ namespace fuga
     return switches;
   }
 
-  // Along a curve every point is a solution of its own, and a motion that rests would have to be
-  // held in all of them: there it stays a mechanism.
   std::optional<WorkingScheme::FreeMotion>
-  RateProblem::rates_of_scheme(const Drive &drive)
+  RateProblem::rates_of_scheme(const Drive &drive, const bool last_resort)
   {
-    if (std::optional<JointRates> rates = scheme.rates(drive))
-      return WorkingScheme::FreeMotion{std::move(*rates), false};
-    std::optional<WorkingScheme::FreeMotion> motion = scheme.driven_motion(drive);
+    std::optional<WorkingScheme::FreeMotion> motion = scheme.motion(drive);
     if (motion)
-      motion->is_driven |= scheme.is_nonlinear();
+      motion->is_driven |= motion->rests && scheme.is_nonlinear() && !last_resort;
     return motion;
   }
 
@@ -204,7 +202,8 @@ namespace fuga
         ++result.n_schemes;
         if (!visited.insert(states_of(set)).second)
           return false;
-        const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive);
+        const std::optional<WorkingScheme::FreeMotion> motion =
+          rates_of_scheme(drive, stride == Stride::last_resort);
         if (!motion || (motion->is_driven &&
                         (stride == Stride::all_at_once || n_mechanisms++ == most_mechanisms)))
           return false;
@@ -234,17 +233,27 @@ namespace fuga
                          const Found &found)
   {
     const std::vector<std::vector<ContactState>> choices = admissible_states(set);
-    return any_combination(choices, [&](const std::vector<std::size_t> &chosen) {
+    std::vector<ContactState> last_resort;
+    const bool any = any_combination(choices, [&](const std::vector<std::size_t> &chosen) {
       ++result.n_schemes;
       for (std::size_t i = 0; i < set.size(); ++i)
         scheme.set_state(set[i].element, choices[i][chosen[i]]);
-      const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive);
+      const std::optional<WorkingScheme::FreeMotion> motion = scheme.motion(drive);
       if (!motion || motion->is_driven || !violations(state, set, drive, motion->rates).empty())
         return false;
+      if (motion->rests && scheme.is_nonlinear())
+        {
+          last_resort = states_of(set);
+          return false;
+        }
       result.exists = true;
       result.rates  = motion->rates;
       return found();
     });
+    if (result.exists || last_resort.empty())
+      return any;
+    set_states(set, last_resort);
+    return switch_states(state, set, drive, Stride::last_resort, result);
   }
 
   bool

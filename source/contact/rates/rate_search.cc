@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/errors.h>
 #include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/boundary_lcp.h>
@@ -66,6 +67,29 @@ namespace fuga
     }
   } // namespace
 
+  // What Newton's method for cones finds, from a softer layer or by associated slip, is a scheme to
+  // switch from.
+  void
+  RateProblem::search_by_cones(const JointState &state,
+                               const std::vector<BoundaryElement> &set,
+                               const Drive &drive,
+                               const std::vector<std::size_t> &resticking,
+                               Continuation &result)
+  {
+    const std::vector<ContactState> present = states_of(set);
+    try
+      {
+        if (solve_cones(state, set, drive, resticking, 1.).exists &&
+            switch_states(state, set, drive, Stride::last_resort, result))
+          return;
+      }
+    catch (const NumericalFailure &)
+      {
+        // Of rigid bodies rates may be as large as numbers: then nothing was found.
+      }
+    set_states(set, present);
+  }
+
   void
   RateProblem::search_all(const JointState &state,
                           const std::vector<BoundaryElement> &set,
@@ -80,7 +104,7 @@ namespace fuga
     if (found.end == SearchEnd::found)
       {
         take_states(*lcp, set, found.z);
-        switch_states(state, set, drive, Stride::one_at_a_time, result);
+        switch_states(state, set, drive, Stride::last_resort, result);
         return;
       }
     result.is_ruled_out =

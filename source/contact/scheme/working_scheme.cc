@@ -274,10 +274,10 @@ namespace fuga
     if (!motion)
       return {};
     if (motion->unresisted <= undriven)
-      return FreeMotion{motion->refined, false};
+      return FreeMotion{motion->refined, false, true};
     const std::optional<MotionBeside> rest = motion_beside(smallest, rhs, drive.reactions);
     if (rest && rest->unresisted <= std::min(far_less * motion->unresisted, undriven))
-      return FreeMotion{rest->refined, false};
+      return FreeMotion{rest->refined, false, true};
     return FreeMotion{motion->first, true};
   }
 

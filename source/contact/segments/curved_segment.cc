@@ -33,7 +33,13 @@ namespace fuga
     , course(path_course)
     , options(path_options)
     , count(iteration_count)
-    , equilibrium(context, course, options, count)
+    , equilibrium(context,
+                  course,
+                  options,
+                  count,
+                  context.scheme.rates(drive_at(context.elements, course, start.state))
+                    ? SchemeAnswer::of_no_mechanism
+                    : SchemeAnswer::of_any_size)
     , taus{0.}
     , points{start}
     , known(known_forces(context, course, 0., start.state))
@@ -137,13 +143,11 @@ namespace fuga
       }
 
     context.scheme.linearise(state);
-    const std::optional<JointRates> rates =
-      context.scheme.rates(drive_at(context.elements, course, state));
-    if (!rates)
+    std::optional<WorkingScheme::FreeMotion> motion =
+      context.scheme.motion(drive_at(context.elements, course, state));
+    if (!motion || motion->is_driven || is_behind_pole())
       return {};
-    if (is_behind_pole())
-      return {};
-    point.rates = *rates;
+    point.rates = std::move(motion->rates);
     return point;
   }
   // Behind a rate of slip that is zero the equations of the scheme have solutions that are none, to

@@ -22,8 +22,13 @@ namespace fuga
   SchemeEquilibrium::SchemeEquilibrium(const PathContext &path_context,
                                        const Course &path_course,
                                        const PathOptions &path_options,
-                                       IterationCount &iteration_count)
-    : context(path_context), course(path_course), options(path_options), count(iteration_count)
+                                       IterationCount &iteration_count,
+                                       const SchemeAnswer wanted)
+    : context(path_context)
+    , course(path_course)
+    , options(path_options)
+    , count(iteration_count)
+    , answer(wanted)
   {
   }
 
@@ -42,6 +47,8 @@ namespace fuga
     double last_change       = std::numeric_limits<double>::infinity();
     double contraction       = 0.;
     int n_growing            = 0;
+    // A correction that leaves something unresisted may be small as well.
+    const bool leaves_nothing = answer == SchemeAnswer::of_no_mechanism;
     ++count.n_solutions;
     if (constant)
       context.scheme.linearise(state, LayerStiffness::initial);
@@ -54,7 +61,7 @@ namespace fuga
         const Vector residual = context.scheme.residual(state);
         const bool is_balanced =
           max_abs(residual) <= max_abs(context.boundary.all_force_tolerances());
-        const std::optional<JointRates> change = context.scheme.correction(residual);
+        const std::optional<JointRates> change = context.scheme.correction(residual, answer);
         if (!change)
           return is_balanced;
         const Vector growth = context.system.jumps(change->dislocations, change->forces);
@@ -70,7 +77,7 @@ namespace fuga
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
         if (passes_limit_of_law(context.elements, state))
           return false;
-        if (size <= options.tolerance * total)
+        if (size <= options.tolerance * total && (leaves_nothing || is_balanced))
           return true;
         contraction = size / last_change;
         n_growing   = contraction >= 1. ? n_growing + 1 : 0;
@@ -79,7 +86,7 @@ namespace fuga
         // At the level of rounding the differences cannot fall further. A layer that is all but
         // unloaded answers what is no force with more than the rounding of a jump.
         if (!constant && contraction > 0.3 &&
-            (is_balanced || size <= 1e3 * options.tolerance * total))
+            (is_balanced || (leaves_nothing && size <= 1e3 * options.tolerance * total)))
           return true;
         last_change = size;
       }

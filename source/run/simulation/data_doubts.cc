@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace fuga
 {
@@ -118,39 +119,62 @@ namespace fuga
                        distances.text(u.length));
   }
 
-  // No finite stress reaches the closure limit of a normal law. Where the shear stiffness grows
-  // with closure, lips without shear reach the closure at which it is infinite, and sheared ones
-  // come so near that no digit is left between both.
+  namespace
+  {
+    /** No finite stress reaches the closure limit of a normal law, but few powers of ten lead to
+     * where no digit is left between a closure and the limit. Where the shear stiffness grows with
+     * closure, lips without shear reach the closure at which it is infinite, and sheared ones come
+     * so near that no digit is left between both. */
+    std::string
+    what_ends(const ContactElement &element, const double closure, const Units &units)
+    {
+      constexpr double too_much = 1e-6;
+      const double limit        = closure_limit(element);
+      if (limit != element.normal_law->deformation_limit())
+        return fmt::format("'Shear growth closure' of {:.9g} {}. There the shear stiffness of the "
+                           "law is infinite. Give a larger one, a stiffer normal law, or one with "
+                           "a closure limit below it.",
+                           limit,
+                           units.length);
+      const double w          = std::min(closure, std::nextafter(limit, 0.));
+      const double last_digit = std::numeric_limits<double>::epsilon() * w *
+                                element.normal_law->tangent(w) / element.normal_law->stress(w);
+      if (last_digit < too_much)
+        return {};
+      return fmt::format("closure limit of {:.9g} {}. A change of the last digit of the closure "
+                         "changes the pressure by {:.1e} of it. Give a thicker layer, or a stiffer "
+                         "law.",
+                         limit,
+                         units.length,
+                         last_digit);
+    }
+  } // namespace
+
   template <int dim>
   std::string
   limit_of_law(const PhaseRun<dim> &phase, const JointState &state)
   {
+    const Units &u = phase.parameters.output.units;
     for (std::size_t k = 0; k < state.states.size(); ++k)
       {
         const ContactElement &element = phase.joint.elements[k];
-        const double limit            = closure_limit(element);
-        if (!is_at_closure_limit(element, state, k) ||
-            limit == element.normal_law->deformation_limit())
+        if (!is_at_closure_limit(element, state, k))
           continue;
-        const double closure = -gap(element, state, k);
-        const Units &u       = phase.parameters.output.units;
-        return fmt::format(
-          "outside of the law: at load time {:.9g} element {} of joint '{}', at "
-          "({:g}; {:g}; {:g}), is closed by {:.9g} {}, all but {:.1e} of its "
-          "'Shear growth closure' of {:.9g} {}. There the shear stiffness of the law is "
-          "infinite. Give a larger one, a stiffer normal law, or one with a closure limit below "
-          "it.",
-          state.t,
-          element.number,
-          phase.model.joint_names[element.joint],
-          element.position[0],
-          element.position[1],
-          element.position[2],
-          closure,
-          u.length,
-          (limit - closure) / limit,
-          limit,
-          u.length);
+        const double closure   = -gap(element, state, k);
+        const std::string ends = what_ends(element, closure, u);
+        if (!ends.empty())
+          return fmt::format("outside of the law: at load time {:.9g} element {} of joint '{}', at "
+                             "({:g}; {:g}; {:g}), is closed by {:.9g} {}, all but {:.1e} of its {}",
+                             state.t,
+                             element.number,
+                             phase.model.joint_names[element.joint],
+                             element.position[0],
+                             element.position[1],
+                             element.position[2],
+                             closure,
+                             u.length,
+                             1. - closure / closure_limit(element),
+                             ends);
       }
     return {};
   }

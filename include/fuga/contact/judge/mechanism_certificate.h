@@ -39,6 +39,10 @@ namespace fuga
      * drives it by more than rounding. */
     bool
     proves() const;
+
+    /** Nothing resists the motion, and the load does not drive it: it proves nothing. */
+    bool
+    is_neutral() const;
   };
 
   template <typename Proof, typename Visitor, only_for<Proof, MechanismCertificate> = 0>

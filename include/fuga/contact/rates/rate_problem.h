@@ -237,11 +237,14 @@ namespace fuga
     enum class Stride
     {
       all_at_once,
-      one_at_a_time
+      one_at_a_time,
+      /** The same where all else has failed: rates_of_scheme(). */
+      last_resort
     };
-    /** The rates of the working scheme: a mechanism only if the drive works on a free motion. */
+    /** Along a curve every point is a solution of its own, in which a free motion that rests has to
+     * be held: only as a @p last_resort it is no mechanism. */
     std::optional<WorkingScheme::FreeMotion>
-    rates_of_scheme(const Drive &drive);
+    rates_of_scheme(const Drive &drive, const bool last_resort = false);
     bool
     switch_states(const JointState &state,
                   const std::vector<BoundaryElement> &set,
@@ -279,6 +282,14 @@ namespace fuga
                const std::vector<BoundaryElement> &set,
                const Drive &drive,
                Continuation &result);
+
+    /** The same by the methods for two tangential bars. */
+    void
+    search_by_cones(const JointState &state,
+                    const std::vector<BoundaryElement> &set,
+                    const Drive &drive,
+                    const std::vector<std::size_t> &resticking,
+                    Continuation &result);
 
     std::vector<Branch>
     branches_of_cones(const JointState &state,

@@ -145,16 +145,20 @@ namespace fuga
     {
       JointRates rates;
       /** The drive works on a motion that nothing resists: only the signs of the rates mean
-       * something. Otherwise such motions rest, and the rates are those of the scheme. */
+       * something. */
       bool is_driven = true;
+      /** Such a motion is there, but rests: the rates are those of the scheme. */
+      bool rests = false;
     };
 
-    /**
-     * The rates of a singular scheme under @p drive, with a stiffness added to every active bar
-     * that is too small to matter where others resist. Nothing if even that has no solution.
-     */
+    /** The rates under @p drive: a mechanism only if the drive works on a free motion. */
     std::optional<FreeMotion>
-    driven_motion(const Drive &drive) const;
+    motion(const Drive &drive)
+    {
+      if (std::optional<JointRates> found = rates(drive))
+        return FreeMotion{std::move(*found), false};
+      return driven_motion(drive);
+    }
 
     /** A direction of motion without resistance of a singular scheme (null vector, largest entry
      * 1). */
@@ -246,6 +250,12 @@ namespace fuga
     motion_beside(const double added_stiffness,
                   const Vector &rhs,
                   const Vector &force_offset) const;
+    /**
+     * The rates of a singular scheme, with a stiffness added to every active bar that is too small
+     * to matter where others resist. Nothing if even that has no solution.
+     */
+    std::optional<FreeMotion>
+    driven_motion(const Drive &drive) const;
     Vector
     drives_of_rows(const Drive &drive) const;
     bool

@@ -28,10 +28,12 @@ namespace fuga
   class SchemeEquilibrium
   {
   public:
+    /** @p answer: which corrections count. */
     SchemeEquilibrium(const PathContext &context,
                       const Course &course,
                       const PathOptions &options,
-                      IterationCount &count);
+                      IterationCount &count,
+                      const SchemeAnswer answer = SchemeAnswer::of_no_mechanism);
 
     /** Corrects @p state, which complete_state() has completed, at @p tau. @p largest_jump: the scale of
      * the iteration; @p known: as there. Returns false if it does not converge. */
@@ -46,6 +48,7 @@ namespace fuga
     const Course &course;
     const PathOptions options;
     IterationCount &count;
+    const SchemeAnswer answer;
   };
 
   /** A closed layer is deformed by more than its law allows. */
