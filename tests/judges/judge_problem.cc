@@ -45,8 +45,17 @@ namespace fuga::judges
     {
       Scales scales;
       scales.force = std::max({largest(load), largest(forces), std::numeric_limits<double>::min()});
-      scales.length = std::max(
-        {largest(jumps), largest(slip), largest(slip_before), std::numeric_limits<double>::min()});
+      // Where nothing moves at all, the rounding of what the largest force would move.
+      double stiffest = 0.;
+      for (std::size_t i = 0; i < problem.S.n_rows(); ++i)
+        stiffest = std::max(stiffest, problem.S(i, i));
+      const double rounding =
+        stiffest > 0. ? std::numeric_limits<double>::epsilon() * scales.force / stiffest : 0.;
+      scales.length = std::max({largest(jumps),
+                                largest(slip),
+                                largest(slip_before),
+                                rounding,
+                                std::numeric_limits<double>::min()});
       for (const JudgeElement &element : problem.elements)
         scales.length = std::max(scales.length, std::abs(element.initial_gap));
       return scales;

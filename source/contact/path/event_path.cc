@@ -121,21 +121,7 @@ namespace fuga
     if (!continuation.exists && result.verdict != Verdict::non_unique_continuation)
       decide_on_wider_boundary(state, course, observer, continuation, result);
     if (!continuation.exists)
-      {
-        if (result.verdict != Verdict::non_unique_continuation &&
-            break_exhausted_bonds(state, observer, result))
-          {
-            standstill.forget();
-            return true;
-          }
-        lose_equilibrium(state, continuation, observer, result);
-        if (result.verdict == Verdict::no_continuation &&
-            jump_to_equilibrium(state, levels, observer, result))
-          return true;
-        if (result.verdict != Verdict::non_unique_continuation)
-          go_beyond_limit(state, 0., observer, result);
-        return false;
-      }
+      return leave_path(state, continuation, levels, observer, result);
     if (continuation.costs_strength)
       {
         standstill.forget();
@@ -146,7 +132,18 @@ namespace fuga
 
     // At which load does the next event occur? Advance to it.
     const std::unique_ptr<PathSegment> segment = make_segment(course, {state, continuation.rates});
-    const double length = find_end(*segment, course, levels, observer, state);
+    double length                              = 0.;
+    try
+      {
+        length = find_end(*segment, course, levels, observer, state);
+      }
+    catch (const PathFailure &)
+      {
+        // The motion that rests in the rates cannot be held.
+        if (!continuation.rests || segment->stations().back() > 0.)
+          throw;
+        return leave_path(state, continuation, levels, observer, result);
+      }
     if (scheme.is_nonlinear())
       note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
     state = report_piecewise(*segment, course, levels, next_level, observer);
@@ -166,6 +163,28 @@ namespace fuga
     // Where directions of slip turn, the path ends this little, of a stage, before the limit.
     constexpr double near_limit = 2e-6;
     go_beyond_limit(state, near_limit, observer, result);
+    return false;
+  }
+
+  bool
+  EventPath::leave_path(JointState &state,
+                        const Continuation &continuation,
+                        const std::vector<double> &levels,
+                        PathObserver &observer,
+                        PathResult &result)
+  {
+    if (result.verdict != Verdict::non_unique_continuation &&
+        break_exhausted_bonds(state, observer, result))
+      {
+        standstill.forget();
+        return true;
+      }
+    lose_equilibrium(state, continuation, observer, result);
+    if (result.verdict == Verdict::no_continuation &&
+        jump_to_equilibrium(state, levels, observer, result))
+      return true;
+    if (result.verdict != Verdict::non_unique_continuation)
+      go_beyond_limit(state, 0., observer, result);
     return false;
   }
 

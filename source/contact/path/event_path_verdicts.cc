@@ -170,6 +170,7 @@ namespace fuga
       }
     take_limit(state, continuation.mechanism, result);
     result.critical.all_counted =
+      continuation.is_ruled_out ||
       rate_problem.can_be_enumerated(boundary.elements_on_boundary(state));
 
     // The elements that reach their boundary at the limit take the state in which the mechanism

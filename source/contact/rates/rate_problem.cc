@@ -215,6 +215,7 @@ namespace fuga
           {
             result.exists = true;
             result.rates  = motion->rates;
+            result.rests  = motion->rests && scheme.is_nonlinear();
             return true;
           }
         const std::size_t n = stride == Stride::all_at_once ? switches.size() : 1;

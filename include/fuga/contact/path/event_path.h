@@ -48,6 +48,13 @@ namespace fuga
             const std::vector<double> &levels,
             PathObserver &observer,
             PathResult &result);
+    /** Where no continuation exists. Whether there is another way on. */
+    bool
+    leave_path(JointState &state,
+               const Continuation &continuation,
+               const std::vector<double> &levels,
+               PathObserver &observer,
+               PathResult &result);
     /** Where the path cannot be computed there may yet be an equilibrium behind. */
     bool
     jump_over_failure(JointState &state,

@@ -36,6 +36,9 @@ namespace fuga
      * with them. */
     bool exists = false;
     JointRates rates;
+    /** Beside a nonlinear layer a motion that nothing resists rests in them: the curve may not hold
+     * it. */
+    bool rests = false;
     /** Elements lose strength as they take these states: the rates do not hold. */
     bool costs_strength = false;
     RateMethod method   = RateMethod::block_switching;
