@@ -104,9 +104,7 @@ namespace fuga
         result.rates  = found.front().rates;
       }
     else
-      search_all(state, set, drive, result);
-    if (!result.exists && !result.is_ruled_out)
-      search_by_cones(state, set, drive, resticking, result);
+      search_all(state, set, drive, resticking, result);
     return result;
   }
 

@@ -5,6 +5,7 @@
 #include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/rates/boundary_lcp.h>
+#include <fuga/contact/rates/lemke.h>
 #include <fuga/contact/rates/rate_problem.h>
 
 #include <algorithm>
@@ -67,50 +68,85 @@ namespace fuga
     }
   } // namespace
 
-  // What Newton's method for cones finds, from a softer layer or by associated slip, is a scheme to
-  // switch from.
+  // Where all rates are resisted, as by a viscous layer, no motion is free, and Lemke's method
+  // finds a solution: the nearer to one without, the less they are resisted.
   void
-  RateProblem::search_by_cones(const JointState &state,
-                               const std::vector<BoundaryElement> &set,
-                               const Drive &drive,
-                               const std::vector<std::size_t> &resticking,
-                               Continuation &result)
+  RateProblem::guess_by_resistance(const BoundaryLcp &lcp,
+                                   const std::vector<BoundaryElement> &set,
+                                   const Guess &guess)
   {
-    const std::vector<ContactState> present = states_of(set);
+    for (const double resistance : {1e-8, 1e-6, 1e-4, 1e-2, 1.})
+      {
+        DenseMatrix M = lcp.M;
+        for (std::size_t i = 0; i < lcp.size(); ++i)
+          M(i, i) += resistance;
+        const LcpSolution solution = solve_lcp(M, lcp.q, lcp.covering);
+        if (!solution.solved())
+          continue;
+        take_states(lcp, set, solution.z);
+        if (guess())
+          return;
+      }
+  }
+
+  // Newton's method for cones comes from a softer layer or by associated slip.
+  void
+  RateProblem::guess_by_cones(const JointState &state,
+                              const std::vector<BoundaryElement> &set,
+                              const Drive &drive,
+                              const std::vector<std::size_t> &resticking,
+                              const Guess &guess)
+  {
     try
       {
-        if (solve_cones(state, set, drive, resticking, 1.).exists &&
-            switch_states(state, set, drive, Stride::last_resort, result))
-          return;
+        if (solve_cones(state, set, drive, resticking, 1.).exists)
+          guess();
       }
     catch (const NumericalFailure &)
       {
         // Of rigid bodies rates may be as large as numbers: then nothing was found.
       }
-    set_states(set, present);
   }
 
+  // Every method ends in a scheme to switch from; a motion may rest only if all of them fail.
   void
   RateProblem::search_all(const JointState &state,
                           const std::vector<BoundaryElement> &set,
                           const Drive &drive,
+                          const std::vector<std::size_t> &resticking,
                           Continuation &result)
   {
     const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
     if (!lcp)
       return;
+    std::vector<std::vector<ContactState>> guesses;
+    const Guess guess = [&] {
+      guesses.push_back(states_of(set));
+      return switch_states(state, set, drive, Stride::one_at_a_time, result);
+    };
+    guess_by_resistance(*lcp, set, guess);
+    if (result.exists)
+      return;
     const LcpSearch found =
       search_lcp(lcp->M, lcp->q, noise_of(*lcp, state, elements, system, drive));
-    if (found.end == SearchEnd::found)
-      {
-        take_states(*lcp, set, found.z);
-        switch_states(state, set, drive, Stride::last_resort, result);
-        return;
-      }
     result.is_ruled_out =
       found.end == SearchEnd::none &&
       std::all_of(set.begin(), set.end(), [&](const BoundaryElement &candidate) {
         return has_all_states(candidate, elements[candidate.element]);
       });
+    if (result.is_ruled_out)
+      return;
+    if (found.end == SearchEnd::found)
+      {
+        take_states(*lcp, set, found.z);
+        if (guess())
+          return;
+      }
+    guess_by_cones(state, set, drive, resticking, guess);
+    for (std::size_t i = 0; i < guesses.size() && !result.exists; ++i)
+      {
+        set_states(set, guesses[i]);
+        switch_states(state, set, drive, Stride::last_resort, result);
+      }
   }
 } // namespace fuga

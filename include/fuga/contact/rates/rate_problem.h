@@ -279,20 +279,25 @@ namespace fuga
                     const std::vector<BoundaryElement> &set,
                     const Drive &drive,
                     Continuation &result);
+    /** Whether switching from the present scheme ends in a continuation. */
+    using Guess = std::function<bool()>;
+    void
+    guess_by_resistance(const BoundaryLcp &lcp,
+                        const std::vector<BoundaryElement> &set,
+                        const Guess &guess);
+    void
+    guess_by_cones(const JointState &state,
+                   const std::vector<BoundaryElement> &set,
+                   const Drive &drive,
+                   const std::vector<std::size_t> &resticking,
+                   const Guess &guess);
     /** Searches what is left when all else has failed; finds a continuation or rules it out. */
     void
     search_all(const JointState &state,
                const std::vector<BoundaryElement> &set,
                const Drive &drive,
+               const std::vector<std::size_t> &resticking,
                Continuation &result);
-
-    /** The same by the methods for two tangential bars. */
-    void
-    search_by_cones(const JointState &state,
-                    const std::vector<BoundaryElement> &set,
-                    const Drive &drive,
-                    const std::vector<std::size_t> &resticking,
-                    Continuation &result);
 
     std::vector<Branch>
     branches_of_cones(const JointState &state,
