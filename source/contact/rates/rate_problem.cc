@@ -178,8 +178,10 @@ namespace fuga
   RateProblem::rates_of_scheme(const Drive &drive, const bool last_resort)
   {
     std::optional<WorkingScheme::FreeMotion> motion = scheme.motion(drive);
-    if (motion)
-      motion->is_driven |= motion->rests && scheme.is_nonlinear() && !last_resort;
+    if (!motion)
+      return motion;
+    motion->rests &= scheme.is_nonlinear(); // beside linear layers nothing has to hold it
+    motion->is_driven |= motion->rests && !last_resort;
     return motion;
   }
 
@@ -213,7 +215,7 @@ namespace fuga
           {
             result.exists = true;
             result.rates  = motion->rates;
-            result.rests  = motion->rests && scheme.is_nonlinear();
+            result.rests  = motion->rests;
             return true;
           }
         const std::size_t n = stride == Stride::all_at_once ? switches.size() : 1;
@@ -237,10 +239,10 @@ namespace fuga
       ++result.n_schemes;
       for (std::size_t i = 0; i < set.size(); ++i)
         scheme.set_state(set[i].element, choices[i][chosen[i]]);
-      const std::optional<WorkingScheme::FreeMotion> motion = scheme.motion(drive);
+      const std::optional<WorkingScheme::FreeMotion> motion = rates_of_scheme(drive, true);
       if (!motion || motion->is_driven || !violations(state, set, drive, motion->rates).empty())
         return false;
-      if (motion->rests && scheme.is_nonlinear())
+      if (motion->rests)
         {
           last_resort = states_of(set);
           return false;
