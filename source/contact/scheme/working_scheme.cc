@@ -220,8 +220,9 @@ namespace fuga
     const auto refined_solution = [&]() {
       if (refine<double>(rhs, force_offset, driving_force, result) >
             accepted_double_defect * driving_force &&
-          (stale || refine<long double>(rhs, force_offset, driving_force, result) >
-                      accepted_defect * driving_force))
+          (stale || (refine<long double>(rhs, force_offset, driving_force, result) >
+                       accepted_defect * driving_force &&
+                     defect_of_layers(rhs, result) > accepted_defect * driving_force)))
         return false;
       return answer == SchemeAnswer::of_any_size ||
              system.scaled_size(result.dislocations) <= largest;

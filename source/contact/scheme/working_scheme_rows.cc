@@ -268,4 +268,24 @@ namespace fuga
       result[i] = row_residual(rows[i], elements[rows[i].element], at);
     return result;
   }
+
+  // Of a layer that has stiffened to C ≫ 1/D the row 1 - C D magnifies the rounding of its jump.
+  double
+  WorkingScheme::defect_of_layers(const Vector &rhs, const JointRates &rates) const
+  {
+    double worst = 0.;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const SchemeRow &row = rows[i];
+        double value = -rhs[i], size = 1.;
+        for (std::size_t a = 0; a < elements[row.element].n_bars(); ++a)
+          {
+            const std::size_t bar = elements[row.element].bar(a);
+            value += row.own[a] * rates.forces[bar] - row.stiffness[a] * rates.dislocations[bar];
+            size = std::max(size, std::abs(row.own[a]));
+          }
+        worst = std::max(worst, std::abs(value) / (size * system.scale(row.bar)));
+      }
+    return worst;
+  }
 } // namespace fuga

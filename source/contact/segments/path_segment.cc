@@ -70,7 +70,6 @@ namespace fuga
     return result;
   }
 
-
   void
   release(const Drive &drive, const double tau, JointState &state)
   {
@@ -194,17 +193,19 @@ namespace fuga
 
   // Where hardly anything holds the bodies, a small correction of forces moves them far enough to
   // meet, or miss, each other: the event is then looked for on the chord to the corrected end. A
-  // correction that is larger than the step itself makes no chord: the event has been met.
+  // correction larger than the step itself makes none, nor one that meets a boundary long before
+  // its end: that is rounding, where one is near by.
   double
   StraightSegment::find_end()
   {
     end = distance(start.rates);
     for (int chord = 0; end > 0.; ++chord)
       {
-        double moved = 0.;
-        end_point    = point(end, moved);
-        if (moved <= context.boundary.gap_tolerance() || chord == max_chords ||
-            moved >= end * max_abs(start.rates.dislocations))
+        double moved        = 0.;
+        end_point           = point(end, moved);
+        const bool is_exact = moved <= context.boundary.gap_tolerance() ||
+                              moved >= end * max_abs(start.rates.dislocations);
+        if (chord == 0 && is_exact)
           break;
         JointRates rates = start.rates;
         for (std::size_t i = 0; i < rates.forces.size(); ++i)
@@ -213,9 +214,12 @@ namespace fuga
               (end_point->state.dislocations[i] - start.state.dislocations[i]) / end;
             rates.forces[i] = (end_point->state.forces[i] - start.state.forces[i]) / end;
           }
-        const double next = distance(rates);
-        if (next < 0.5 * end)
-          break; // rounding at a boundary where the path begins
+        const double next  = distance(rates);
+        const bool is_near = next < 0.5 * end;
+        if (is_near && chord > 0)
+          end_point = point(end = distance(start.rates), moved);
+        if (is_near || is_exact || chord == max_chords)
+          break;
         end = next;
       }
     return end;

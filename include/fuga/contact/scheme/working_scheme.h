@@ -291,6 +291,10 @@ namespace fuga
            const Vector &force_offset,
            const double driving_force,
            JointRates &result) const;
+    /** The largest defect of a row relative to its largest factor, in the units of
+     * LayeredSystem::scale(). */
+    double
+    defect_of_layers(const Vector &rhs, const JointRates &rates) const;
     template <typename Number>
     double
     apply(const std::vector<Number> &active_dislocations,
