@@ -170,7 +170,7 @@ namespace fuga
     std::vector<CurvePoint> curve;
     for (std::size_t i = 0; i < points.size(); ++i)
       curve.push_back({taus[i], &points[i]});
-    return rates_diverge(curve, 2, near_enough * std::max(1., course.t_end));
+    return rates_diverge(curve, 2, near_enough * std::max(1., course.t_end), bend_of_maximum);
   }
 
   void

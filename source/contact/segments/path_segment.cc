@@ -281,10 +281,10 @@ namespace fuga
     diverges(const std::vector<CurvePoint> &curve,
              const Vector &g,
              const int exponent,
-             const double within)
+             const double within,
+             const double bend)
     {
       constexpr double smaller       = 1. / 1.2;
-      const double bend              = 0.2 / exponent; // a slip that turns soon looks like n = 2
       constexpr std::size_t n_points = 4;
       std::array<double, n_points> place, value;
       std::size_t n = 0;
@@ -316,7 +316,10 @@ namespace fuga
   // cut the path into short pieces. (Two slopes may agree by chance, where a slip turns quickly as
   // its element leaves the cone at the apex.)
   bool
-  rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within)
+  rates_diverge(const std::vector<CurvePoint> &curve,
+                const int exponent,
+                const double within,
+                const double bend)
   {
     constexpr double no_part = 0.01;
     const Vector &first      = curve.front().point->rates.dislocations,
@@ -344,7 +347,7 @@ namespace fuga
           Vector speeds;
           for (const CurvePoint &at : curve)
             speeds.push_back(std::abs(at.point->rates.dislocations[bar] - steady));
-          if (diverges(curve, speeds, exponent, within))
+          if (diverges(curve, speeds, exponent, within, bend))
             return true;
         }
     return false;

@@ -168,7 +168,7 @@ namespace fuga
   // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
   // something soft moves far, and stands.
   bool
-  TurningSegment::grows_beyond_bounds(const double negligible_load) const
+  TurningSegment::grows_beyond_bounds(const double negligible_load, const double bend) const
   {
     constexpr double weak_answer = 1e-3;
     const JointRates &rates      = curve.back().point.rates;
@@ -179,7 +179,7 @@ namespace fuga
     // Out of the virgin state any growth is large.
     return jump > 0. && load * growth >= jump &&
            max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
-           rates_diverge(points_of_curve(), 1, load);
+           rates_diverge(points_of_curve(), 1, load, bend);
   }
 
   std::vector<CurvePoint>
@@ -195,14 +195,15 @@ namespace fuga
   bool
   TurningSegment::turns_back(const double negligible_load) const
   {
-    return rates_diverge(points_of_curve(), 2, negligible_load * std::max(1., course.t_end));
+    return rates_diverge(
+      points_of_curve(), 2, negligible_load * std::max(1., course.t_end), bend_of_maximum);
   }
 
   // A load that gives way to the motion has no end.
   bool
   TurningSegment::is_below_end_of_path(const double near_limit, const double near_maximum)
   {
-    at_limit         = !course.yielding && grows_beyond_bounds(near_limit);
+    at_limit         = !course.yielding && grows_beyond_bounds(near_limit, bend_of_limit);
     at_turning_point = !course.yielding && !at_limit && turns_back(near_maximum);
     return at_limit || at_turning_point;
   }

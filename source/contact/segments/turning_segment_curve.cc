@@ -261,12 +261,19 @@ namespace fuga
   }
 
   // A boundary a few shortest steps ahead is met where the curve ends: of elements that reach it
-  // together one may be a rounding error behind the others.
+  // together one may be a rounding error behind the others. Slips that grow beyond bounds although
+  // something answers them go on behind a jump.
   void
   TurningSegment::expect_end(const PathPoint &point, const double shortest)
   {
-    constexpr double just_ahead = 10.;
-    if (!is_below_end_of_path(near_enough, near_enough) &&
+    constexpr double just_ahead = 10., bend_at_last = 2. * bend_of_limit;
+    if (is_below_end_of_path(near_enough, near_enough))
+      return;
+    at_limit = !course.yielding && grows_beyond_bounds(near_enough, bend_at_last);
+    at_turning_point =
+      !course.yielding && !at_limit &&
+      rates_diverge(points_of_curve(), 1, near_enough * std::max(1., course.t_end), bend_at_last);
+    if (!at_limit && !at_turning_point &&
         context.boundary.distance(point.state, point.rates, course.drive) >= just_ahead * shortest)
       throw PathFailure(fmt::format(
         "The path cannot be followed beyond load time {}: even the shortest step fails.",

@@ -129,6 +129,10 @@ namespace fuga
    * cannot be followed up to it. */
   constexpr double near_enough = 1e-6;
 
+  /** By how much slopes of 1/g and of 1/g² may differ there: a slip that turns soon looks like a
+   * maximum. */
+  constexpr double bend_of_limit = 0.2, bend_of_maximum = 0.1;
+
   /** Station i of a curve, as a place and as a point. */
   struct CurvePoint
   {
@@ -140,7 +144,10 @@ namespace fuga
    * no further from its end than @p within: with 1 the motion grows beyond bounds, with 2 the load
    * has a maximum at τ*. */
   bool
-  rates_diverge(const std::vector<CurvePoint> &curve, const int exponent, const double within);
+  rates_diverge(const std::vector<CurvePoint> &curve,
+                const int exponent,
+                const double within,
+                const double bend);
 
   /** Length of the first step along a curve: a little more than the way to the first event along
    * the rates of @p start, from @p least to a tenth of the course. */

@@ -150,7 +150,7 @@ namespace fuga
     double
     first_event(const Station &a, const Station &b) const;
     bool
-    grows_beyond_bounds(const double negligible_load) const;
+    grows_beyond_bounds(const double negligible_load, const double bend) const;
     bool
     is_passed(const Station &station) const;
     bool
