@@ -11,12 +11,6 @@ namespace fuga
   namespace
   {
     bool
-    lets_water_in(const LoadDefinition &load)
-    {
-      return load.kind == LoadKind::uplift && load.uplift.fills_cracks;
-    }
-
-    bool
     is_search(const StageDefinition &stage)
     {
       return stage.purpose != StagePurpose::loading;
@@ -39,8 +33,6 @@ namespace fuga
       return "inertia is";
     if (std::any_of(model.stages.begin(), model.stages.end(), is_search))
       return "a search for a factor of safety is";
-    if (std::any_of(model.loads.begin(), model.loads.end(), lets_water_in))
-      return "water that comes into opening joints is";
     return {};
   }
 } // namespace fuga

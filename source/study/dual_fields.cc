@@ -133,23 +133,6 @@ namespace fuga
       return result;
     }
 
-    /** Adds Bᵀ C B. */
-    void
-    add_bars(const DenseMatrix &B, const Vector &C, DenseMatrix &K)
-    {
-      DenseMatrix CB = B;
-      for (std::size_t j = 0; j < B.n_columns(); ++j)
-        for (std::size_t bar = 0; bar < C.size(); ++bar)
-          CB(bar, j) *= C[bar];
-      const DenseMatrix added = B.empty() ? DenseMatrix() : multiply_transposed(B, CB);
-      for (std::size_t j = 0; j < K.n_columns(); ++j)
-        if (B.empty())
-          K(j, j) += C[j];
-        else
-          for (std::size_t i = 0; i < K.n_rows(); ++i)
-            K(i, j) += added(i, j);
-    }
-
     /** What moves a dual field: a force on nodes, or the jump of bars. */
     struct Cause
     {
@@ -200,12 +183,12 @@ namespace fuga
   {
     const CondensedSystem<dim> &bodies = run.model().bodies;
     const std::vector<Cause> all       = causes(run, level);
-    const DenseMatrix &B               = bodies.jump_operator();
+    const SparseOperator &B            = bodies.jump_operator();
     const Vector C                     = bar_stiffnesses(run, level);
     DenseMatrix K                      = bodies.stiffness();
     const std::size_t n                = K.n_rows();
     const double least                 = nearly_free * largest_diagonal(K);
-    add_bars(B, C, K);
+    add_congruent(B, C, K);
     for (std::size_t i = 0; i < n; ++i)
       K(i, i) += least;
     DenseMatrix x(n, all.size());
@@ -214,8 +197,7 @@ namespace fuga
         Vector right = all[c].jump;
         for (std::size_t bar = 0; bar < right.size(); ++bar)
           right[bar] *= C[bar];
-        if (!B.empty())
-          right = multiply_transposed(B, right);
+        right = multiply_transposed(B, right);
         if (!all[c].force.empty())
           {
             const Vector condensed = bodies.response(all[c].force).coordinates;

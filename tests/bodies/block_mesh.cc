@@ -20,8 +20,7 @@ namespace fuga::test
   Vector
   apply_jump_operator(const CondensedSystem<2> &system, const Vector &x)
   {
-    const DenseMatrix &B = system.jump_operator();
-    return B.empty() ? x : multiply(B, x);
+    return multiply(system.jump_operator(), x);
   }
 
 
@@ -37,12 +36,7 @@ namespace fuga::test
         if (element.has_tangential_bar())
           C[element.tangential_bar] = element.area / rho_t;
       }
-    const DenseMatrix &B = system.jump_operator();
-    for (std::size_t k = 0; k < C.size(); ++k)
-      for (std::size_t i = 0; i < m; ++i)
-        for (std::size_t j = 0; j < m; ++j)
-          K(i, j) +=
-            C[k] * (B.empty() ? double(i == k) : B(k, i)) * (B.empty() ? double(j == k) : B(k, j));
+    add_congruent(system.jump_operator(), C, K);
     DenseMatrix x(m, 1);
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = 0; j < system.load_patterns().n_columns(); ++j)

@@ -4,6 +4,8 @@
 #ifndef fuga_tests_contact_toy_system_h
 #define fuga_tests_contact_toy_system_h
 
+#include "sparse.h"
+
 #include <fuga/contact/contact_system.h>
 #include <fuga/contact/judge/certificate.h>
 #include <fuga/contact/path/event_path.h>
@@ -32,10 +34,13 @@ namespace fuga::tests
       return F;
     }
 
-    const DenseMatrix &
+    /** Of B when it is asked for first. */
+    const SparseOperator &
     jump_operator() const override
     {
-      return B;
+      if (!B.empty() && its_operator.is_identity())
+        its_operator = sparse(B);
+      return its_operator;
     }
 
     const DenseMatrix &
@@ -55,6 +60,9 @@ namespace fuga::tests
     {
       return water.get();
     }
+
+  private:
+    mutable SparseOperator its_operator;
   };
 
   /** Water that has the force Q a in every open element with two bars: all lie at the reservoir. */

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include "contact/toy_system.h"
+#include "contact/products_only.h"
 #include "navier_with_crack.h"
+
+#include <fuga/contact/path/matrix_free_path.h>
 
 #include <gtest/gtest.h>
 
@@ -218,6 +220,36 @@ TEST(Uplift, RigidDamAgainstNavierWithCrack)
             EXPECT_NEAR(end.water[2 * k], k < m ? full : 0., 1e-15);
           }
         EXPECT_TRUE(h < 9. ? m == 0 : m > 0 || n < 16) << "no crack at " << h;
+      }
+}
+
+// The same where the stiffness of the bodies is not known: the water follows the elements that are
+// open at the end of a step, until none opens any more.
+TEST(Uplift, WithoutStiffnessWaterComesInAtTheEndOfAStep)
+{
+  for (const std::size_t n : {4u, 33u, 128u})
+    for (const double h : {6., 9.75, 10.26})
+      {
+        SCOPED_TRACE(testing::Message() << n << ", " << h);
+        const Dam dam(n);
+        const LoadHistory history = Dam::history(h);
+        const LayeredSystem layered(dam.system, dam.joint.elements);
+        const ProductsOnly bodies(dam.system, 1e4);
+        Record record(dam.system, dam.joint.elements, history);
+        MatrixFreePath(dam.joint.elements, layered, bodies, bodies, history)
+          .run({history.end()}, record);
+        EXPECT_LT(record.worst.worst(), 1e-9);
+        const JointState &end = record.levels.back();
+        const std::size_t m   = dam.crack(h);
+        const auto p          = dam.pressures(h, m);
+        for (std::size_t k = 0; k <= n; ++k)
+          {
+            EXPECT_EQ(end.states[k] == ContactState::open, k < m) << k;
+            EXPECT_NEAR(-end.forces[2 * k] / dam.navier.area[k], k < m ? 0. : p[k], 1e-9 * p.back())
+              << k;
+            const double full = Dam::gamma * h * (dam.navier.area[k] - dam.navier.closed[k]);
+            EXPECT_NEAR(end.water[2 * k], k < m ? full : 0., 1e-15) << k;
+          }
       }
 }
 

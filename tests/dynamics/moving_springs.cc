@@ -27,6 +27,7 @@ namespace fuga::tests
 
   MovingSprings::MovingSprings(Springs of)
     : springs(std::move(of))
+    , jumps(sparse(springs.jumps))
     , integration(springs.masses, damping_of(springs), springs.spectral_radius)
   {
   }
@@ -104,7 +105,7 @@ namespace fuga::tests
            const unsigned int halvings,
            const double event_tolerance)
       : bodies(springs)
-      , at_rest(bodies.condensed_stiffness(0), 0, springs.jumps, elements)
+      , at_rest(bodies.condensed_stiffness(0), 0, bodies.jump_operator(), elements)
       , history(StepSystem::history())
       , path(elements,
              at_rest.layered(),

@@ -4,6 +4,8 @@
 #ifndef fuga_tests_dynamics_moving_springs_h
 #define fuga_tests_dynamics_moving_springs_h
 
+#include "sparse.h"
+
 #include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/dynamics/time_integration.h>
 #include <fuga/contact/judge/certificate.h>
@@ -44,10 +46,10 @@ namespace fuga::tests
     begin(const Vector &forces, MotionLedger &ledger) override;
     DenseMatrix
     condensed_stiffness(const unsigned int rung) override;
-    const DenseMatrix &
+    const SparseOperator &
     jump_operator() const override
     {
-      return springs.jumps;
+      return jumps;
     }
     Step
     begin_step(const unsigned int rung) override;
@@ -72,6 +74,7 @@ namespace fuga::tests
 
   private:
     const Springs springs;
+    const SparseOperator jumps;
     TimeIntegration integration;
     Vector first_forces;
     double t = 0., h = 0.;

@@ -5,6 +5,7 @@
 #define fuga_tests_judges_from_contact_h
 
 #include "judges/judge_problem.h"
+#include "sparse.h"
 
 #include <fuga/contact/contact_element.h>
 #include <fuga/contact/contact_system.h>
@@ -24,7 +25,7 @@ namespace fuga::judges
   {
     JudgeProblem problem;
     problem.S = system.stiffness();
-    problem.B = system.jump_operator();
+    problem.B = tests::dense(system.jump_operator());
     for (const ContactElement &element : elements)
       {
         JudgeElement copy;

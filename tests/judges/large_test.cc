@@ -211,10 +211,11 @@ TEST(JudgesLarge, ReadsTheContactInterface)
     {
       return one;
     }
-    const DenseMatrix &
+    SparseOperator identity;
+    const SparseOperator &
     jump_operator() const override
     {
-      return none;
+      return identity;
     }
     const DenseMatrix &
     rigid_motions() const override

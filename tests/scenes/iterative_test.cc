@@ -4,7 +4,9 @@
 // Bodies eliminated by conjugate gradients with multigrid against the direct solver: another
 // algorithm for the same equations, so everything agrees but for the tolerance.
 
-#include "scene_run.h"
+#include "scenes/blocks_mesh.h"
+#include "scenes/keyed_blocks.h"
+#include "scenes/scene_run.h"
 
 #include <gtest/gtest.h>
 
@@ -140,6 +142,56 @@ TEST(Iterative, MatrixFreeStepsWithBonds)
   const SceneRun schemes                  = run_with("direct", "scene_g_f06.prm", settings);
   const SceneRun steps = run_with("iterative matrix-free", "scene_g_f06.prm", settings);
   expect_same_end(steps, schemes);
+}
+
+// Water follows the crack that is open at the end of a step, until it opens no more.
+TEST(Iterative, MatrixFreeWaterComesIn)
+{
+  const SceneRun steps = expect_ends_of_events("dam.prm", "Stages/reservoir/Levels=2");
+  EXPECT_GT(steps.count("open", 2.), 0u);
+}
+
+// More bars than coordinates: at the corners of a key, and where the joints of four blocks cross.
+// Slips there depend on the way, so the same steps are taken with the stiffness of the interface.
+TEST(Iterative, MatrixFreeStepsOfCornersAndCrossings)
+{
+  const auto expect_same_steps = [](const std::string &file) {
+    const std::vector<std::string> settings = {"Solver/Follow=stage ends"};
+    SceneRun steps                          = run_with("iterative matrix-free", file, settings);
+    expect_same_end(steps, run_with("direct", file, settings));
+    return steps;
+  };
+  expect_same_steps(write_scene(keyed_mesh(Profile::key, 2), keyed_blocks({{0.012, -0.006}})));
+
+  nlohmann::ordered_json scene;
+  for (const char *body : {"a", "b", "c", "d"})
+    scene["Bodies"][body] = {{"Young modulus", 1000.}, {"Poisson ratio", 0.2}};
+  const std::vector<std::array<std::string, 3>> joints = {
+    {{"lower", "b", "a"}}, {{"upper", "d", "c"}}, {{"west", "c", "a"}}, {{"east", "d", "b"}}};
+  for (const auto &[line, plus, minus] : joints)
+    scene["Joints"][line] = {{"Line", line},
+                             {"Plus body", plus},
+                             {"Minus body", minus},
+                             {"Normal compliance", 1e-4},
+                             {"Shear compliance", 2e-4},
+                             {"Friction coefficient", 0.5}};
+  scene["Boundaries"]["bottom"]["Fixed"] = "all";
+  for (const char *side : {"left", "right"})
+    scene["Boundaries"][side]["Fixed"] = "free";
+  add_load(scene, "press", "traction", "top", "0; -1");
+  add_load(scene, "push", "traction", "top", "0.4; 0");
+  scene["Stages"]["press"] = {{"Loads", "press: t"}};
+  scene["Stages"]["push"]  = {{"Loads", "push: t"}};
+  const GmshMesh mesh      = blocks_mesh({0., 1., 2.},
+                                    {0., 1., 2.},
+                                    3,
+                                    {{"a", "b"}, {"c", "d"}},
+                                    {{"lower", false, 1, 0, 1},
+                                          {"upper", false, 1, 1, 2},
+                                          {"west", true, 1, 0, 1},
+                                          {"east", true, 1, 1, 2}});
+  const SceneRun steps     = expect_same_steps(write_scene(mesh, scene));
+  EXPECT_GT(steps.count("open", 2.) + steps.count("slip", 2.), 0u);
 }
 
 // On cones the slips turn while the load grows, and a step takes their last direction: the scheme

@@ -3,6 +3,7 @@
 
 #include "stress/cone_examiner.h"
 
+#include "sparse.h"
 #include "stress/confirm.h"
 #include "stress/examiner.h"
 
@@ -92,7 +93,7 @@ namespace fuga::stress
     , elements(joint.elements)
     , judge(model.bodies, elements, model.loads.history)
     , newton(model.bodies.stiffness(),
-             model.bodies.jump_operator(),
+             tests::dense(model.bodies.jump_operator()),
              model.bodies.load_patterns(),
              cones_of(elements, virgin_state(joint)))
   {

@@ -146,7 +146,7 @@ namespace fuga::stress
       const auto elements   = view.elements(piece.elements);
       const JointState from = view.state(elements, piece.from);
       const judges::ConeNewton newton(piece.step.stiffness(),
-                                      piece.step.jump_operator(),
+                                      tests::dense(piece.step.jump_operator()),
                                       piece.step.load_patterns(),
                                       cones_of(elements, from));
       return examine_cone_step(newton,

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_contact_system_h
 #define fuga_contact_contact_system_h
 
+#include <fuga/base/numerics/sparse_operator.h>
 #include <fuga/contact/water_in_joints.h>
 
 namespace fuga
@@ -49,8 +50,8 @@ namespace fuga
     virtual const DenseMatrix &
     load_patterns() const = 0;
 
-    /** B, n_bars x n_coordinates. An empty matrix stands for the identity. */
-    virtual const DenseMatrix &
+    /** B, n_bars x n_coordinates. */
+    virtual const SparseOperator &
     jump_operator() const = 0;
 
     /** E, n_bars x n_patterns [m]. An empty matrix stands for zero. */
@@ -99,7 +100,7 @@ namespace fuga
     rigid_coordinates() const
     {
       static const DenseMatrix unknown;
-      return jump_operator().empty() ? rigid_motions() : unknown;
+      return jump_operator().is_identity() ? rigid_motions() : unknown;
     }
 
     /**

@@ -81,24 +81,6 @@ namespace fuga
       y[i] += static_cast<long double>(high[i]) + low[i];
   }
 
-  void
-  add_transposed_product(const long double sign,
-                         const DenseMatrix &A,
-                         const Accurate &x,
-                         Accurate &y)
-  {
-    work::now().accurate_operations += A.n_rows() * A.n_columns();
-    for (std::size_t j = 0; j < A.n_columns(); ++j)
-      {
-        // Its matrices, of the jumps, have a few entries in every column.
-        long double sum = 0.L;
-        for (std::size_t i = 0; i < A.n_rows(); ++i)
-          if (A(i, j) != 0.)
-            sum += A(i, j) * x[i];
-        y[j] += sign * sum;
-      }
-  }
-
   long double
   dot(const Accurate &x, const Accurate &y)
   {

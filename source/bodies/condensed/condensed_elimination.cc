@@ -121,15 +121,14 @@ namespace fuga
           {
             double n_entries = static_cast<double>(matrix.values.size());
             processes::sum(&n_entries, 1);
-            estimate = estimate_solvers(
-              {dim,
-               static_cast<std::size_t>(n_entries),
-               coordinates.size(),
-               coordinates.n_interface(),
-               effort.megabytes,
-               effort.megabytes_on_disk,
-               effort.operations,
-               model.definition().may_be_matrix_free && coordinates.jump_operator().empty()});
+            estimate = estimate_solvers({dim,
+                                         static_cast<std::size_t>(n_entries),
+                                         coordinates.size(),
+                                         coordinates.n_interface(),
+                                         effort.megabytes,
+                                         effort.megabytes_on_disk,
+                                         effort.operations,
+                                         model.definition().may_be_matrix_free});
             // Another process may run on another machine.
             double of_first = static_cast<double>(estimate->choice);
             processes::broadcast(&of_first, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/disjoint_sets.h>
 #include <fuga/base/errors.h>
 #include <fuga/bodies/condensed/condensed_operator.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
@@ -16,6 +17,51 @@
 
 namespace fuga
 {
+  namespace
+  {
+    /** What the bars of single elements add to S, Bᵀ C B, by blocks of coordinates that elements
+     * have in common. */
+    std::vector<BlockOfCoordinates>
+    blocks_of_bars(const std::vector<ContactElement> &elements,
+                   const std::vector<ElementStiffness> &stiffness,
+                   const SparseOperator &B,
+                   const std::size_t n_coordinates)
+    {
+      DisjointSets sets(n_coordinates);
+      for (const ContactElement &element : elements)
+        {
+          std::optional<std::size_t> first;
+          for (std::size_t i = 0; i < element.n_bars(); ++i)
+            B.for_each_in_row(element.bar(i), [&](const std::size_t c, double) {
+              first = first.value_or(c);
+              sets.unite(static_cast<unsigned int>(*first), static_cast<unsigned int>(c));
+            });
+        }
+      std::vector<unsigned int> number;
+      std::vector<BlockOfCoordinates> blocks(sets.number(number));
+      std::vector<std::size_t> place;
+      for (std::size_t c = 0; c < n_coordinates; ++c)
+        {
+          std::vector<int> &coordinates = blocks[number[c]].coordinates;
+          place.push_back(coordinates.size());
+          coordinates.push_back(static_cast<int>(c));
+        }
+      for (BlockOfCoordinates &block : blocks)
+        block.stiffness = DenseMatrix(block.coordinates.size(), block.coordinates.size());
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
+          for (std::size_t j = 0; j < elements[k].n_bars(); ++j)
+            B.for_each_in_row(elements[k].bar(i), [&](const std::size_t c, const double left) {
+              B.for_each_in_row(elements[k].bar(j), [&](const std::size_t d, const double right) {
+                blocks[number[c]].stiffness(place[c], place[d]) +=
+                  left * stiffness[k][i][j] * right;
+              });
+            });
+      return blocks;
+    }
+  } // namespace
+
+
   template <int dim>
   CondensedOperator<dim>::CondensedOperator(BodyModel<dim> &body_model) : model(body_model)
   {
@@ -38,15 +84,14 @@ namespace fuga
         const Vector jump = model.contact_bars().jumps(model.rigid_pieces().free_motion(k));
         std::copy(jump.begin(), jump.end(), motions.column(k));
       }
-    motion_coordinates = motions;
-    if (const DenseMatrix &B = coordinates.jump_operator(); !B.empty() && motions.n_columns() > 0)
+    dual = dual_of(coordinates.jump_operator());
+    // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
+    motion_coordinates = DenseMatrix(coordinates.n_interface(), motions.n_columns());
+    for (std::size_t k = 0; k < motions.n_columns(); ++k)
       {
-        // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
-        DenseMatrix gram   = multiply_transposed(B, B);
-        motion_coordinates = multiply_transposed(B, motions);
-        if (!solve_positive_definite(gram, motion_coordinates))
-          throw NumericalFailure(
-            "The jumps of the joints do not determine the motion of the bodies.");
+        const Vector x = multiply_transposed(
+          dual, Vector(motions.column(k), motions.column(k) + motions.n_rows()));
+        std::copy(x.begin(), x.end(), motion_coordinates.column(k));
       }
     projection = std::make_unique<RigidProjection>(motion_coordinates);
     if (!matrix_free_solver)
@@ -202,6 +247,26 @@ namespace fuga
   }
 
 
+  // The smallest coordinates b/|b|² that move a bar with the row b of B by one.
+  template <int dim>
+  Vector
+  CondensedOperator<dim>::stiffness_of_lips() const
+  {
+    Vector result(model.contact_bars().bars().size());
+    for (std::size_t bar = 0; bar < result.size(); ++bar)
+      {
+        double work = 0., square = 0.;
+        model.interface_coordinates().jump_operator().for_each_in_row(
+          bar, [&](const std::size_t c, const double factor) {
+            work += factor * factor * lips[c];
+            square += factor * factor;
+          });
+        result[bar] = work / (square * square);
+      }
+    return result;
+  }
+
+
   template <int dim>
   Vector
   CondensedOperator<dim>::coordinates_under(Vector f) const
@@ -224,18 +289,11 @@ namespace fuga
                                           const Vector &r,
                                           const double tolerance) const
   {
-    std::vector<BlockOfBars> blocks;
-    for (std::size_t k = 0; k < stiffness.size(); ++k)
-      {
-        const ContactElement &element = model.elements()[k];
-        BlockOfBars block{{static_cast<int>(element.normal_bar)}, stiffness[k]};
-        if (element.has_tangential_bar())
-          block.bars.push_back(static_cast<int>(element.tangential_bar));
-        if (element.has_second_tangential_bar())
-          block.bars.push_back(static_cast<int>(element.second_tangential_bar));
-        blocks.push_back(std::move(block));
-      }
-    TangentSolver::Solution solution = matrix_free_solver->solve_with_bars(blocks, r, tolerance);
+    TangentSolver::Solution solution = matrix_free_solver->solve_with_bars(
+      blocks_of_bars(
+        model.elements(), stiffness, model.interface_coordinates().jump_operator(), r.size()),
+      r,
+      tolerance);
     projection->take_out_work(solution.resistance);
     return solution;
   }

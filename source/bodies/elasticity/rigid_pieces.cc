@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/disjoint_sets.h>
 #include <fuga/base/errors.h>
-#include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/elasticity/rigid_pieces.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/bodies/disjoint_sets.h>
+#include <fuga/base/disjoint_sets.h>
 #include <fuga/bodies/joints/interface_rows.h>
 
 #include <algorithm>
@@ -61,15 +61,12 @@ namespace fuga
 
 
   template <int dim>
-  DenseMatrix
+  SparseOperator
   InterfaceRows<dim>::jump_operator() const
   {
     if (!has_junction)
       return {};
-    DenseMatrix B(bars.bars().size(), interface_count);
-    for (const auto &entry : jumps)
-      B(entry.bar, entry.coordinate) += entry.factor;
-    return B;
+    return {bars.bars().size(), interface_count, jumps};
   }
 
 

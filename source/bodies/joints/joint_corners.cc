@@ -4,7 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <fmt/format.h>
-#include <fuga/bodies/disjoint_sets.h>
+#include <fuga/base/disjoint_sets.h>
 #include <fuga/bodies/joints/joint_corners.h>
 #include <fuga/bodies/point_text.h>
 

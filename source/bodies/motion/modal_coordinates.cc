@@ -31,17 +31,6 @@ namespace fuga
     {
       all.insert(all.end(), more.begin(), more.end());
     }
-
-    /** (BᵀB)⁻¹ b. */
-    Vector
-    solve_gram(const DenseMatrix &B, const Vector &b)
-    {
-      DenseMatrix gram = multiply_transposed(B, B), x(b.size(), 1);
-      std::copy(b.begin(), b.end(), x.data());
-      if (!solve_positive_definite(gram, x))
-        throw NumericalFailure("The jumps of the joints do not determine their coordinates.");
-      return {x.data(), x.data() + x.n_rows()};
-    }
   } // namespace
 
 
@@ -54,6 +43,7 @@ namespace fuga
     , driving(driving_forces)
     , damping(rayleigh)
     , basis(std::move(of_bodies))
+    , dual(dual_of(bodies.jump_operator()))
     , its_mass(n_modes(), 1.)
     , no_mass(bodies.discretization().n_dofs(), 0.)
     , stiffness(multiply_transposed(basis->axes, multiply(bodies.stiffness(), basis->axes)))
@@ -167,9 +157,8 @@ namespace fuga
   Vector
   ModalCoordinates<dim>::bar_forces(const Vector &p) const
   {
-    const DenseMatrix &B = model.jump_operator();
     Vector result(n_modes(), 0.);
-    append(along_axes(B.empty() ? p : multiply_transposed(B, p)), result);
+    append(along_axes(multiply_transposed(model.jump_operator(), p)), result);
     return result;
   }
 
@@ -179,9 +168,7 @@ namespace fuga
   Vector
   ModalCoordinates<dim>::from_nodes(const Vector &velocity) const
   {
-    Vector x = model.jumps(model.by_degrees_of_freedom(velocity));
-    if (const DenseMatrix &B = model.jump_operator(); !B.empty())
-      x = solve_gram(B, multiply_transposed(B, x));
+    const Vector x = multiply_transposed(dual, model.jumps(model.by_degrees_of_freedom(velocity)));
     Vector momenta = velocity;
     for (std::size_t dof = 0; dof < momenta.size(); ++dof)
       momenta[dof] *= basis->mass[dof];
@@ -345,9 +332,7 @@ namespace fuga
                                            const Vector &p,
                                            const double scale) const
   {
-    Vector on_lips = interface_of(dynamic_forces(state));
-    if (const DenseMatrix &B = model.jump_operator(); !B.empty())
-      on_lips = multiply(B, solve_gram(B, on_lips));
+    Vector on_lips = multiply(dual, interface_of(dynamic_forces(state)));
     add_multiple(1., p, on_lips);
     return model.equilibrium_error_under(forces_on_bodies(state),
                                          model.by_degrees_of_freedom(displacement(state)),

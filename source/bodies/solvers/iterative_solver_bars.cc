@@ -55,12 +55,22 @@ namespace fuga
       return result;
     }
 
+    /** y_c += C x_c. */
+    void
+    add_blocks(const std::vector<BlockOfCoordinates> &C, const double *x, double *y)
+    {
+      for (const BlockOfCoordinates &block : C)
+        for (std::size_t j = 0; j < block.coordinates.size(); ++j)
+          for (std::size_t i = 0; i < block.coordinates.size(); ++i)
+            y[block.coordinates[i]] += block.stiffness(i, j) * x[block.coordinates[j]];
+    }
+
     /** [K_ii K_ic; K_ci K_cc + C]. */
     struct BodiesWithBars
     {
       const Epetra_CrsMatrix &K;
       const Compressed &coupling, &kept;
-      const std::vector<BlockOfBars> &bars;
+      const std::vector<BlockOfCoordinates> &bars;
 
       void
       vmult(Work &y, const Work &x) const
@@ -75,25 +85,20 @@ namespace fuga
         add_to_kept(coupling, 1., x.begin(), forces.data());
         add_kept_block(kept, jumps.data(), forces.data());
         processes::sum(forces);
-        for (const BlockOfBars &block : bars)
-          for (std::size_t i = 0; i < block.bars.size(); ++i)
-            for (std::size_t j = 0; j < block.bars.size(); ++j)
-              forces[static_cast<std::size_t>(block.bars[i])] +=
-                block.stiffness[i][j] * jumps[static_cast<std::size_t>(block.bars[j])];
+        add_blocks(bars, jumps.data(), forces.data());
         if (processes::is_first())
           std::copy(forces.begin(), forces.end(), y.begin() + n);
       }
     };
 
-    /** First K_ii by one cycle of multigrid, then the bars of every element for themselves. */
+    /** First K_ii by one cycle of multigrid, then every block of coordinates for itself. */
     struct BlockPreconditioner
     {
       const Epetra_Map &map;
       /** None if there is nothing to eliminate. */
       const ML_Epetra::MultiLevelPreconditioner *multigrid;
       const Compressed &coupling;
-      const std::vector<BlockOfBars> &bars;
-      std::vector<ElementStiffness> inverses;
+      const std::vector<BlockOfCoordinates> inverses;
 
       void
       vmult(Work &y, const Work &x) const
@@ -108,60 +113,37 @@ namespace fuga
           std::copy(x.begin() + n, x.end(), rest.begin());
         add_to_kept(coupling, -1., y.begin(), rest.data());
         processes::sum(rest);
-        for (std::size_t k = 0; k < bars.size() && processes::is_first(); ++k)
-          for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
-            {
-              double sum = 0.;
-              for (std::size_t j = 0; j < bars[k].bars.size(); ++j)
-                sum += inverses[k][i][j] * rest[static_cast<std::size_t>(bars[k].bars[j])];
-              y.begin()[n + static_cast<std::size_t>(bars[k].bars[i])] = sum;
-            }
+        if (!processes::is_first())
+          return;
+        std::fill(y.begin() + n, y.end(), 0.);
+        add_blocks(inverses, rest.data(), y.begin() + n);
       }
     };
 
-    /** Inverse of the leading n x n block by Gauss and Jordan; its symmetric part is positive
-     * definite but for slip, whose coupling is one-sided: no pivots are needed. */
-    ElementStiffness
-    inverse(ElementStiffness a, const std::size_t n)
+    /** Of the bars with what the rest of the bodies leaves of the stiffness of their lips. */
+    std::vector<BlockOfCoordinates>
+    inverses_of_blocks(std::vector<BlockOfCoordinates> blocks, const Compressed &kept)
     {
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          const double pivot = 1. / a[k][k];
-          a[k][k]            = 1.;
-          for (std::size_t j = 0; j < n; ++j)
-            a[k][j] *= pivot;
-          for (std::size_t i = 0; i < n; ++i)
-            if (i != k)
-              {
-                const double factor = a[i][k];
-                a[i][k]             = 0.;
-                for (std::size_t j = 0; j < n; ++j)
-                  a[i][j] -= factor * a[k][j];
-              }
-        }
-      return a;
-    }
-
-    std::vector<ElementStiffness>
-    inverses_of_elements(const std::vector<BlockOfBars> &bars, const Compressed &kept)
-    {
-      constexpr std::size_t n_entries = sizeof(ElementStiffness) / sizeof(double);
-      std::vector<std::pair<std::size_t, std::size_t>> place(kept.start.size() - 1);
-      std::vector<ElementStiffness> blocks;
-      for (std::size_t k = 0; k < bars.size(); ++k)
-        {
-          blocks.push_back(processes::is_first() ? bars[k].stiffness : ElementStiffness{});
-          for (std::size_t i = 0; i < bars[k].bars.size(); ++i)
-            place[static_cast<std::size_t>(bars[k].bars[i])] = {k, i};
-        }
+      const std::size_t n = kept.start.size() - 1;
+      std::vector<std::pair<std::size_t, std::size_t>> place(n);
+      for (std::size_t k = 0; k < blocks.size(); ++k)
+        for (std::size_t i = 0; i < blocks[k].coordinates.size(); ++i)
+          place[static_cast<std::size_t>(blocks[k].coordinates[i])] = {k, i};
+      // Entry (i, j) of a block lies under its coordinate i, at place j.
+      std::vector<std::size_t> start = {0};
+      for (std::size_t i = 0; i < n; ++i)
+        start.push_back(start.back() + blocks[place[i].first].coordinates.size());
+      Vector lips(start.back(), 0.);
       for_each_kept_entry(kept, [&](const std::size_t i, const std::size_t j, const double value) {
         if (place[i].first == place[j].first)
-          blocks[place[i].first][place[i].second][place[j].second] += share_of_lip * value;
+          lips[start[i] + place[j].second] += share_of_lip * value;
       });
-      if (!blocks.empty())
-        processes::sum(blocks[0][0].data(), blocks.size() * n_entries);
-      for (std::size_t k = 0; k < bars.size(); ++k)
-        blocks[k] = inverse(blocks[k], bars[k].bars.size());
+      processes::sum(lips);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < start[i + 1] - start[i]; ++j)
+          blocks[place[i].first].stiffness(place[i].second, j) += lips[start[i] + j];
+      for (BlockOfCoordinates &block : blocks)
+        block.stiffness = LuFactors(std::move(block.stiffness)).release_inverse();
       return blocks;
     }
   } // namespace
@@ -186,7 +168,7 @@ namespace fuga
 
 
   TangentSolver::Solution
-  IterativeSolver::solve_with_bars(const std::vector<BlockOfBars> &bars,
+  IterativeSolver::solve_with_bars(const std::vector<BlockOfCoordinates> &bars,
                                    const Vector &r,
                                    const double tolerance)
   {
@@ -207,8 +189,7 @@ namespace fuga
                     BlockPreconditioner{system->K->RowMap(),
                                         system->multigrid.get(),
                                         system->coupling,
-                                        bars,
-                                        inverses_of_elements(bars, system->kept)});
+                                        inverses_of_blocks(bars, system->kept)});
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
@@ -221,9 +202,9 @@ namespace fuga
     ++its_work.n_solutions;
 
     TangentSolver::Solution solution;
-    solution.jumps = kept_part(y, n, n_kept);
+    solution.x = kept_part(y, n, n_kept);
     solution.resistance.assign(n_kept, 0.);
-    add_kept_block(system->kept, solution.jumps.data(), solution.resistance.data());
+    add_kept_block(system->kept, solution.x.data(), solution.resistance.data());
     add_to_kept(system->coupling, 1., y.begin(), solution.resistance.data());
     processes::sum(solution.resistance);
     return solution;

@@ -5,7 +5,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/tria.h>
 
-#include <fuga/bodies/disjoint_sets.h>
+#include <fuga/base/disjoint_sets.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/space/discretization.h>
 #include <fuga/bodies/space/serial_cell_id.h>

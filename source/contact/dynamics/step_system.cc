@@ -35,11 +35,12 @@ namespace fuga
 
   StepSystem::StepSystem(DenseMatrix &&stiffness,
                          const unsigned int rung_of_stiffness,
-                         const DenseMatrix &jump_operator,
+                         const SparseOperator &jump_operator,
                          const std::vector<ContactElement> &elements)
     : S(std::move(stiffness))
     , rung(rung_of_stiffness)
     , B(jump_operator)
+    , dual(dual_of(B))
     , no_motions(number_of_bars(elements), 0)
     , no_loads(0, n_patterns)
     , F(identity(S.n_rows()))
@@ -48,16 +49,8 @@ namespace fuga
     reactions_to_units = layered_system->reactions();
     F                  = DenseMatrix(S.n_rows(), n_patterns);
     E                  = DenseMatrix(layered_system->n_bars(), n_patterns);
-    if (B.empty())
-      return;
-    factors.emplace(DenseMatrix(S));
-    gram_factors.emplace(multiply_transposed(B, B));
-  }
-
-  Vector
-  StepSystem::on_coordinates(const Vector &forces) const
-  {
-    return B.empty() ? forces : multiply_transposed(B, forces);
+    if (!B.is_identity())
+      factors.emplace(DenseMatrix(S));
   }
 
   void
@@ -67,7 +60,7 @@ namespace fuga
   {
     energy              = largest_energy;
     pushed              = std::ldexp(max_abs(whole_push(step)), static_cast<int>(rung));
-    const Vector before = on_coordinates(state.forces);
+    const Vector before = multiply_transposed(B, state.forces);
     const Vector jumps  = layered_system->jumps(state.dislocations, state.forces);
     for (std::size_t i = 0; i < before.size(); ++i)
       {
@@ -91,10 +84,7 @@ namespace fuga
   Vector
   StepSystem::whole_push(const MovingBodies::Step &step) const
   {
-    Vector predicted = on_coordinates(step.jumps);
-    if (gram_factors)
-      gram_factors->solve(predicted);
-    Vector result = multiply(S, predicted);
+    Vector result = multiply(S, multiply_transposed(dual, step.jumps));
     add_multiple(1., step.push, result);
     return result;
   }
@@ -109,12 +99,12 @@ namespace fuga
   StepSystem::coordinates(const Vector &jumps, const Vector &forces) const
   {
     Vector result(S.n_rows());
-    if (B.empty())
+    if (B.is_identity())
       for (std::size_t i = 0; i < result.size(); ++i)
         result[i] = jumps[i] - E(i, of_jumps) - E(i, at_end);
     else
       {
-        const Vector carried = on_coordinates(forces);
+        const Vector carried = multiply_transposed(B, forces);
         for (std::size_t i = 0; i < result.size(); ++i)
           result[i] = F(i, at_end) - carried[i];
         factors->solve(result);

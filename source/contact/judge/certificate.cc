@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <lapacke.h>
 #include <limits>
 
 namespace fuga
@@ -69,35 +68,6 @@ namespace fuga
         });
       return weights;
     }
-
-    /** (w B)⁺ w: least squares with weights. */
-    DenseMatrix
-    weighted_inverse(const DenseMatrix &B, const Vector &weights)
-    {
-      const int n_bars = static_cast<int>(B.n_rows()), n_x = static_cast<int>(B.n_columns());
-      DenseMatrix scaled = B, rhs(B.n_rows(), B.n_rows());
-      for (std::size_t i = 0; i < B.n_rows(); ++i)
-        {
-          rhs(i, i) = weights[i];
-          for (std::size_t j = 0; j < B.n_columns(); ++j)
-            scaled(i, j) *= weights[i];
-        }
-      if (LAPACKE_dgels(LAPACK_COL_MAJOR,
-                        'N',
-                        n_bars,
-                        n_x,
-                        n_bars,
-                        scaled.data(),
-                        n_bars,
-                        rhs.data(),
-                        n_bars) != 0)
-        throw NumericalFailure(
-          "The jumps of the joints do not determine the motion of the bodies.");
-      DenseMatrix result(B.n_columns(), B.n_rows());
-      for (std::size_t j = 0; j < result.n_columns(); ++j)
-        std::copy_n(rhs.column(j), result.n_rows(), result.column(j));
-      return result;
-    }
   } // namespace
 
   Judge::Judge(const ContactSystem &contact_system,
@@ -133,9 +103,8 @@ namespace fuga
     for (std::size_t j = 0; j < S.n_columns(); ++j)
       stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
     // Once, for the weights need no precision.
-    if (const DenseMatrix &B = system->jump_operator();
-        !B.empty() && !S.empty() && inverse_jump_operator.empty())
-      inverse_jump_operator = weighted_inverse(B, jump_weights(elements, S));
+    if (const SparseOperator &B = system->jump_operator(); !B.is_identity() && dual.is_identity())
+      dual = dual_of(B, jump_weights(elements, S));
   }
 
   double
@@ -183,12 +152,12 @@ namespace fuga
   Vector
   Judge::coordinates(const Vector &bar_jumps) const
   {
-    if (inverse_jump_operator.empty())
+    if (dual.is_identity())
       return bar_jumps;
-    Vector x        = multiply(inverse_jump_operator, bar_jumps);
+    Vector x        = multiply_transposed(dual, bar_jumps);
     Accurate defect = accurate(bar_jumps);
     add_product(-1.L, system->jump_operator(), accurate(x), defect);
-    const Vector change = multiply(inverse_jump_operator, Vector(defect.begin(), defect.end()));
+    const Vector change = multiply_transposed(dual, Vector(defect.begin(), defect.end()));
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] += change[i];
     return x;
@@ -231,8 +200,7 @@ namespace fuga
     const Vector omega = water(state);
     if (omega.empty())
       return;
-    const Vector on_coordinates =
-      system->jump_operator().empty() ? omega : multiply_transposed(system->jump_operator(), omega);
+    const Vector on_coordinates = multiply_transposed(system->jump_operator(), omega);
     for (std::size_t i = 0; i < loads.size(); ++i)
       loads[i] += on_coordinates[i];
   }
@@ -297,9 +265,7 @@ namespace fuga
     largest_jump = std::max(largest_jump, largest_of_elements(delta));
 
     Certificate result;
-    const Vector p = system->jump_operator().empty()
-                       ? state.forces
-                       : multiply_transposed(system->jump_operator(), state.forces);
+    const Vector p = multiply_transposed(system->jump_operator(), state.forces);
     // A body that soft joints hold moves by far more than it deforms: then S x, a sum of n terms in
     // double precision, is uncertain by more than the forces allow, and only what exceeds this
     // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which

@@ -43,15 +43,10 @@ namespace fuga
   {
     const DenseMatrix &S = system->stiffness();
     double stiffness     = 0.;
-    if (inverse_jump_operator.empty())
-      stiffness = S(bar, bar);
-    else
-      {
-        const double *x = inverse_jump_operator.column(bar);
-        Vector Sx(S.n_rows());
-        blas::symv(S.n_rows(), S.data(), S.n_rows(), x, Sx.data());
-        stiffness = blas::dot(Sx.size(), x, Sx.data());
-      }
+    dual.for_each_in_row(bar, [&](const std::size_t i, const double x_i) {
+      dual.for_each_in_row(
+        bar, [&](const std::size_t j, const double x_j) { stiffness += x_i * S(i, j) * x_j; });
+    });
     stiffness = std::max(stiffness, no_stiffness * largest_diagonal(S));
     return stiffness / (1. + compliance * stiffness);
   }
@@ -98,13 +93,13 @@ namespace fuga
     if (barrier.forces.empty() || in_motion || !system->has_stiffness() || state.is_unsettled() ||
         system->water_in_joints() != nullptr)
       return result;
-    const DenseMatrix &B = system->jump_operator();
-    const Vector x       = coordinates(jumps(barrier.dislocations, barrier.forces));
-    const Vector &p      = barrier.forces;
-    const Vector jump    = B.empty() ? x : multiply(B, x);
-    const Vector carried = B.empty() ? p : multiply_transposed(B, p);
-    const Vector elastic = resistance(x);
-    const double least   = no_stiffness * max_abs(stiffness_row_norms);
+    const SparseOperator &B = system->jump_operator();
+    const Vector x          = coordinates(jumps(barrier.dislocations, barrier.forces));
+    const Vector &p         = barrier.forces;
+    const Vector jump       = multiply(B, x);
+    const Vector carried    = multiply_transposed(B, p);
+    const Vector elastic    = resistance(x);
+    const double least      = no_stiffness * max_abs(stiffness_row_norms);
     for (std::size_t i = 0; i < x.size(); ++i)
       result.equilibrium = std::max(result.equilibrium,
                                     share(std::abs(elastic[i] + carried[i]),

@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/contact/element/change_of_state.h>
+#include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/path/matrix_free_path.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
@@ -26,6 +27,8 @@ namespace fuga
      * round again. */
     constexpr int free_steps         = 10;
     constexpr double harmless_growth = 1.5;
+    /** Of a step, the shortest part by which it goes on to guess its end. */
+    constexpr double shortest_part = 1. / 16.;
   } // namespace
 
   MatrixFreePath::MatrixFreePath(const std::vector<ContactElement> &contact_elements,
@@ -37,7 +40,8 @@ namespace fuga
     , bodies(contact_system)
     , solver(tangent_solver)
     , n_bars(layered_system.n_bars())
-    , layers(contact_elements, tangent_solver.stiffness_of_lips())
+    , dual(dual_of(contact_system.jump_operator()))
+    , layers(contact_elements, tangent_solver.stiffness_of_lips(), contact_system.jump_operator())
   {
   }
 
@@ -52,7 +56,7 @@ namespace fuga
         double t = history.next_corner(state.t);
         if (next_level < levels.size() && levels[next_level] > state.t)
           t = std::min(t, levels[next_level]);
-        state = step_to(state, t);
+        state = let_water_in(step_to(state, t), observer, result);
         observer.jumped(state);
         result.t = state.t;
         ++result.n_jumps;
@@ -73,8 +77,7 @@ namespace fuga
   MatrixFreePath::jumps(const double t, const Trial &trial) const
   {
     Vector result = imposed_jumps(t);
-    for (std::size_t i = 0; i < n_bars; ++i)
-      result[i] += trial.x[i];
+    add_multiple(1., multiply(bodies.jump_operator(), trial.x), result);
     layers.enlarge(result);
     return result;
   }
@@ -97,13 +100,15 @@ namespace fuga
         for (std::size_t i = 0; i < elements[k].n_bars(); ++i)
           trial.forces[elements[k].bar(i)] = response.forces[i];
       }
+    Vector pressed = trial.forces;
+    add_multiple(-1., from.water, pressed);
     trial.residual = multiply(bodies.load_patterns(), history.factors(t));
-    for (std::size_t i = 0; i < n_bars; ++i)
-      trial.residual[i] -= trial.Sx[i] + trial.forces[i];
+    add_multiple(-1., trial.Sx, trial.residual);
+    add_multiple(-1., multiply_transposed(bodies.jump_operator(), pressed), trial.residual);
   }
 
   // The full step unless the error would grow; S x is known along the step, so trying costs
-  // nothing.
+  // nothing. None where all forces are infinite.
   MatrixFreePath::Trial
   MatrixFreePath::line_search(const JointState &from,
                               const double t,
@@ -118,22 +123,21 @@ namespace fuga
     JointState here = from;
     here.states     = at.states;
     here.forces.assign(n_bars, 0.); // then the dislocations are the jumps
-    here.dislocations = jumps(t, at);
-    const double longest =
-      limit_safeguard(layers.elements(), here, step.jumps, OpenLips::stay_short_of_limit);
+    here.dislocations    = jumps(t, at);
+    const double longest = limit_safeguard(layers.elements(),
+                                           here,
+                                           multiply(bodies.jump_operator(), step.x),
+                                           OpenLips::stay_short_of_limit);
     for (double length = longest; length >= shortest * longest; length *= 0.5)
       {
         Trial trial;
         trial.x  = at.x;
         trial.Sx = at.Sx;
-        for (std::size_t i = 0; i < n_bars; ++i)
-          {
-            trial.x[i] += length * step.jumps[i];
-            trial.Sx[i] += length * step.resistance[i];
-          }
+        add_multiple(length, step.x, trial.x);
+        add_multiple(length, step.resistance, trial.Sx);
         evaluate(from, t, trial);
         const double rest = std::sqrt(dot(trial.residual, trial.residual));
-        if (rest < least || best.x.empty())
+        if (rest < least)
           {
             least = rest;
             best  = std::move(trial);
@@ -144,23 +148,51 @@ namespace fuga
     return best;
   }
 
-  // What is lost on the way is lost: equilibrium is then looked for again.
+  // Where no equilibrium is found, a smaller load on the way gives a better guess; each is the end
+  // of a step from the beginning.
   JointState
-  MatrixFreePath::step_to(JointState from, const double t)
+  MatrixFreePath::step_to(const JointState &from, const double t)
   {
-    Trial trial;
-    trial.x.resize(n_bars);
-    const Vector imposed = imposed_jumps(from.t);
-    for (const ContactElement &element : elements)
-      element.for_each_bar([&](const unsigned int bar, const ComplianceLaw &law) {
-        trial.x[bar] = from.dislocations[bar] +
-                       bar_compliance(law, element.area) * from.forces[bar] - imposed[bar];
-      });
-    trial.Sx = bodies.resistance(trial.x);
-    layers.update(from.forces);
-    for (;;)
+    Trial reached;
+    Vector of_bodies = system.jumps(from.dislocations, from.forces);
+    add_multiple(-1., imposed_jumps(from.t), of_bodies);
+    reached.x      = multiply_transposed(dual, of_bodies);
+    reached.Sx     = bodies.resistance(reached.x);
+    reached.forces = from.forces;
+    double done = 0., piece = 1.;
+    while (piece >= shortest_part)
       {
-        find_equilibrium(from, t, trial);
+        const double share = done + piece < 1. - 0.5 * shortest_part ? done + piece : 1.;
+        Trial trial        = reached;
+        layers.update(trial.forces);
+        const std::optional<JointState> end =
+          end_of_step(from, share < 1. ? from.t + share * (t - from.t) : t, trial);
+        if (end && share == 1.)
+          return *end;
+        if (end)
+          {
+            reached = std::move(trial);
+            done    = share;
+            piece *= 2.;
+          }
+        else
+          piece *= 0.25;
+      }
+    throw NumericalFailure(fmt::format(
+      "No state of equilibrium was found at t = {:.9g}, nor on the way beyond {:.9g}: the loads "
+      "may be "
+      "beyond their limit. Solver/Bodies = iterative or direct with Follow = events finds it.",
+      t,
+      from.t + done * (t - from.t)));
+  }
+
+  // What is lost in the step is lost: equilibrium is then looked for again.
+  std::optional<JointState>
+  MatrixFreePath::end_of_step(JointState from, const double t, Trial &trial)
+  {
+    set_water(system, history.factors(t), from);
+    while (find_equilibrium(from, t, trial))
+      {
         JointState state       = state_of(from, t, trial);
         const double no_force  = 10. * tolerance * max_abs(state.forces);
         const auto along_shear = [&](const std::size_t k) {
@@ -169,9 +201,24 @@ namespace fuga
         if (!lose_strength_in_step(elements, state, along_shear, no_force, from))
           return state;
       }
+    return {};
   }
 
-  void
+  // What is missing of the water comes at once, and opens more.
+  JointState
+  MatrixFreePath::let_water_in(JointState state, PathObserver &observer, PathResult &result)
+  {
+    while (let_water_follow(
+      Vector(n_bars, 10. * tolerance * max_abs(state.forces)), state, observer, result))
+      {
+        std::fill(state.missing_water.begin(), state.missing_water.end(), 0.);
+        state = step_to(state, state.t);
+      }
+    standstill.forget();
+    return state;
+  }
+
+  bool
   MatrixFreePath::find_equilibrium(const JointState &from, const double t, Trial &trial)
   {
     bool is_exact        = true;
@@ -187,7 +234,7 @@ namespace fuga
             if (layers.defect(trial.forces) > tolerance * scale)
               layers.update(trial.forces);
             else if (is_exact)
-              return;
+              return true;
             else
               {
                 trial.Sx = bodies.resistance(trial.x);
@@ -196,17 +243,14 @@ namespace fuga
             evaluate(from, t, trial);
             continue;
           }
-        if (count == max_steps || !std::isfinite(scale))
-          throw NumericalFailure(fmt::format(
-            "No state of equilibrium was found at t = {:.9g} in {} schemes: the loads may be "
-            "beyond their limit. Solver/Bodies = iterative or direct with Follow = events finds "
-            "it.",
-            t,
-            count));
+        if (count == max_steps)
+          return false;
         const auto states = trial.states;
         const TangentSolver::Solution step =
           solver.solve_with_bars(trial.tangents, trial.residual, accuracy);
-        trial    = line_search(from, t, trial, step, count < free_steps ? harmless_growth : 1.);
+        trial = line_search(from, t, trial, step, count < free_steps ? harmless_growth : 1.);
+        if (trial.x.empty())
+          return false;
         accuracy = trial.states == states ? fine : rough;
         is_exact = false;
         ++iteration_count.n_iterations;

@@ -39,20 +39,10 @@ namespace fuga
         : S(bodies.stiffness()), F(S.n_rows(), 1), B(bodies.jump_operator())
       {
         const Vector loads = multiply(bodies.load_patterns(), factors);
-        const Vector x0    = B.empty() ? jumps_before : multiply_transposed(B, jumps_before);
+        const Vector x0    = multiply_transposed(B, jumps_before);
         for (std::size_t j = 0; j < S.n_rows(); ++j)
-          {
-            F(j, 0) = loads[j] + resistance * x0[j];
-            if (B.empty())
-              S(j, j) += resistance;
-            else
-              {
-                const Vector column =
-                  multiply_transposed(B, Vector(B.column(j), B.column(j) + B.n_rows()));
-                for (std::size_t i = 0; i < column.size(); ++i)
-                  S(i, j) += resistance * column[i];
-              }
-          }
+          F(j, 0) = loads[j] + resistance * x0[j];
+        add_congruent(B, Vector(jumps_before.size(), resistance), S);
         if (bodies.imposed_jumps().empty())
           return;
         const Vector imposed = multiply(bodies.imposed_jumps(), factors);
@@ -72,7 +62,7 @@ namespace fuga
         return F;
       }
 
-      const DenseMatrix &
+      const SparseOperator &
       jump_operator() const override
       {
         return B;
@@ -98,7 +88,7 @@ namespace fuga
 
     private:
       DenseMatrix S, F, E;
-      const DenseMatrix &B;
+      const SparseOperator &B;
       const DenseMatrix none;
     };
 

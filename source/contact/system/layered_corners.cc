@@ -17,23 +17,23 @@ namespace fuga
     /** Bars whose jumps are the coordinates themselves, in their order; empty if a coordinate has
      * none. */
     Numbers
-    bars_along_coordinates(const DenseMatrix &B)
+    bars_along_coordinates(const SparseOperator &B)
     {
-      Numbers n_entries(B.n_rows(), 0);
-      for (std::size_t c = 0; c < B.n_columns(); ++c)
-        for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
-          n_entries[bar] += B(bar, c) != 0. ? 1 : 0;
-      Numbers result;
-      for (std::size_t c = 0; c < B.n_columns(); ++c)
+      Numbers result(B.n_columns(), B.n_rows());
+      for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
         {
-          std::size_t bar = 0;
-          while (bar < B.n_rows() && (B(bar, c) != 1. || n_entries[bar] != 1))
-            ++bar;
-          if (bar == B.n_rows())
-            return {};
-          result.push_back(bar);
+          std::size_t n_entries = 0, coordinate = 0;
+          bool is_along = false;
+          B.for_each_in_row(bar, [&](const std::size_t c, const double factor) {
+            ++n_entries;
+            coordinate = c;
+            is_along   = factor == 1.;
+          });
+          if (n_entries == 1 && is_along)
+            result[coordinate] = std::min(result[coordinate], bar);
         }
-      return result;
+      const bool has_all = std::find(result.begin(), result.end(), B.n_rows()) == result.end();
+      return has_all ? result : Numbers();
     }
 
     Numbers
@@ -98,8 +98,8 @@ namespace fuga
   bool
   LayeredSystem::eliminate_at_corners(const ContactSystem &system)
   {
-    const DenseMatrix &B = system.jump_operator();
-    const Numbers basis  = bars_along_coordinates(B);
+    const SparseOperator &B = system.jump_operator();
+    const Numbers basis     = bars_along_coordinates(B);
     if (basis.empty() || has_soft_joint())
       return false;
     const Numbers extra = all_but(basis, n_bars());
@@ -115,7 +115,7 @@ namespace fuga
            system.rigid_motion_loads()})))
       return false;
 
-    const DenseMatrix B_e = submatrix(B, extra, all_columns(B));
+    const DenseMatrix B_e = submatrix(B, extra, all_but({}, n));
     DenseMatrix V         = transposed(B_e);
     DenseMatrix DB        = V;
     scale_rows(DB, D_b);

@@ -147,7 +147,7 @@ namespace fuga
                                            const Vector &water,
                                            Vector &forces) const
   {
-    const DenseMatrix &B  = bodies.jump_operator();
+    const SparseOperator &B = bodies.jump_operator();
     const std::size_t n_x = B.n_columns(), n_p = n_bars();
     const Accurate a = accurate(factors);
     Accurate upper = loads_on_bodies(a), lower = accurate(dislocations);

@@ -48,7 +48,7 @@ namespace fuga
       });
     if (!system.has_stiffness())
       return; // forces are found otherwise
-    if (system.jump_operator().empty())
+    if (system.jump_operator().is_identity())
       eliminate_in_jumps(system);
     else if (!eliminate_at_corners(system))
       eliminate_with_jump_operator(system);
@@ -102,9 +102,9 @@ namespace fuga
   void
   LayeredSystem::eliminate_with_jump_operator(const ContactSystem &system)
   {
-    const DenseMatrix &S  = system.stiffness();
-    const DenseMatrix &B  = system.jump_operator();
-    const DenseMatrix &F  = system.load_patterns();
+    const DenseMatrix &S    = system.stiffness();
+    const SparseOperator &B = system.jump_operator();
+    const DenseMatrix &F    = system.load_patterns();
     const std::size_t n_x = S.n_rows(), n_p = n_bars();
 
     double scale = largest_diagonal(S);
@@ -119,11 +119,12 @@ namespace fuga
       {
         for (std::size_t i = 0; i < n_x; ++i)
           saddle(i, j) = S(i, j) / scale;
-        for (std::size_t i = 0; i < n_p; ++i)
-          saddle(n_x + i, j) = saddle(j, n_x + i) = B(i, j);
       }
     for (std::size_t i = 0; i < n_p; ++i)
       {
+        B.for_each_in_row(i, [&](const std::size_t j, const double factor) {
+          saddle(n_x + i, j) = saddle(j, n_x + i) = factor;
+        });
         saddle(n_x + i, n_x + i) = -compliances[i] * scale;
         rhs(n_x + i, i)          = 1.;
       }

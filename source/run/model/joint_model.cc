@@ -3,7 +3,6 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/numerics/dependent_rows.h>
-#include <fuga/bodies/disjoint_sets.h>
 #include <fuga/bodies/elasticity/elastic_bodies.h>
 #include <fuga/bodies/field_expression.h>
 #include <fuga/bodies/point_text.h>
@@ -116,47 +115,21 @@ namespace fuga
       return rigid;
     }
 
-    /** Some of the bars, and the interface coordinates that move them. */
-    struct Group
-    {
-      std::vector<std::size_t> bars, coordinates;
-    };
-
-    /** Those of the given bars that hang together by common coordinates, under a number of each
-     * group. */
-    std::map<std::size_t, Group>
-    groups_of_bars(const DenseMatrix &B, const std::vector<bool> &chosen)
-    {
-      DisjointSets sets(B.n_rows() + B.n_columns());
-      for (std::size_t c = 0; c < B.n_columns(); ++c)
-        for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
-          if (chosen[bar] && B(bar, c) != 0.)
-            sets.unite(bar, B.n_rows() + c);
-      std::map<std::size_t, Group> groups;
-      for (std::size_t bar = 0; bar < B.n_rows(); ++bar)
-        if (chosen[bar])
-          groups[sets.find(bar)].bars.push_back(bar);
-      for (std::size_t c = 0; c < B.n_columns(); ++c)
-        if (const auto group = groups.find(sets.find(B.n_rows() + c)); group != groups.end())
-          group->second.coordinates.push_back(c);
-      return groups;
-    }
-
     /** For every bar: is it rigid, and do its jump and those of other rigid bars depend on each
      * other, so that forces in them may balance? */
     std::vector<bool>
-    find_repeated(const DenseMatrix &B,
+    find_repeated(const SparseOperator &B,
                   const std::vector<ContactElement> &elements,
                   const double stiffness)
     {
       std::vector<bool> repeated(B.n_rows(), false);
       const std::vector<bool> rigid = find_rigid(elements, B.n_rows(), stiffness);
-      for (const auto &[number, group] : groups_of_bars(B, rigid))
+      for (const SparseBlock &block : blocks_of(B, rigid))
         {
           const std::vector<bool> dependent =
-            dependent_rows(submatrix(B, group.bars, group.coordinates));
-          for (std::size_t i = 0; i < group.bars.size(); ++i)
-            repeated[group.bars[i]] = dependent[i];
+            dependent_rows(submatrix(B, block.rows, block.columns));
+          for (std::size_t i = 0; i < block.rows.size(); ++i)
+            repeated[block.rows[i]] = dependent[i];
         }
       return repeated;
     }
@@ -165,7 +138,7 @@ namespace fuga
     void
     separate_repeated_bars(const CondensedSystem<dim> &system, JointModel &model)
     {
-      if (system.jump_operator().empty())
+      if (system.jump_operator().is_identity())
         return;
       const double stiffness = system.has_stiffness()
                                  ? largest_diagonal(system.stiffness())

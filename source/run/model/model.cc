@@ -244,9 +244,7 @@ namespace fuga
     const BodySolver solver = parameters.model.body_solver;
     if (solver != BodySolver::matrix_free)
       return;
-    std::string what = what_needs_stiffness(parameters);
-    if (what.empty() && !bodies.jump_operator().empty())
-      what = "the crossing of joints, or a corner of one ('Corner angle' below 180), is";
+    const std::string what = what_needs_stiffness(parameters);
     if (!what.empty())
       throw InputError(fmt::format(
         "{}: Solver/Bodies = iterative matrix-free: {} not available without the stiffness of the "

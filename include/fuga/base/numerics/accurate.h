@@ -38,13 +38,6 @@ namespace fuga
   void
   add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y);
 
-  /** y += sign Aᵀ x. */
-  void
-  add_transposed_product(const long double sign,
-                         const DenseMatrix &A,
-                         const Accurate &x,
-                         Accurate &y);
-
   long double
   dot(const Accurate &x, const Accurate &y);
 } // namespace fuga

@@ -4,6 +4,7 @@
 #ifndef fuga_bodies_condensed_condensed_operator_h
 #define fuga_bodies_condensed_condensed_operator_h
 
+#include <fuga/base/numerics/sparse_operator.h>
 #include <fuga/bodies/condensed/body_model.h>
 #include <fuga/bodies/solvers/bodies_work.h>
 #include <fuga/bodies/solvers/rigid_projection.h>
@@ -85,12 +86,9 @@ namespace fuga
     Vector
     coordinates_under(Vector f) const;
 
-    /** Diagonal of K in the interface coordinates [MN/m]. */
-    const Vector &
-    stiffness_of_lips() const
-    {
-      return lips;
-    }
+    /** TangentSolver::stiffness_of_lips(). */
+    Vector
+    stiffness_of_lips() const;
 
     TangentSolver::Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
@@ -163,7 +161,10 @@ namespace fuga
     BodySolver used_solver = BodySolver::direct;
     /** If the program had to choose. */
     std::optional<SolverEstimate> estimate;
+    /** Diagonal of K in the interface coordinates [MN/m]. */
     Vector lips;
+    /** Of the jump operator. */
+    SparseOperator dual;
     DenseMatrix S, motions, motion_coordinates;
   };
 } // namespace fuga

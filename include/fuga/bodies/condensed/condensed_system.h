@@ -88,7 +88,7 @@ namespace fuga
       return F;
     }
 
-    const DenseMatrix &
+    const SparseOperator &
     jump_operator() const override;
 
     const DenseMatrix &

@@ -104,8 +104,8 @@ namespace fuga
     void
     extend_prescribed(Vector &prescribed) const;
 
-    /** Jumps of the bars from the interface coordinates; empty if it is the identity. */
-    const DenseMatrix &
+    /** Jumps of the bars from the interface coordinates. */
+    const SparseOperator &
     jump_operator() const
     {
       return B;
@@ -124,7 +124,7 @@ namespace fuga
     std::size_t n_dofs           = 0;
     unsigned int n_coordinates   = 0;
     unsigned int interface_count = 0;
-    DenseMatrix B;
+    SparseOperator B;
   };
 } // namespace fuga
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <fuga/base/numerics/sparse_operator.h>
 #include <fuga/bodies/joints/contact_bars.h>
 
 #include <map>
@@ -42,17 +43,11 @@ namespace fuga
       return jump_has_bar;
     }
 
-    /** Jumps of the bars from the interface coordinates; empty if it is the identity. */
-    DenseMatrix
+    /** Jumps of the bars from the interface coordinates. */
+    SparseOperator
     jump_operator() const;
 
   private:
-    struct JumpEntry
-    {
-      unsigned int bar, coordinate;
-      double factor;
-    };
-
     using Terms = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
     /** A direction of the jump of two nodes, and the number of the unknown that is the jump along
@@ -106,7 +101,8 @@ namespace fuga
     dealii::AffineConstraints<double> &constraints;
     std::vector<bool> jump_has_bar;
     unsigned int interface_count = 0;
-    std::vector<JumpEntry> jumps;
+    /** By bars and interface coordinates. */
+    std::vector<SparseOperator::Entry> jumps;
     bool has_junction = false;
   };
 } // namespace fuga

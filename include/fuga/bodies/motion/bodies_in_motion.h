@@ -49,7 +49,7 @@ namespace fuga
     DenseMatrix
     condensed_stiffness(const unsigned int rung) override;
 
-    const DenseMatrix &
+    const SparseOperator &
     jump_operator() const override
     {
       return model.jump_operator();

@@ -64,8 +64,7 @@ namespace fuga
     Vector
     jumps(const Vector &z) const override
     {
-      const DenseMatrix &B = model.jump_operator();
-      return B.empty() ? interface_of(z) : multiply(B, interface_of(z));
+      return multiply(model.jump_operator(), interface_of(z));
     }
 
     DenseMatrix
@@ -157,6 +156,8 @@ namespace fuga
     const DrivingForces<dim> &driving;
     const RayleighDamping damping;
     const std::shared_ptr<const ModalBasis> basis;
+    /** Of the jump operator. */
+    const SparseOperator dual;
     Vector its_mass, no_mass;
     /** S and L with x along the axes. */
     DenseMatrix stiffness, coupling;

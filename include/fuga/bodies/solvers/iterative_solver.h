@@ -12,11 +12,12 @@
 
 namespace fuga
 {
-  /** Bars of one contact element, by their coordinates, and their stiffness. */
-  struct BlockOfBars
+  /** Interface coordinates, and the stiffness of the bars that they have in common; need not be
+   * symmetric. */
+  struct BlockOfCoordinates
   {
-    std::vector<int> bars;
-    ElementStiffness stiffness;
+    std::vector<int> coordinates;
+    DenseMatrix stiffness;
   };
 
   /**
@@ -51,11 +52,13 @@ namespace fuga
     resistance(const Vector &x);
 
     /**
-     * Solves (S + C) δ = r, C of @p bars, for all unknowns at once: GMRES, for slipping elements are
-     * not symmetric, preconditioned by the multigrid of K_ii followed by blocks of single elements.
+     * Solves (S + C) x = r, C of @p bars, for all unknowns at once: GMRES, for slipping elements are
+     * not symmetric, preconditioned by the multigrid of K_ii followed by the single blocks.
      */
     TangentSolver::Solution
-    solve_with_bars(const std::vector<BlockOfBars> &bars, const Vector &r, const double tolerance);
+    solve_with_bars(const std::vector<BlockOfCoordinates> &bars,
+                    const Vector &r,
+                    const double tolerance);
 
     const SolverWork &
     work() const override

@@ -5,7 +5,7 @@
 #define fuga_contact_dynamics_moving_bodies_h
 
 #include <fuga/base/fields.h>
-#include <fuga/base/numerics/dense_matrix.h>
+#include <fuga/base/numerics/sparse_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -178,8 +178,8 @@ namespace fuga
     virtual DenseMatrix
     condensed_stiffness(const unsigned int rung) = 0;
 
-    /** B, n_bars x n_coordinates. An empty matrix stands for the identity. */
-    virtual const DenseMatrix &
+    /** B, n_bars x n_coordinates. */
+    virtual const SparseOperator &
     jump_operator() const = 0;
 
     /** From the present time. */

@@ -28,7 +28,7 @@ namespace fuga
      * object. */
     StepSystem(DenseMatrix &&stiffness,
                const unsigned int rung,
-               const DenseMatrix &jump_operator,
+               const SparseOperator &jump_operator,
                const std::vector<ContactElement> &elements);
 
     /** A step from @p state. @p energy: the largest of the motion so far [MNm]. */
@@ -61,7 +61,7 @@ namespace fuga
       return F;
     }
 
-    const DenseMatrix &
+    const SparseOperator &
     jump_operator() const override
     {
       return B;
@@ -103,22 +103,21 @@ namespace fuga
     }
 
   private:
-    Vector
-    on_coordinates(const Vector &forces) const;
-
     /** Ŝ x̄ + g, with B x̄ = δ̄: what the push would be if the bodies did not go on as they move. */
     Vector
     whole_push(const MovingBodies::Step &step) const;
 
     DenseMatrix S;
     const unsigned int rung;
-    const DenseMatrix &B;
+    const SparseOperator &B;
+    /** Dᵀ B = 1. */
+    SparseOperator dual;
     DenseMatrix no_motions, no_loads, F, E;
     std::optional<LayeredSystem> layered_system;
     /** Forces of the closed joint per unit of force on the coordinates, by columns. */
     DenseMatrix reactions_to_units;
-    /** Of S and BᵀB, if there are more bars than coordinates. */
-    std::optional<LuFactors> factors, gram_factors;
+    /** Of S, if there are more bars than coordinates. */
+    std::optional<LuFactors> factors;
     double pushed = 0., energy = 0.;
   };
 } // namespace fuga

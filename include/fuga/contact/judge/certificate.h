@@ -343,7 +343,7 @@ namespace fuga
     const LoadHistory *history;
     RigidBasis rigid_motions;
     /** Gives coordinates from jumps if there are more bars than coordinates. */
-    DenseMatrix inverse_jump_operator;
+    SparseOperator dual;
     /** 2-norms of the rows of S. */
     Vector stiffness_row_norms;
     double largest_load_of_history = 0.;

@@ -18,7 +18,9 @@ namespace fuga
    *     S x + p(x) = F a(t)
    *
    * is solved by a semismooth Newton method, each step of it one solution of the bodies with the
-   * bars in their present scheme (doc/theory.md, section 18). Energies and events are not known.
+   * bars in their present scheme (doc/theory.md, section 18); with p = Bᵀ(p(B x) - ω) where joints
+   * cross and water presses them apart. Water follows the elements that are open at the end of a
+   * step. Energies and events are not known.
    */
   class MatrixFreePath : public ContactPath
   {
@@ -40,7 +42,7 @@ namespace fuga
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
 
-    /** Jumps of the bodies with S x and the elements' response to them. */
+    /** Coordinates of the bodies with S x and the elements' response to their jumps. */
     struct Trial
     {
       Vector x, Sx, forces, residual;
@@ -60,10 +62,18 @@ namespace fuga
                 const Trial &at,
                 const TangentSolver::Solution &step,
                 const double largest_growth) const;
+    /** @throws NumericalFailure */
     JointState
-    step_to(JointState from, const double t);
-    /** The trial in equilibrium with the strengths that @p from has. */
-    void
+    step_to(const JointState &from, const double t);
+    /** The end of a step from @p from, with the @p trial as guess; none if it is not found. */
+    std::optional<JointState>
+    end_of_step(JointState from, const double t, Trial &trial);
+    /** The joints with what the water does to them at the end of a step that has led to @p state. */
+    JointState
+    let_water_in(JointState state, PathObserver &observer, PathResult &result);
+    /** Brings the trial into equilibrium with the strengths that @p from has; false if that is not
+     * found. */
+    bool
     find_equilibrium(const JointState &from, const double t, Trial &trial);
     JointState
     state_of(const JointState &from, const double t, const Trial &trial) const;
@@ -73,6 +83,8 @@ namespace fuga
     const ContactSystem &bodies;
     const TangentSolver &solver;
     const std::size_t n_bars;
+    /** Of the jump operator. */
+    const SparseOperator dual;
     AugmentedLayers layers;
     SchemeWork scheme_work;
   };

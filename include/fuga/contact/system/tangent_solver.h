@@ -21,21 +21,21 @@ namespace fuga
   public:
     struct Solution
     {
-      Vector jumps;
-      /** S times jumps, to the accuracy of the solution. */
+      Vector x;
+      /** S x, to the accuracy of the solution. */
       Vector resistance;
     };
 
     virtual ~TangentSolver() = default;
 
-    /** For every bar the stiffness of the bodies against its jump if nothing else moved [MN/m]: at
-     * least that of S. */
+    /** For every bar the stiffness of the bodies against its jump if nothing but its lips moved
+     * [MN/m]. */
     virtual Vector
     stiffness_of_lips() const = 0;
 
     /**
-     * Solves (S + C) δ = r with C of @p bars, one per contact element, to the relative residual @p
-     * tolerance.
+     * Solves (S + Bᵀ C B) x = r with C of @p bars, one per contact element, to the relative residual
+     * @p tolerance.
      * @throws NumericalFailure
      */
     virtual Solution

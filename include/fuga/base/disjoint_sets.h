@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_bodies_disjoint_sets_h
-#define fuga_bodies_disjoint_sets_h
+#ifndef fuga_base_disjoint_sets_h
+#define fuga_base_disjoint_sets_h
 
 #include <algorithm>
 #include <numeric>

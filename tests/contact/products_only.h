@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Fuga authors
+
+#ifndef fuga_tests_contact_products_only_h
+#define fuga_tests_contact_products_only_h
+
+#include "contact/toy_system.h"
+
+#include <fuga/contact/system/tangent_solver.h>
+
+#include <algorithm>
+
+namespace fuga::tests
+{
+  /** Bodies that are known by their products alone. */
+  class ProductsOnly : public ToySystem, public TangentSolver
+  {
+  public:
+    /** @p least_of_lips: for bodies without stiffness. */
+    explicit ProductsOnly(const ToySystem &system, const double least_of_lips = 0.)
+      : ToySystem(system), least(least_of_lips)
+    {
+    }
+
+    Vector
+    stiffness_of_lips() const override
+    {
+      const DenseMatrix jumps = all_jumps();
+      Vector result;
+      for (std::size_t bar = 0; bar < jumps.n_rows(); ++bar)
+        {
+          double work = 0., square = 0.;
+          for (std::size_t i = 0; i < S.n_rows(); ++i)
+            {
+              work += jumps(bar, i) * jumps(bar, i) * S(i, i);
+              square += jumps(bar, i) * jumps(bar, i);
+            }
+          result.push_back(std::max(least, work / (square * square)));
+        }
+      return result;
+    }
+
+    Vector
+    resistance(const Vector &x) const override
+    {
+      return multiply(S, x);
+    }
+
+    Solution
+    solve_with_bars(const std::vector<ElementStiffness> &bars,
+                    const Vector &r,
+                    const double) const override
+    {
+      const DenseMatrix jumps     = all_jumps();
+      const std::size_t n_of_each = jumps.n_rows() / bars.size();
+      DenseMatrix C(jumps.n_rows(), jumps.n_rows());
+      for (std::size_t k = 0; k < bars.size(); ++k)
+        for (std::size_t i = 0; i < n_of_each; ++i)
+          for (std::size_t j = 0; j < n_of_each; ++j)
+            C(k * n_of_each + i, k * n_of_each + j) = bars[k][i][j];
+      DenseMatrix K = multiply_transposed(jumps, multiply(C, jumps));
+      for (std::size_t i = 0; i < S.n_rows() * S.n_rows(); ++i)
+        K.data()[i] += S.data()[i];
+      Solution solution{r, {}};
+      LuFactors(std::move(K)).solve(solution.x);
+      solution.resistance = resistance(solution.x);
+      return solution;
+    }
+
+  private:
+    DenseMatrix
+    all_jumps() const
+    {
+      if (!B.empty())
+        return B;
+      DenseMatrix identity(S.n_rows(), S.n_rows());
+      for (std::size_t i = 0; i < S.n_rows(); ++i)
+        identity(i, i) = 1.;
+      return identity;
+    }
+
+    const double least;
+  };
+} // namespace fuga::tests
+
+#endif
