@@ -163,13 +163,18 @@ namespace fuga::stress
         result.verdict == Verdict::limit_load && examiner.is_mechanism(end, result.mechanism_jumps);
       // A complete enumeration needs no further witness; nor does a mechanism: a finite step may
       // find a place for a body that nothing holds and nothing drives.
-      if (search.answer != RateAnswer::none && !mechanism && examiner.can_solve(end) &&
-          examiner.finds_step_beyond(end, 1e-6))
+      const bool asks_steps =
+        search.answer != RateAnswer::none && !mechanism && examiner.can_solve(end);
+      if (asks_steps && examiner.finds_step_beyond(end, 1e-6))
         confirmation.objection += "an implicit step of 1e-6 goes on; ";
       if (mechanism)
         by += by.empty() ? "mechanism" : ", mechanism";
       if (by.empty() && !searched)
         by = "certificate"; // laws or strengths that no independent solver knows
+      // Where others move freely the rates have no solution that is unique: only steps are left.
+      if (confirmation.objection.empty() && by.empty() && asks_steps &&
+          !examiner.finds_step_beyond(end, 1e-5) && !examiner.finds_step_beyond(end, 1e-4))
+        by = "no implicit step";
       if (confirmation.objection.empty() && by.empty())
         confirmation.objection = "no independent solver could decide; ";
       if (confirmation.objection.empty())

@@ -232,7 +232,8 @@ parts no pressed lips and slides only where the strength is exhausted.
 Scenes **in space**: an extruded plane scene is compared with the path of its section at all load levels ("plane section": end, verdict,
 forces per area, opening and slip to 1e-6). Of the others up to seven steps are solved anew by a semismooth Newton method for circular cones;
 where directions of slip turn, an implicit step is another one, and "residual" says that the state satisfies all conditions but the direction.
-"No implicit step" means that this method finds none to a load larger by 1e-4 and 1e-3 of a stage. Where the continuation is not unique, "implicit
+"No implicit step" means that this method finds none to a load larger by 1e-4 and 1e-3 of a stage (in the plane, where bodies that move freely leave
+the rates undecided: 1e-5 and 1e-4). Where the continuation is not unique, "implicit
 step" means that it finds one of them; how many there are is not examined in space.
 
 A **motion** is **interrupted** after twenty seconds of a processor, as a user would with Ctrl-C, and what it has reached is

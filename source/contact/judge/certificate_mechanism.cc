@@ -55,8 +55,8 @@ namespace fuga
   bool
   MechanismCertificate::is_neutral() const
   {
-    constexpr double rounding = 1e-9;
-    return std::max(error(), std::abs(drive)) <= rounding;
+    constexpr double none = 1e-7; // as of a force that does not resist
+    return std::max(error(), std::abs(drive)) <= none;
   }
 
   Freedom

@@ -17,6 +17,8 @@ namespace fuga
   {
     /** Mechanisms that one attempt to switch states one by one may pass through. */
     constexpr std::size_t most_mechanisms = 12;
+    /** Combinations of states that are tried where the only alternative is not to know. */
+    constexpr double most_combinations_at_last = 3e5;
   } // namespace
 
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,
@@ -105,6 +107,10 @@ namespace fuga
       }
     else
       search_all(state, set, drive, resticking, result);
+    // Patience decides where nothing else does.
+    if (!result.exists && !result.is_ruled_out &&
+        n_combinations(admissible_states(set)) <= most_combinations_at_last)
+      result.is_ruled_out = !enumerate(state, set, drive, result, [] { return true; });
     return result;
   }
 
