@@ -60,15 +60,17 @@ namespace fuga
   void
   add_product(const long double sign, const SparseOperator &B, const Accurate &x, Accurate &y)
   {
+    std::size_t n_operations = 0;
     for (std::size_t row = 0; row < y.size(); ++row)
       {
         long double sum = 0.L;
         B.for_each_in_row(row, [&](const std::size_t column, const double factor) {
           sum += factor * x[column];
-          ++work::now().accurate_operations;
+          ++n_operations;
         });
         y[row] += sign * sum;
       }
+    work::now().accurate_operations += n_operations;
   }
 
   void
@@ -77,11 +79,13 @@ namespace fuga
                          const Accurate &x,
                          Accurate &y)
   {
+    std::size_t n_operations = 0;
     for (std::size_t row = 0; row < x.size(); ++row)
       B.for_each_in_row(row, [&](const std::size_t column, const double factor) {
         y[column] += sign * factor * x[row];
-        ++work::now().accurate_operations;
+        ++n_operations;
       });
+    work::now().accurate_operations += n_operations;
   }
 
   void

@@ -3,7 +3,6 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <fuga/base/errors.h>
 #include <fuga/bodies/motion/modal_coordinates.h>
 
 #include <algorithm>

@@ -27,6 +27,14 @@ namespace fuga
      * round again. */
     constexpr int free_steps         = 10;
     constexpr double harmless_growth = 1.5;
+
+    /** What counts as no force in a state at the end of a step [MN]. */
+    double
+    no_force_in(const JointState &state)
+    {
+      return 10. * tolerance * max_abs(state.forces);
+    }
+
     /** Of a step, the shortest part by which it goes on to guess its end. */
     constexpr double shortest_part = 1. / 16.;
   } // namespace
@@ -194,7 +202,7 @@ namespace fuga
     while (find_equilibrium(from, t, trial))
       {
         JointState state       = state_of(from, t, trial);
-        const double no_force  = 10. * tolerance * max_abs(state.forces);
+        const double no_force  = no_force_in(state);
         const auto along_shear = [&](const std::size_t k) {
           return direction_of(tangential(elements[k], state.forces));
         };
@@ -208,8 +216,7 @@ namespace fuga
   JointState
   MatrixFreePath::let_water_in(JointState state, PathObserver &observer, PathResult &result)
   {
-    while (let_water_follow(
-      Vector(n_bars, 10. * tolerance * max_abs(state.forces)), state, observer, result))
+    while (let_water_follow(Vector(n_bars, no_force_in(state)), state, observer, result))
       {
         std::fill(state.missing_water.begin(), state.missing_water.end(), 0.);
         state = step_to(state, state.t);

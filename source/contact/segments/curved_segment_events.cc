@@ -95,10 +95,10 @@ namespace fuga
     std::optional<PathPoint> point = solve(tau, points[b].state.dislocations);
     if (!point)
       return;
-    std::vector<EventFunction> there     = event_functions(tau, *point);
-    const std::vector<std::size_t> met   = elements_on_boundary(taus[b], points[b].state),
-                                   known = elements_on_boundary(tau, point->state);
-    if (known.empty() || !std::includes(known.begin(), known.end(), met.begin(), met.end()) ||
+    std::vector<EventFunction> there      = event_functions(tau, *point);
+    const std::vector<std::size_t> met    = elements_on_boundary(taus[b], points[b].state),
+                                   nearer = elements_on_boundary(tau, point->state);
+    if (nearer.empty() || !std::includes(nearer.begin(), nearer.end(), met.begin(), met.end()) ||
         std::any_of(there.begin(), there.end(), [](const EventFunction &f) {
           return f.value < -f.tolerance;
         }))
