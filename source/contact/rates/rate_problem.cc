@@ -18,7 +18,7 @@ namespace fuga
     /** Mechanisms that one attempt to switch states one by one may pass through. */
     constexpr std::size_t most_mechanisms = 12;
     /** Combinations of states that are tried where the only alternative is not to know. */
-    constexpr double most_combinations_at_last = 3e5;
+    constexpr double most_combinations_at_last = 1e5;
   } // namespace
 
   RateProblem::RateProblem(const std::vector<ContactElement> &contact_elements,

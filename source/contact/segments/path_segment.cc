@@ -203,8 +203,9 @@ namespace fuga
       {
         double moved        = 0.;
         end_point           = point(end, moved);
-        const bool is_exact = moved <= context.boundary.gap_tolerance() ||
-                              moved >= end * max_abs(start.rates.dislocations);
+        const bool is_exact = (moved <= context.boundary.gap_tolerance() ||
+                               moved >= end * max_abs(start.rates.dislocations)) &&
+                              (chord > 0 || has_foreseen_forces(*end_point));
         if (chord == 0 && is_exact)
           break;
         JointRates rates = start.rates;
@@ -223,6 +224,16 @@ namespace fuga
         end = next;
       }
     return end;
+  }
+
+  // Where bodies move far beside what they deform, forces are refined, but their rates are not.
+  bool
+  StraightSegment::has_foreseen_forces(const PathPoint &point) const
+  {
+    constexpr double near_enough = 1e-10;
+    const Vector foreseen        = along(start.state.forces, end, start.rates.forces);
+    return max_abs(along(point.state.forces, -1., foreseen)) <=
+           near_enough * max_abs(point.state.forces);
   }
 
   PathPoint

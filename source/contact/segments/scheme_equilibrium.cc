@@ -50,6 +50,9 @@ namespace fuga
     // A correction that leaves something unresisted may be small as well.
     const bool leaves_nothing = answer == SchemeAnswer::of_no_mechanism;
     ++count.n_solutions;
+    // Where forces are refined they may have moved over it.
+    if (passes_limit_of_law(context.elements, state))
+      return false;
     if (constant)
       context.scheme.linearise(state, LayerStiffness::initial);
     for (int i = 1; i <= max_iterations; ++i)

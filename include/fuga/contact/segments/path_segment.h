@@ -107,6 +107,9 @@ namespace fuga
     stations() const override;
 
   private:
+    /** Whether the forces of @p point, at the end, are those that the first rates have promised. */
+    bool
+    has_foreseen_forces(const PathPoint &point) const;
     double
     distance(const JointRates &rates) const;
     /** The corrected state; @p moved grows by the largest dislocations of the corrections. */
