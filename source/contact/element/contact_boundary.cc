@@ -64,6 +64,14 @@ namespace fuga
     return result;
   }
 
+  bool
+  ContactBoundary::is_visibly_closed(const JointState &state, const std::size_t k) const
+  {
+    constexpr double visible = 1e2;
+    return state.states[k] != ContactState::open && system.is_curved(elements[k].normal_bar) &&
+           -gap(elements[k], state, k) > visible * zero_gap;
+  }
+
   void
   ContactBoundary::place_shear(const JointState &state, BoundaryElement &candidate) const
   {
@@ -77,7 +85,7 @@ namespace fuga
     const bool slipping           = is_slipping(state.states[k]);
     if (is_cone && strength <= tolerance && !state.strengths[k].resists_shear())
       return;
-    if (strength <= tolerance)
+    if (strength <= tolerance && !(is_cone && is_visibly_closed(state, k)))
       {
         candidate.shear = ShearPosition::at_apex;
         candidate.grazing |= is_cone && !state.strengths[k].has_bond();

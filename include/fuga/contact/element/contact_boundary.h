@@ -198,6 +198,10 @@ namespace fuga
                      const RateNoise &noise) const;
     double
     noise_of_shear(const std::size_t k, const JointState &state, const RateNoise &noise) const;
+    /** Whether a soft layer whose force is too small to know its shear is closed by more than
+     * rounding: such lips do not open. */
+    bool
+    is_visibly_closed(const JointState &state, const std::size_t k) const;
     void
     place_shear(const JointState &state, BoundaryElement &candidate) const;
     void
