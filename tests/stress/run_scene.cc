@@ -51,7 +51,8 @@ namespace fuga::stress
                                                      "enumeration",    "lemke",
                                                      "checked_equal",  "checked_other",
                                                      "difference",     "features",
-                                                     "energy_lacking", "message"};
+                                                     "energy_lacking", "not_accounted",
+                                                     "message"};
     return columns;
   }
 
@@ -111,6 +112,8 @@ namespace fuga::stress
       const double rounding = motion.at("rounding");
       const double share    = lacking > rounding ? lacking / largest : 0.;
       tell(write, "energy_lacking", share);
+      const double missing = std::abs(motion.at("not_accounted_for").get<double>());
+      tell(write, "not_accounted", missing > rounding ? missing / largest : 0.);
       if (steps.back() == 0. && share > 2. * event_tolerance * n_steps)
         tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
     }
