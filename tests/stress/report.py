@@ -215,7 +215,8 @@ def page(scenes, kinds, causes):
     * %d contact elements in the largest scene; longest scene %.1f s.
     """ % (scenes.scene.nunique(), len(scenes), failed, confirmed, exponent(scenes.certificate.max()), BOUND,
            (scenes.certificate > 1e-10).sum(), (scenes.certificate > 1e-12).sum(), not_right, 100. * not_right / len(scenes),
-           scenes.events.sum(), scenes.steps.sum(), scenes.zero_steps.sum(), motions.count(), (motions <= 1e-10).sum(), scenes.elements.max(), scenes.seconds.max())
+           scenes.events.sum(), scenes.steps.sum(), scenes.zero_steps.sum(), motions.count(), (motions <= 1e-10).sum(),
+           scenes.elements.max(), scenes.seconds.max())
     text = textwrap.dedent(head).lstrip()
     text += """
 ![Worst certificate over compliance and friction](stability.png)

@@ -107,13 +107,14 @@ namespace fuga::stress
       const double largest  = motion.at("largest_energy");
       const auto steps      = motion.at("steps_by_halvings").get<std::vector<double>>();
       const double n_steps  = std::accumulate(steps.begin(), steps.end(), 0.);
-      const double lacking  = std::abs(motion.at("not_accounted_for").get<double>() +
-                                      motion.at("numerical").get<double>());
       const double rounding = motion.at("rounding");
-      const double share    = lacking > rounding ? lacking / largest : 0.;
+      const auto share_of   = [&](const double energy) {
+        return std::abs(energy) > rounding ? std::abs(energy) / largest : 0.;
+      };
+      const double missing = motion.at("not_accounted_for");
+      const double share   = share_of(missing + motion.at("numerical").get<double>());
       tell(write, "energy_lacking", share);
-      const double missing = std::abs(motion.at("not_accounted_for").get<double>());
-      tell(write, "not_accounted", missing > rounding ? missing / largest : 0.);
+      tell(write, "not_accounted", share_of(missing));
       if (steps.back() == 0. && share > 2. * event_tolerance * n_steps)
         tell(write, "failure", fmt::format("{:.1e} of the energy is not accounted for", share));
     }
