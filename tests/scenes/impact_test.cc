@@ -125,6 +125,32 @@ namespace fuga::tests
     EXPECT_NEAR(run.summary.at("motion").at("kinetic_energy").get<double>(), known, 3e-4 * known);
   }
 
+  // A square of one cell, of which three corners are lips of rigid joints: were these without mass,
+  // it would turn about the fourth without inertia. A force (F, F) on its right side for the time T
+  // takes it off both joints. With a quarter of the mass m in each corner its moment of inertia is
+  // m a²/2, that of the force F a/2: F² T²/m + F² T²/(4 m). Vibrations: F a/E of the square.
+  TEST(Impact, BodyOfOneCellTurnsWithInertia)
+  {
+    constexpr double a = 2., F = 0.3, T = 0.5, m = a * a;
+    nlohmann::ordered_json scene = falling_bar(T, T / 100., 1);
+    scene["Bodies"]["block"]     = {
+          {"Young modulus", 1e6}, {"Poisson ratio", 0.}, {"Weight density", 10.}};
+    scene["Joints"]["wall"]             = scene["Joints"]["ground"];
+    scene["Joints"]["wall"]["Plus lip"] = "left";
+    scene["Boundaries"].erase("right");
+    scene["Boundaries"].erase("left");
+    scene["Loads"]["weight"] = {{"Type", "traction"},
+                                {"Boundaries", "right"},
+                                {"Value", std::to_string(F / a) + "; " + std::to_string(F / a)}};
+    const SceneRun run =
+      run_scene(write_scene(block_mesh(uniform(0., a, 1), uniform(0., a, 1), a), scene));
+    ASSERT_EQ(run.exit_code, 0);
+    const nlohmann::json &motion = run.summary.at("motion");
+    const double known           = 1.25 * F * F * T * T / m;
+    EXPECT_NEAR(motion.at("kinetic_energy").get<double>(), known, 1e-3 * known);
+    EXPECT_LT(std::abs(motion.at("not_accounted_for").get<double>()), 1e-10 * known);
+  }
+
   /** Which touch, or fly through this gap before. */
   class TwoBars : public testing::TestWithParam<double>
   {

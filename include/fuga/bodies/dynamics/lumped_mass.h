@@ -20,7 +20,7 @@ namespace fuga
    * displacements of the lips, so that it conserves energy and its pressure does not oscillate
    * (H. B. Khenous, P. Laborde, Y. Renard, Mass redistribution method for finite element contact
    * problems in elastodynamics, Eur. J. Mech. A/Solids 27, 2008). The other nodes of their cells
-   * have got it.
+   * have got it. Lips of a body that could then turn without inertia keep theirs.
    */
   template <int dim>
   Vector
