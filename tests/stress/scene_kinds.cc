@@ -96,7 +96,7 @@ namespace fuga::stress
   const std::vector<SceneKind> &
   scene_kinds()
   {
-    constexpr std::uint64_t seeds_of_motions  = 250; // a thousand of all kinds of motion
+    constexpr std::uint64_t seeds_of_motions  = 360; // a thousand of all kinds that move
     static const std::vector<SceneKind> kinds = {
       {"single", "one to five contact elements", families::single},
       {"stack", "anything of a block on a foundation", families::stack},

@@ -19,9 +19,9 @@ namespace fuga
     /** The same in space, beside the forces that act: with less of it slips begin and rest again
      * and again where rigid joints cross, with more elements begin to slip off their cones. */
     constexpr double of_small_differences_in_space = 1e-2;
-    /** Share of the reactions to all loads that counts as a force: a step of time has the loads
-     * that hold bodies at their places so far, which may be far above every force. */
-    constexpr double of_reactions = 1., of_reactions_in_motion = 1e-2;
+    /** Share of the reactions to all loads that counts as a force in a step of time, whose loads
+     * hold bodies at their places so far and may be far above every force. */
+    constexpr double of_reactions_in_motion = 1e-2;
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
      * beside what they deform, refinement keeps their forces better than their terms tell. */
     constexpr double largest_force_noise = 1e-9;
@@ -59,7 +59,7 @@ namespace fuga
     const double least_share = has_cones ? of_small_differences_in_space
                                          : std::min(1., of_small_differences * widening * widening);
     const bool in_motion     = system.contact_system().force_scale() > 0.;
-    const double of_given    = in_motion ? of_reactions_in_motion : of_reactions;
+    const double of_given    = in_motion ? of_reactions_in_motion : 1.;
     const double largest_force =
       std::max(has_cones ? 0. : of_given * max_abs(given), max_abs(state.forces));
     double largest_jump = 0.;

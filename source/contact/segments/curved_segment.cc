@@ -126,8 +126,6 @@ namespace fuga
       {
         state.dislocations = points.front().state.dislocations;
         complete_state(context, course, tau, state, &known);
-        if (passes_limit_of_law(context.elements, state))
-          return {};
       }
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)

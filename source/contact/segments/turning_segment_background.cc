@@ -159,8 +159,7 @@ namespace fuga
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
-    if (passes_limit_of_law(context.elements, state) ||
-        !equilibrium.solve(tau, jump_scale, state, known))
+    if (!equilibrium.solve(tau, jump_scale, state, known))
       return false;
     context.scheme.linearise(state);
     return true;

@@ -198,8 +198,8 @@ namespace fuga
                      const RateNoise &noise) const;
     double
     noise_of_shear(const std::size_t k, const JointState &state, const RateNoise &noise) const;
-    /** Whether a soft layer whose force is too small to know its shear is closed by more than
-     * rounding: such lips do not open. */
+    /** Whether a nonlinear layer is closed by more than rounding: its lips do not open, be its
+     * force too small to know its shear. */
     bool
     is_visibly_closed(const JointState &state, const std::size_t k) const;
     void
