@@ -18,13 +18,16 @@ namespace fuga
     /** Lips without mass may have no continuous way on, where friction is large: they jump to where
      * they are in equilibrium again. The way through a step leads to its end, and the motion has
      * the error of the step: it needs to be no more exact than what is certified of it, and other
-     * ways tell nothing about the motion. */
+     * ways tell nothing about the motion. What all steps lose of the energy adds up. */
     PathOptions
-    of_steps(PathOptions options)
+    of_steps(const double largest_number, PathOptions options)
     {
-      options.follow_jumps     = true;
-      options.looks_for_others = false;
-      options.curve_tolerance  = 1e-9;
+      constexpr double rounding = 1e-14;
+      options.follow_jumps      = true;
+      options.looks_for_others  = false;
+      options.curve_tolerance   = 1e-9;
+      options.least_energy_loss = std::clamp(
+        PathOptions::largest_energy_loss / largest_number, rounding, options.least_energy_loss);
       return options;
     }
   } // namespace
@@ -36,7 +39,10 @@ namespace fuga
     Rung(const unsigned int number, DynamicPath &of)
       : system(
           of.bodies.condensed_stiffness(number), number, of.bodies.jump_operator(), of.elements)
-      , path(of.elements, system.layered(), of.history_of_step, of.options)
+      , path(of.elements,
+             system.layered(),
+             of.history_of_step,
+             of_steps(of.grid.n_steps * std::ldexp(1., static_cast<int>(number)), of.options))
     {
     }
 
@@ -53,7 +59,7 @@ namespace fuga
     : ContactPath(contact_elements, layered_system, load_history)
     , bodies(moving_bodies)
     , grid(time_grid)
-    , options(of_steps(path_options))
+    , options(path_options)
     , rungs(grid.halvings + 1)
     , history_of_step(StepSystem::history())
   {

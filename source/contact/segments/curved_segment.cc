@@ -220,7 +220,7 @@ namespace fuga
         const StepEnergy energy = energy_behind(a);
         losses[a + 1]           = energy.lost;
         std::optional<PathPoint> point;
-        if (energy_defect(energy, count) > 1. && length > shortest)
+        if (energy_defect(energy, options.least_energy_loss, count) > 1. && length > shortest)
           {
             point = solve(middle, interpolate(a, middle));
             ++i;

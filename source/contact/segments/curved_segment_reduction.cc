@@ -37,7 +37,7 @@ namespace fuga
     const StepEnergy energy =
       energy_of_step(context, course, from, to, length, taus[a] + length, count);
     lost                = energy.lost;
-    const double defect = energy_defect(energy, count);
+    const double defect = energy_defect(energy, options.least_energy_loss, count);
     return is_reduction() ? std::max(defect, reduction_defect(from, to, length)) : defect;
   }
 

@@ -14,11 +14,8 @@ namespace fuga
 {
   namespace
   {
-    /** Energy that a path may lose by interpolation, relative to the work of the bars; the share of
-     * what is left of it that one step may lose, and what rounding leaves it in any case. */
-    constexpr double largest_loss  = 3e-10;
+    /** Share of what a path may still lose by interpolation that one step may lose. */
     constexpr double share_of_step = 1e-2;
-    constexpr double least_of_step = 1e-12;
     /** Rounding error of a jump relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
@@ -209,11 +206,10 @@ namespace fuga
   }
 
   double
-  energy_defect(const StepEnergy &energy, const IterationCount &count)
+  energy_defect(const StepEnergy &energy, const double least_loss, const IterationCount &count)
   {
-    const double allowed =
-      std::max(least_of_step * energy.scale,
-               share_of_step * (largest_loss * energy.scale - count.energy_lost));
+    const double left    = PathOptions::largest_energy_loss * energy.scale - count.energy_lost;
+    const double allowed = std::max(least_loss * energy.scale, share_of_step * left);
     return energy.scale > 0. ? energy.lost / allowed : 0.;
   }
 

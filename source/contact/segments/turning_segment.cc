@@ -62,6 +62,7 @@ namespace fuga
     , stuck(with_stuck(turning, start.state))
     , linear(!context.scheme.is_nonlinear() && course.share_rate == 0.)
     , step_tolerance(options.curve_tolerance)
+    , least_energy_loss(options.least_energy_loss)
     , count(iteration_count)
     , solver(shear_stiffnesses(context, turning), count)
     , equilibrium(context, course, PathOptions(), count)

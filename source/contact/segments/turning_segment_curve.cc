@@ -237,7 +237,7 @@ namespace fuga
         const StepEnergy energy =
           energy_of_step(context, course, from.point, to.point, length, to.tau, count);
         to.energy_lost = energy.lost;
-        error          = std::max(error, energy_defect(energy, count));
+        error          = std::max(error, energy_defect(energy, least_energy_loss, count));
       }
     return std::isfinite(error);
   }

@@ -29,10 +29,10 @@ namespace fuga
                  const double tau,
                  IterationCount &count);
 
-  /** The energy that a step loses, relative to what it may lose of that which the path has left; at
-   * most 1 for a step that is short enough. */
+  /** The energy that a step loses, relative to what it may lose of that which the path has left, or
+   * to @p least_loss of the work; at most 1 for a step that is short enough. */
   double
-  energy_defect(const StepEnergy &energy, const IterationCount &count);
+  energy_defect(const StepEnergy &energy, const double least_loss, const IterationCount &count);
 
   /** Counts what the steps of @p segment have lost: the steps to come may lose so much less. */
   void

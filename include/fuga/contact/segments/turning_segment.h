@@ -183,7 +183,7 @@ namespace fuga
     JointState stuck;
     /** The background answers linearly, everywhere along the segment in the same way. */
     const bool linear;
-    const double step_tolerance;
+    const double step_tolerance, least_energy_loss;
     IterationCount &count;
     TurningStageSolver solver;
     SchemeEquilibrium equilibrium;
