@@ -100,7 +100,7 @@ namespace fuga::stress
 
     // Every step but the shortest ones may lack the tolerance of the largest energy. What the
     // shortest ones lack the program tells its user. A spectral radius below one takes what it
-    // likes. What no term accounts for is rounding.
+    // likes. What no term accounts for is rounding, and has the bound of certificates.
     void
     tell_energies(const Writer &write, const nlohmann::json &motion, const double event_tolerance)
     {
@@ -111,13 +111,12 @@ namespace fuga::stress
       const auto share_of   = [&](const double energy) {
         return std::abs(energy) > rounding ? std::abs(energy) / largest : 0.;
       };
-      constexpr double largest_missing = 1e-10;
-      const double missing             = motion.at("not_accounted_for");
-      const double missing_share       = share_of(missing);
-      const double share               = share_of(missing + motion.at("numerical").get<double>());
+      const double missing       = motion.at("not_accounted_for");
+      const double missing_share = share_of(missing);
+      const double share         = share_of(missing + motion.at("numerical").get<double>());
       tell(write, "energy_lacking", share);
       tell(write, "not_accounted", missing_share);
-      if (missing_share > largest_missing)
+      if (missing_share > certificate_bound)
         tell(write,
              "failure",
              fmt::format("{:.1e} of the energy is not accounted for", missing_share));
