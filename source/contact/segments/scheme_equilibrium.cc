@@ -75,7 +75,8 @@ namespace fuga
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state, known);
 
-        const double size = max_abs(growth);
+        // Of a jump that stays where it is the layer may take another part, and the slip the rest.
+        const double size = std::max(max_abs(growth), max_abs(change->dislocations));
         const double total =
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
         if (passes_limit_of_law(context.elements, state))
