@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/disjoint_sets.h>
 #include <fuga/bodies/dynamics/lumped_mass.h>
 #include <fuga/bodies/joints/contact_bars.h>
 #include <fuga/bodies/loads/depth_pressure.h>
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace fuga
 {
@@ -57,14 +57,55 @@ namespace fuga
         share /= sum;
     }
 
-    /** Masses of the nodes, without what water adds. */
+    /** Mass, and its first and second moments about the first of its nodes, of a piece of mesh. */
     template <int dim>
-    Vector
+    struct PieceMass
+    {
+      std::optional<dealii::Point<dim>> origin;
+      double mass = 0.;
+      dealii::Tensor<1, dim> first;
+      dealii::SymmetricTensor<2, dim> second;
+
+      void
+      add(const double share, const dealii::Point<dim> &position)
+      {
+        if (!origin)
+          origin = position;
+        const dealii::Tensor<1, dim> radius = position - *origin;
+        mass += share;
+        first += share * radius;
+        second += share * dealii::symmetrize(dealii::outer_product(radius, radius));
+      }
+
+      /** The smallest of the moments of inertia about axes through the centre [MN m s²]. */
+      double
+      smallest_moment() const
+      {
+        if (mass == 0.)
+          return 0.;
+        const dealii::SymmetricTensor<2, dim> spread =
+          second - dealii::symmetrize(dealii::outer_product(first, first)) / mass;
+        return dealii::trace(spread) - (dim == 3 ? dealii::eigenvalues(spread)[0] : 0.);
+      }
+    };
+
+    /** Masses of the nodes, without what water adds, and of the pieces of mesh. */
+    template <int dim>
+    struct NodeMasses
+    {
+      Vector of_nodes;
+      std::vector<PieceMass<dim>> of_pieces;
+    };
+
+    template <int dim>
+    NodeMasses<dim>
     masses_of_nodes(const BodyModel<dim> &model, const std::vector<bool> &massless)
     {
       const Discretization<dim> &space = model.discretization();
       const Vector density             = mass_densities(model.jointed_mesh(), model.definition());
-      Vector mass(space.n_nodes(), 0.), shares(space.reference_element().n_nodes());
+      NodeMasses<dim> result{Vector(space.n_nodes(), 0.),
+                             std::vector<PieceMass<dim>>(space.n_pieces())};
+      Vector shares(space.reference_element().n_nodes());
       CellValues<dim> values(space);
       for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
         {
@@ -72,77 +113,47 @@ namespace fuga
             continue;
           values.move_to(cell);
           const unsigned int *nodes = space.cell_nodes(cell);
-          double volume             = 0.;
+          double mass               = 0.;
           for (std::size_t q = 0; q < values.n_points(); ++q)
-            volume += values.volume(q);
+            mass += density[space.cell_body(cell)] * values.volume(q);
           shares_of_nodes(values, nodes, massless, shares);
           for (std::size_t i = 0; i < shares.size(); ++i)
-            mass[nodes[i]] += density[space.cell_body(cell)] * volume * shares[i];
+            {
+              result.of_nodes[nodes[i]] += mass * shares[i];
+              result.of_pieces[space.cell_piece(cell)].add(mass * shares[i],
+                                                           space.position(nodes[i]));
+            }
         }
-      return mass;
-    }
-
-    /** By node the number of the piece that cells with common nodes make of the mesh. */
-    template <int dim>
-    std::vector<unsigned int>
-    pieces_of_nodes(const Discretization<dim> &space)
-    {
-      DisjointSets pieces(space.n_nodes());
-      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
-        for (std::size_t i = 1; i < space.reference_element().n_nodes(); ++i)
-          pieces.unite(space.cell_nodes(cell)[0], space.cell_nodes(cell)[i]);
-      std::vector<unsigned int> result;
-      pieces.number(result);
       return result;
     }
 
-    /** By piece the smallest of its moments of inertia about axes through its centre, if its nodes
-     * have @p mass [MN m s²]. */
+    /** Lips keep their mass whose piece could turn without inertia, because its nodes with mass
+     * would lie in one point, or in space on a line. Pieces that meet in a hinge turn apart.
+     * Returns whether there are such lips. */
     template <int dim>
-    Vector
-    smallest_moments(const Discretization<dim> &space,
-                     const std::vector<unsigned int> &pieces,
-                     const Vector &mass)
+    bool
+    keep_moments(const Discretization<dim> &space,
+                 const NodeMasses<dim> &all,
+                 const NodeMasses<dim> &left,
+                 std::vector<bool> &massless)
     {
-      Vector total(pieces.size(), 0.), moments(pieces.size(), 0.);
-      std::vector<dealii::Tensor<1, dim>> centre(pieces.size());
-      std::vector<dealii::SymmetricTensor<2, dim>> spread(pieces.size());
-      for (std::size_t node = 0; node < pieces.size(); ++node)
+      constexpr double none = 1e-3;
+      std::vector<bool> turns;
+      for (unsigned int piece = 0; piece < space.n_pieces(); ++piece)
         {
-          total[pieces[node]] += mass[node];
-          centre[pieces[node]] += mass[node] * space.position(node);
+          const double whole = all.of_pieces[piece].smallest_moment();
+          turns.push_back(whole > 0. && left.of_pieces[piece].smallest_moment() <= none * whole);
         }
-      for (std::size_t node = 0; node < pieces.size(); ++node)
-        if (mass[node] > 0.)
-          {
-            const std::size_t piece = pieces[node];
-            const dealii::Tensor<1, dim> radius =
-              space.position(node) - centre[piece] / total[piece];
-            spread[piece] += mass[node] * dealii::symmetrize(dealii::outer_product(radius, radius));
-          }
-      for (std::size_t piece = 0; piece < pieces.size(); ++piece)
-        moments[piece] =
-          dealii::trace(spread[piece]) - (dim == 3 ? dealii::eigenvalues(spread[piece])[0] : 0.);
-      return moments;
-    }
-
-    /** A piece whose nodes with mass lie in one point, or in space on a line, could turn without
-     * inertia: its lips keep their mass. */
-    template <int dim>
-    void
-    keep_moments(const BodyModel<dim> &model, std::vector<bool> &massless)
-    {
-      if (std::find(massless.begin(), massless.end(), true) == massless.end())
-        return;
-      constexpr double none                  = 1e-3;
-      const Discretization<dim> &space       = model.discretization();
-      const std::vector<unsigned int> pieces = pieces_of_nodes(space);
-      const Vector all                       = smallest_moments(
-        space, pieces, masses_of_nodes(model, std::vector<bool>(massless.size(), false)));
-      const Vector left = smallest_moments(space, pieces, masses_of_nodes(model, massless));
-      for (std::size_t node = 0; node < massless.size(); ++node)
-        if (left[pieces[node]] <= none * all[pieces[node]])
-          massless[node] = false;
+      bool is_kept = false;
+      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+        if (turns[space.cell_piece(cell)])
+          for (std::size_t i = 0; i < space.reference_element().n_nodes(); ++i)
+            if (const unsigned int node = space.cell_nodes(cell)[i]; massless[node])
+              {
+                massless[node] = false;
+                is_kept        = true;
+              }
+      return is_kept;
     }
 
     /** The mass m of water along the normal n at a node: m n_c² along the axis c. */
@@ -177,11 +188,16 @@ namespace fuga
   {
     const Discretization<dim> &space = model.discretization();
     std::vector<bool> massless       = nodes_without_mass(model, massless_joints);
-    keep_moments(model, massless);
-    const Vector of_nodes = masses_of_nodes(model, massless);
+    NodeMasses<dim> masses           = masses_of_nodes(model, massless);
+    if (std::find(massless.begin(), massless.end(), true) != massless.end() &&
+        keep_moments(space,
+                     masses_of_nodes(model, std::vector<bool>(massless.size(), false)),
+                     masses,
+                     massless))
+      masses = masses_of_nodes(model, massless);
     Vector mass(space.n_dofs());
     for (std::size_t dof = 0; dof < mass.size(); ++dof)
-      mass[dof] = of_nodes[dof / dim];
+      mass[dof] = masses.of_nodes[dof / dim];
     for (const AddedMass &water : model.definition().dynamics.added_masses)
       add_water(model, water, mass);
     space.hanging_nodes().move_to_masters(mass);
