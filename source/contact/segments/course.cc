@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/element/joint_water.h>
+#include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 
 #include <algorithm>
 
 namespace fuga
 {
+  Vector
+  along(const Vector &origin, const double tau, const Vector &rates)
+  {
+    Vector result = origin;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      result[i] += tau * rates[i];
+    return result;
+  }
+
   // Stages begin at whole numbers, whatever rounding says.
   double
   Course::time_at(const double tau) const
@@ -17,10 +28,7 @@ namespace fuga
   Vector
   Course::factors_at(const double tau) const
   {
-    Vector result = factors;
-    for (std::size_t j = 0; j < factor_rates.size(); ++j)
-      result[j] += tau * factor_rates[j];
-    return result;
+    return along(factors, tau, factor_rates);
   }
 
   void
@@ -73,5 +81,81 @@ namespace fuga
         if (elements[k].friction.reduced && is_slipping(state.states[k]))
           return true;
     return false;
+  }
+
+  ContactBoundary
+  boundary_at(const PathContext &context,
+              const Course &course,
+              const double tau,
+              const JointState &state)
+  {
+    ContactBoundary result(context.elements, context.system);
+    result.set_scales(state, course.factors_at(tau), 1.);
+    return result;
+  }
+
+  void
+  release(const Drive &drive, const double tau, JointState &state)
+  {
+    state.unreleased    = along(state.unreleased, tau, drive.release);
+    state.missing_water = along(state.missing_water, tau, drive.missing_water);
+  }
+
+  Vector
+  set_loads(const PathContext &context, const Course &course, const double tau, JointState &state)
+  {
+    state.t        = course.time_at(tau);
+    Vector factors = course.factors_at(tau);
+    if (course.yielding)
+      {
+        const YieldingLoad &load = *course.yielding;
+        double lag               = tau;
+        for (std::size_t bar = 0; bar < load.weights.size(); ++bar)
+          lag -= load.weights[bar] * (state.dislocations[bar] - load.dislocations[bar]);
+        state.t += load.stiffness * lag;
+        factors = along(factors, load.stiffness * lag, load.factor_rates);
+      }
+    set_water(context.system, factors, state);
+    return factors;
+  }
+
+  void
+  set_slips(const PathContext &context, const Course &course, const double tau, JointState &state)
+  {
+    reduce_strengths(context.elements, course, tau, state.strengths);
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      {
+        const ContactElement &element = context.elements[k];
+        if (!element.has_tangential_bar() ||
+            (state.states[k] == ContactState::stick && carries_shear(element, state.strengths[k])))
+          continue;
+        const TangentVector slip = present_slip(element, state, k);
+        state.dilations[k] +=
+          state.strengths[k].dilatancy *
+          dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
+        state.slips[k] = slip;
+      }
+  }
+
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state,
+                 const KnownForces *const known)
+  {
+    const Vector factors = set_loads(context, course, tau, state);
+    state.forces         = context.system.forces(factors, state.dislocations, state.water, known);
+    set_slips(context, course, tau, state);
+  }
+
+  KnownForces
+  known_forces(const PathContext &context, const Course &course, const double tau, JointState state)
+  {
+    Vector factors = set_loads(context, course, tau, state);
+    return {std::move(factors),
+            std::move(state.dislocations),
+            std::move(state.water),
+            std::move(state.forces)};
   }
 } // namespace fuga

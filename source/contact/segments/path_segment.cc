@@ -3,7 +3,6 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
-#include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/path_segment.h>
 
@@ -25,15 +24,6 @@ namespace fuga
     constexpr double accepted = 1e-12;
     /** Chords along which the end of a segment is looked for at most. */
     constexpr int max_chords = 3;
-
-    Vector
-    along(const Vector &origin, const double tau, const Vector &rates)
-    {
-      Vector result = origin;
-      for (std::size_t i = 0; i < rates.size(); ++i)
-        result[i] += tau * rates[i];
-      return result;
-    }
   } // namespace
 
   double
@@ -57,87 +47,6 @@ namespace fuga
         "lead to no event.",
         t,
         largest_number));
-  }
-
-  ContactBoundary
-  boundary_at(const PathContext &context,
-              const Course &course,
-              const double tau,
-              const JointState &state)
-  {
-    ContactBoundary result(context.elements, context.system);
-    result.set_scales(state, course.factors_at(tau), 1.);
-    return result;
-  }
-
-  void
-  release(const Drive &drive, const double tau, JointState &state)
-  {
-    state.unreleased    = along(state.unreleased, tau, drive.release);
-    state.missing_water = along(state.missing_water, tau, drive.missing_water);
-  }
-
-  namespace
-  {
-    /** Sets load time and water of a state; returns the factors of the loads. */
-    Vector
-    set_loads(const PathContext &context, const Course &course, const double tau, JointState &state)
-    {
-      state.t        = course.time_at(tau);
-      Vector factors = course.factors_at(tau);
-      if (course.yielding)
-        {
-          const YieldingLoad &load = *course.yielding;
-          double lag               = tau;
-          for (std::size_t bar = 0; bar < load.weights.size(); ++bar)
-            lag -= load.weights[bar] * (state.dislocations[bar] - load.dislocations[bar]);
-          state.t += load.stiffness * lag;
-          factors = along(factors, load.stiffness * lag, load.factor_rates);
-        }
-      set_water(context.system, factors, state);
-      return factors;
-    }
-
-    /** Sets what follows from dislocations, forces and τ. */
-    void
-    set_slips(const PathContext &context, const Course &course, const double tau, JointState &state)
-    {
-      reduce_strengths(context.elements, course, tau, state.strengths);
-      for (std::size_t k = 0; k < context.elements.size(); ++k)
-        {
-          const ContactElement &element = context.elements[k];
-          if (!element.has_tangential_bar() || (state.states[k] == ContactState::stick &&
-                                                carries_shear(element, state.strengths[k])))
-            continue;
-          const TangentVector slip = present_slip(element, state, k);
-          state.dilations[k] +=
-            state.strengths[k].dilatancy *
-            dot(context.scheme.slip_direction_of(k), sum(slip, -1., state.slips[k]));
-          state.slips[k] = slip;
-        }
-    }
-  } // namespace
-
-  void
-  complete_state(const PathContext &context,
-                 const Course &course,
-                 const double tau,
-                 JointState &state,
-                 const KnownForces *const known)
-  {
-    const Vector factors = set_loads(context, course, tau, state);
-    state.forces         = context.system.forces(factors, state.dislocations, state.water, known);
-    set_slips(context, course, tau, state);
-  }
-
-  KnownForces
-  known_forces(const PathContext &context, const Course &course, const double tau, JointState state)
-  {
-    Vector factors = set_loads(context, course, tau, state);
-    return {std::move(factors),
-            std::move(state.dislocations),
-            std::move(state.water),
-            std::move(state.forces)};
   }
 
   // A correction knows its forces, unless the load gives way to it as well.

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_segments_course_h
 #define fuga_contact_segments_course_h
 
+#include <fuga/contact/element/contact_boundary.h>
 #include <fuga/contact/joint_state.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
@@ -11,6 +12,19 @@
 
 namespace fuga
 {
+  /** origin + τ rates, where there are rates. */
+  Vector
+  along(const Vector &origin, const double tau, const Vector &rates);
+
+  /** Everything the segments share, by reference. */
+  struct PathContext
+  {
+    const std::vector<ContactElement> &elements;
+    const LayeredSystem &system;
+    const ContactBoundary &boundary;
+    WorkingScheme &scheme;
+  };
+
   /**
    * A load that gives way to the motion it causes, beyond its limit: the load time is
    * t + τ ṫ + κ (τ - Σ c (d - d0)), the bracket being zero where c measures the motion exactly. How
@@ -89,6 +103,42 @@ namespace fuga
   is_bent_by_reduction(const std::vector<ContactElement> &elements,
                        const Course &course,
                        const JointState &state);
+
+  /** What counts as zero in a state at @p tau, without what steps of no length have widened: that
+   * is for the point where they ended. */
+  ContactBoundary
+  boundary_at(const PathContext &context,
+              const Course &course,
+              const double tau,
+              const JointState &state);
+
+  /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
+  void
+  release(const Drive &drive, const double tau, JointState &state);
+
+  /** Sets load time and water of a state; returns the factors of the loads. */
+  Vector
+  set_loads(const PathContext &context, const Course &course, const double tau, JointState &state);
+
+  /** What of a state follows from dislocations, forces and τ: slips, dilations, strengths. */
+  void
+  set_slips(const PathContext &context, const Course &course, const double tau, JointState &state);
+
+  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, see
+   * LayeredSystem::forces() for @p known, time, slips, water, reduced strengths. */
+  void
+  complete_state(const PathContext &context,
+                 const Course &course,
+                 const double tau,
+                 JointState &state,
+                 const KnownForces *known = nullptr);
+
+  /** The forces of a state that complete_state() has completed. */
+  KnownForces
+  known_forces(const PathContext &context,
+               const Course &course,
+               const double tau,
+               JointState state);
 } // namespace fuga
 
 #endif

@@ -59,11 +59,12 @@ namespace fuga
     /** Largest error of one step along a curve whose directions of slip turn, relative to the
      * largest force and jump. */
     double curve_tolerance = 1e-11;
-    /** Energy that a path may lose by interpolation along curves, and what one step may lose of it
-     * in any case, be the path ever so long; both relative to the work of the bars. */
+    /** Energy that a path may lose by interpolation along curves, relative to the work of the bars.
+     */
     static constexpr double largest_energy_loss = 3e-10;
-    double least_energy_loss                    = 1e-12;
-    unsigned int max_iterations                 = 200;
+    /** What one step may lose of that work in any case, be the path ever so long. */
+    double least_energy_loss    = 1e-12;
+    unsigned int max_iterations = 200;
   };
 
   /** Work done for nonlinear layers. */

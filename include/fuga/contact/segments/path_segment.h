@@ -4,13 +4,11 @@
 #ifndef fuga_contact_segments_path_segment_h
 #define fuga_contact_segments_path_segment_h
 
-#include <fuga/contact/element/contact_boundary.h>
-#include <fuga/contact/scheme/working_scheme.h>
 #include <fuga/contact/segments/course.h>
 
 #include <array>
-
 #include <optional>
+#include <vector>
 
 namespace fuga
 {
@@ -84,15 +82,6 @@ namespace fuga
     }
   };
 
-  /** Everything the segments share, by reference. */
-  struct PathContext
-  {
-    const std::vector<ContactElement> &elements;
-    const LayeredSystem &system;
-    const ContactBoundary &boundary;
-    WorkingScheme &scheme;
-  };
-
   /** The state of a scheme with linear layers on the straight line through @p start. */
   class StraightSegment : public PathSegment
   {
@@ -164,34 +153,6 @@ namespace fuga
    * @p t; Interrupted if a signal came. */
   void
   check_number_of_steps(const std::size_t n_steps, const double t);
-
-  /** What counts as zero in a state at @p tau, without what steps of no length have widened: that
-   * is for the point where they ended. */
-  ContactBoundary
-  boundary_at(const PathContext &context,
-              const Course &course,
-              const double tau,
-              const JointState &state);
-
-  /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
-  void
-  release(const Drive &drive, const double tau, JointState &state);
-
-  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, see
-   * LayeredSystem::forces() for @p known, time, slips, water, reduced strengths. */
-  void
-  complete_state(const PathContext &context,
-                 const Course &course,
-                 const double tau,
-                 JointState &state,
-                 const KnownForces *known = nullptr);
-
-  /** The forces of a state that complete_state() has completed. */
-  KnownForces
-  known_forces(const PathContext &context,
-               const Course &course,
-               const double tau,
-               JointState state);
 
   /**
    * Corrects the dislocations of a state of a linear scheme until its equations hold to rounding.
