@@ -5,8 +5,10 @@
 #include <fuga/bodies/solvers/elimination_order.h>
 
 #include <algorithm>
+#include <csignal>
 #include <metis.h>
 #include <numeric>
+#include <type_traits>
 
 namespace fuga
 {
@@ -42,12 +44,6 @@ namespace fuga
     }
 
 
-    /** Which nodes share a cell, in the form that METIS reads. */
-    struct Graph
-    {
-      std::vector<idx_t> start = {0}, neighbours;
-    };
-
     Graph
     neighbours(const Lists &cells, const std::size_t n_nodes)
     {
@@ -70,30 +66,40 @@ namespace fuga
         }
       return graph;
     }
-
-
-    /** The nodes in the order of elimination. The seed is fixed: every run has the same order. */
-    std::vector<idx_t>
-    nested_dissection(Graph graph)
-    {
-      idx_t n = static_cast<idx_t>(graph.start.size()) - 1;
-      std::vector<idx_t> node_at(graph.start.size() - 1), place_of(node_at.size());
-      if (n == 0)
-        return node_at;
-      idx_t options[METIS_NOPTIONS];
-      METIS_SetDefaultOptions(options);
-      options[METIS_OPTION_SEED] = 1;
-      if (METIS_NodeND(&n,
-                       graph.start.data(),
-                       graph.neighbours.data(),
-                       nullptr,
-                       options,
-                       node_at.data(),
-                       place_of.data()) != METIS_OK)
-        throw NumericalFailure("METIS found no order of elimination for the bodies.");
-      return node_at;
-    }
   } // namespace
+
+
+  // The seed is fixed: every run has the same order. METIS catches SIGTERM, and gives up for it.
+  std::vector<int>
+  nested_dissection(Graph graph)
+  {
+    static_assert(std::is_same_v<idx_t, int>);
+    idx_t n = static_cast<idx_t>(graph.start.size()) - 1;
+    std::vector<idx_t> node_at(graph.start.size() - 1), place_of(node_at.size());
+    if (n == 0)
+      return node_at;
+    idx_t options[METIS_NOPTIONS];
+    METIS_SetDefaultOptions(options);
+    options[METIS_OPTION_SEED] = 1;
+    const auto dissect         = [&]() {
+      return METIS_NodeND(&n,
+                          graph.start.data(),
+                          graph.neighbours.data(),
+                          nullptr,
+                          options,
+                          node_at.data(),
+                          place_of.data());
+    };
+    int outcome = dissect();
+    if (outcome == METIS_ERROR)
+      {
+        std::raise(SIGTERM); // for whoever listens, see base/interruption.h
+        outcome = dissect();
+      }
+    if (outcome != METIS_OK)
+      throw NumericalFailure("METIS found no order of elimination for the bodies.");
+    return node_at;
+  }
 
 
   template <int dim>
@@ -156,13 +162,13 @@ namespace fuga
         cells.finish_list();
       }
 
-    const std::vector<idx_t> nodes = nested_dissection(neighbours(cells, discretization.n_nodes()));
+    const std::vector<int> nodes = nested_dissection(neighbours(cells, discretization.n_nodes()));
     std::vector<unsigned int> first(discretization.n_nodes() + 1, 0);
     for (const unsigned int node : owner)
       ++first[node + 1];
     std::vector<unsigned int> count(first.begin() + 1, first.end());
     unsigned int place = 0;
-    for (const idx_t node : nodes)
+    for (const int node : nodes)
       {
         first[static_cast<std::size_t>(node)] = place;
         place += count[static_cast<std::size_t>(node)];

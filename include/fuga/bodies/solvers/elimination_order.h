@@ -6,6 +6,8 @@
 
 #include <fuga/bodies/joints/interface_coordinates.h>
 
+#include <vector>
+
 namespace fuga
 {
   /** One node for every eliminated coordinate: the one it is a displacement of, or that it moves
@@ -14,6 +16,18 @@ namespace fuga
   std::vector<unsigned int>
   owners_of_coordinates(const Discretization<dim> &discretization,
                         const InterfaceCoordinates<dim> &coordinates);
+
+  /** Which nodes share a cell, in the form that METIS reads: those of node i are entries start[i]
+   * to start[i + 1] - 1 of the neighbours. */
+  struct Graph
+  {
+    std::vector<int> start = {0}, neighbours;
+  };
+
+  /** The nodes in the order of elimination. A SIGTERM that comes meanwhile is not lost.
+   * @throws NumericalFailure if METIS finds none. */
+  std::vector<int>
+  nested_dissection(Graph graph);
 
   /**
    * The place of every coordinate in the elimination, numbered from 1 as MUMPS wants it; interface
