@@ -139,10 +139,10 @@ namespace fuga
   bool
   StraightSegment::has_foreseen_forces(const PathPoint &point) const
   {
-    constexpr double near_enough = 1e-10;
-    const Vector foreseen        = along(start.state.forces, end, start.rates.forces);
+    constexpr double negligible = 1e-10;
+    const Vector foreseen       = along(start.state.forces, end, start.rates.forces);
     return max_abs(along(point.state.forces, -1., foreseen)) <=
-           near_enough * max_abs(point.state.forces);
+           negligible * max_abs(point.state.forces);
   }
 
   PathPoint
