@@ -5,7 +5,6 @@
 #include <fuga/bodies/solvers/elimination_order.h>
 
 #include <algorithm>
-#include <csignal>
 #include <metis.h>
 #include <numeric>
 #include <type_traits>
@@ -69,34 +68,30 @@ namespace fuga
   } // namespace
 
 
-  // The seed is fixed: every run has the same order. METIS catches SIGTERM, and gives up for it.
+  // The seed is fixed: every run has the same order. METIS_NodeND() catches SIGTERM meanwhile and
+  // leaves by longjmp(), wherever it is (in malloc(), or with a pointer freed but not forgotten).
+  // What ParMETIS calls for its last levels orders a graph alike and does not.
   std::vector<int>
   nested_dissection(Graph graph)
   {
     static_assert(std::is_same_v<idx_t, int>);
-    idx_t n = static_cast<idx_t>(graph.start.size()) - 1;
     std::vector<idx_t> node_at(graph.start.size() - 1), place_of(node_at.size());
-    if (n == 0)
+    if (node_at.empty())
       return node_at;
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 1;
-    const auto dissect         = [&]() {
-      return METIS_NodeND(&n,
-                          graph.start.data(),
-                          graph.neighbours.data(),
-                          nullptr,
-                          options,
-                          node_at.data(),
-                          place_of.data());
-    };
-    int outcome = dissect();
-    if (outcome == METIS_ERROR)
-      {
-        std::raise(SIGTERM); // for whoever listens, see base/interruption.h
-        outcome = dissect();
-      }
-    if (outcome != METIS_OK)
+    options[METIS_OPTION_SEED]  = 1;
+    const idx_t n_processes     = 1;
+    idx_t size_of_separators[1] = {0}; // 2 n_processes - 1, of what processes would share
+    if (METIS_NodeNDP(static_cast<idx_t>(node_at.size()),
+                      graph.start.data(),
+                      graph.neighbours.data(),
+                      nullptr,
+                      n_processes,
+                      options,
+                      node_at.data(),
+                      place_of.data(),
+                      size_of_separators) != METIS_OK)
       throw NumericalFailure("METIS found no order of elimination for the bodies.");
     return node_at;
   }

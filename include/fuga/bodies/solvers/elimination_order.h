@@ -24,7 +24,7 @@ namespace fuga
     std::vector<int> start = {0}, neighbours;
   };
 
-  /** The nodes in the order of elimination. A SIGTERM that comes meanwhile is not lost.
+  /** The nodes in the order of elimination. A SIGTERM that comes meanwhile reaches the program.
    * @throws NumericalFailure if METIS finds none. */
   std::vector<int>
   nested_dissection(Graph graph);
