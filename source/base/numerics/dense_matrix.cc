@@ -119,6 +119,13 @@ namespace fuga
       y[i] += factor * x[i];
   }
 
+  Vector
+  along(Vector origin, const double tau, const Vector &rates)
+  {
+    add_multiple(tau, rates, origin);
+    return origin;
+  }
+
   namespace
   {
     double

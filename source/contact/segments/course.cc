@@ -9,15 +9,6 @@
 
 namespace fuga
 {
-  Vector
-  along(const Vector &origin, const double tau, const Vector &rates)
-  {
-    Vector result = origin;
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      result[i] += tau * rates[i];
-    return result;
-  }
-
   // Stages begin at whole numbers, whatever rounding says.
   double
   Course::time_at(const double tau) const

@@ -72,15 +72,12 @@ namespace fuga
         check_number_of_steps(a, points[a].state.t);
         const double tau =
           course.length - taus[a] < 1.5 * step() ? course.length : taus[a] + step();
-        Vector predicted = points[a].state.dislocations;
-        for (std::size_t i = 0; i < predicted.size(); ++i)
-          predicted[i] += (tau - taus[a]) * points[a].rates.dislocations[i];
-
-        std::optional<PathPoint> next = solve(tau, predicted);
-        double lost                   = 0.;
-        const double defect           = next && !slips_back(points[a].state, next->state)
-                                          ? step_defect(a, *next, tau - taus[a], lost)
-                                          : no_boundary;
+        std::optional<PathPoint> next = solve(
+          tau, along(points[a].state.dislocations, tau - taus[a], points[a].rates.dislocations));
+        double lost         = 0.;
+        const double defect = next && !slips_back(points[a].state, next->state)
+                                ? step_defect(a, *next, tau - taus[a], lost)
+                                : no_boundary;
         if (defect > 1. && tau - taus[a] > shortest)
           {
             step.limit(tau - taus[a]);

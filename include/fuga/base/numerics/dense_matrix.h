@@ -109,6 +109,10 @@ namespace fuga
   void
   add_multiple(const double factor, const Vector &x, Vector &y);
 
+  /** origin + τ rates, where there are rates. */
+  Vector
+  along(Vector origin, const double tau, const Vector &rates);
+
   /** The largest absolute value, 0 for an empty vector. */
   double
   max_abs(const Vector &x);

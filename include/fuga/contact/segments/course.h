@@ -12,10 +12,6 @@
 
 namespace fuga
 {
-  /** origin + τ rates, where there are rates. */
-  Vector
-  along(const Vector &origin, const double tau, const Vector &rates);
-
   /** Everything the segments share, by reference. */
   struct PathContext
   {
