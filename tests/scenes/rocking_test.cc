@@ -18,6 +18,8 @@ namespace fuga::tests
   namespace
   {
     constexpr double width = 1., height = 4., gravity = 9.81, weight_density = 0.024;
+    /** Then the forces on every node and body are judged as well. */
+    const std::vector<std::string> with_fields = {"Output/Fields=levels"};
     constexpr double pulse = 0.5, length_of_pulse = 0.3, sample = 0.001;
     // The record falls to zero within a sample: as if it did in its middle.
     constexpr double end_of_pulse = length_of_pulse + 0.5 * sample;
@@ -110,7 +112,7 @@ namespace fuga::tests
         scene["Monitors"]["top"]["Point"] = "0, 4, 0.5";
         scene["Loads"]["weight"]["Value"] = "0; -1; 0";
       }
-    const SceneRun run = run_scene(write_scene(mesh, scene));
+    const SceneRun run = run_scene(write_scene(mesh, scene), with_fields);
     ASSERT_EQ(run.exit_code, 0);
     EXPECT_LE(run.certificate(), 1e-9);
     constexpr double tolerance = 1.2e-4;
@@ -155,7 +157,7 @@ namespace fuga::tests
       scene["Stages"]["pulse"]["Duration"]     = duration;
       scene["Joints"]["ground"]["Initial gap"] = gap;
       const SceneRun run =
-        run_scene(write_scene(block_mesh(xs, uniform(0., height, 8), 0.5), scene));
+        run_scene(write_scene(block_mesh(xs, uniform(0., height, 8), 0.5), scene), with_fields);
       EXPECT_EQ(run.exit_code, 0);
       EXPECT_LE(run.certificate(), 1e-9);
       Rock rock;

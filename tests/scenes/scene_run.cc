@@ -9,6 +9,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -236,8 +237,12 @@ namespace fuga::tests
   SceneRun
   run_scene(const std::string &file, const std::vector<std::string> &overrides)
   {
-    std::vector<std::string> all = {"Output/Fields=never", "Output/Log=quiet"};
-    all.insert(all.end(), overrides.begin(), overrides.end());
+    std::vector<std::string> all = overrides;
+    all.push_back("Output/Log=quiet");
+    if (std::none_of(overrides.begin(), overrides.end(), [](const std::string &entry) {
+          return entry.rfind("Output/Fields=", 0) == 0;
+        }))
+      all.push_back("Output/Fields=never");
     return run_parameters(read_parameters(parameter_path(file), all));
   }
 

@@ -86,7 +86,8 @@ namespace fuga::tests
   std::string
   parameter_path(const std::string &file);
 
-  /** Runs a parameter file in this process and reads the files it wrote. */
+  /** Runs a parameter file in this process and reads the files it wrote; without fields unless told
+   * otherwise. */
   SceneRun
   run_scene(const std::string &file, const std::vector<std::string> &overrides = {});
 

@@ -240,28 +240,52 @@ namespace fuga
 
   template <int dim>
   EquilibriumError
-  BodyModel<dim>::equilibrium_error_under(Vector loads,
+  BodyModel<dim>::equilibrium_error_under(const Vector &loads,
                                           const dealii::Vector<double> &u,
                                           const Vector &p,
-                                          const dealii::Vector<double> &motion,
-                                          const double scale) const
+                                          const dealii::Vector<double> &motion) const
   {
     timer.restart();
     Vector terms;
-    Vector elastic = bodies->forces(space->by_nodes(u), terms);
+    const Vector by_nodes = space->by_nodes(u), elastic = bodies->forces(by_nodes, by_nodes, terms);
     // The rounding of a jump moves both lips against each other. It is that of a sum over all bars,
     // of the size of the motion.
     if (motion.size() > 0)
       {
         const double sum_length = 0.25 * static_cast<double>(bars->bars().size());
+        const Vector far        = space->by_nodes(motion);
         Vector far_terms;
-        bodies->forces(space->by_nodes(motion), far_terms);
+        bodies->forces(far, far, far_terms);
         for (const auto &bar : bars->bars())
           for (const unsigned int node : {bar.plus_node, bar.minus_node})
             for (unsigned int c = 0; c < dim && node != Discretization<dim>::no_node; ++c)
               terms[node * dim + c] =
                 std::max(terms[node * dim + c], sum_length * far_terms[node * dim + c]);
       }
+    return equilibrium_error_of(elastic, std::move(terms), p, loads, {});
+  }
+
+
+  template <int dim>
+  EquilibriumError
+  BodyModel<dim>::equilibrium_error_in_motion(const Vector &loads,
+                                              const Vector &u,
+                                              const Vector &deformation,
+                                              const Vector &p,
+                                              const Vector &acting) const
+  {
+    timer.restart();
+    Vector terms;
+    const Vector elastic = bodies->forces(deformation, u, terms);
+    return equilibrium_error_of(elastic, std::move(terms), p, loads, acting);
+  }
+
+
+  template <int dim>
+  EquilibriumError
+  BodyModel<dim>::equilibrium_error_of(
+    Vector elastic, Vector terms, const Vector &p, Vector loads, const Vector &acting) const
+  {
     for (const auto &bar : bars->bars())
       if (bar.minus_node != Discretization<dim>::no_node)
         for (unsigned int c = 0; c < dim; ++c)
@@ -280,7 +304,7 @@ namespace fuga
       space->hanging_nodes().move_to_masters(*forces);
 
     const EquilibriumError error =
-      equilibrium_error(elastic, terms, bar_forces(p), loads, scale, fixed, *pieces);
+      equilibrium_error(elastic, terms, bar_forces(p), loads, acting, fixed, *pieces);
     timer.finish("equilibrium check");
     return error;
   }

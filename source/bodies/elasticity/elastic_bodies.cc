@@ -251,7 +251,7 @@ namespace fuga
 
   template <int dim>
   Vector
-  ElasticBodies<dim>::forces(const Vector &u, Vector &terms) const
+  ElasticBodies<dim>::forces(const Vector &u, const Vector &rounded, Vector &terms) const
   {
     Vector result(discretization.n_dofs(), 0.);
     terms.assign(discretization.n_dofs(), 0.);
@@ -264,7 +264,7 @@ namespace fuga
             const std::size_t row = nodes[i / dim] * dim + i % dim;
             result[row] += force[i];
             for (std::size_t j = 0; j < n; ++j)
-              terms[row] += std::abs(K[i * n + j] * u[nodes[j / dim] * dim + j % dim]);
+              terms[row] += std::abs(K[i * n + j] * rounded[nodes[j / dim] * dim + j % dim]);
           }
       });
     processes::sum(result);

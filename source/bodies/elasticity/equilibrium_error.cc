@@ -16,12 +16,13 @@ namespace fuga
                     const Vector &terms,
                     const Vector &contact,
                     const Vector &loads,
-                    const double scale,
+                    const Vector &acting,
                     const std::vector<bool> &fixed,
                     const RigidPieces<dim> &pieces)
   {
     EquilibriumError error;
-    const double largest = std::max({scale, max_abs(elastic), max_abs(loads), max_abs(contact)});
+    const double largest =
+      std::max({max_abs(acting), max_abs(elastic), max_abs(loads), max_abs(contact)});
     if (largest == 0.)
       return error;
     // The displacements of a body that moves far on a soft joint leave K u uncertain by their last
@@ -37,6 +38,8 @@ namespace fuga
       {
         const Vector motion = pieces.free_motion(k);
         double sum = 0., size = largest * max_abs(motion);
+        for (std::size_t i = 0; i < acting.size(); ++i)
+          size += std::abs(motion[i] * acting[i]);
         for (std::size_t i = 0; i < motion.size(); ++i)
           {
             sum += motion[i] * (contact[i] - loads[i]);
@@ -57,7 +60,7 @@ namespace fuga
                     const Vector &,
                     const Vector &,
                     const Vector &,
-                    const double,
+                    const Vector &,
                     const std::vector<bool> &,
                     const RigidPieces<2> &);
   template EquilibriumError
@@ -65,7 +68,7 @@ namespace fuga
                     const Vector &,
                     const Vector &,
                     const Vector &,
-                    const double,
+                    const Vector &,
                     const std::vector<bool> &,
                     const RigidPieces<3> &);
 } // namespace fuga

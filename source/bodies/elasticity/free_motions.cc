@@ -8,35 +8,66 @@
 
 namespace fuga
 {
+  template <int dim>
+  FreeMotions::FreeMotions(const RigidPieces<dim> &pieces, const Vector &mass)
+    : motions(orthonormal(pieces, Vector(mass.size(), 1.))), momenta(orthonormal(pieces, mass))
+  {
+  }
+
   // Gram and Schmidt: motions of one piece are all but orthogonal, and those of others are far.
   template <int dim>
-  FreeMotions::FreeMotions(const RigidPieces<dim> &pieces)
+  std::vector<FreeMotions::Motion>
+  FreeMotions::orthonormal(const RigidPieces<dim> &pieces, const Vector &weights)
   {
+    std::vector<Motion> result;
     for (std::size_t k = 0; k < pieces.n_free_motions(); ++k)
       {
         Vector whole = pieces.free_motion(k);
-        for (const Motion &other : motions)
+        for (const Motion &other : result)
           remove(other, whole);
-        const double size = std::sqrt(dot(whole, whole));
+        double square = 0.;
+        for (std::size_t i = 0; i < whole.size(); ++i)
+          square += weights[i] * whole[i] * whole[i];
+        if (square == 0.)
+          continue;
+        const double size = std::sqrt(square);
         Motion motion;
         for (std::size_t i = 0; i < whole.size(); ++i)
           if (whole[i] != 0.)
             {
               motion.entries.push_back(i);
               motion.values.push_back(whole[i] / size);
+              motion.dual.push_back(weights[i] * whole[i] / size);
             }
-        motions.push_back(std::move(motion));
+        result.push_back(std::move(motion));
       }
+    return result;
   }
 
+  template <typename Number>
   void
-  FreeMotions::remove(const Motion &motion, Vector &u)
+  FreeMotions::remove(const Motion &motion, std::vector<Number> &u)
   {
-    double amount = 0.;
+    Number amount = 0.;
     for (std::size_t i = 0; i < motion.entries.size(); ++i)
-      amount += motion.values[i] * u[motion.entries[i]];
+      amount += motion.dual[i] * u[motion.entries[i]];
     for (std::size_t i = 0; i < motion.entries.size(); ++i)
       u[motion.entries[i]] -= amount * motion.values[i];
+  }
+
+  Vector
+  FreeMotions::inertia_of_resultants(const Vector &forces) const
+  {
+    Vector result(forces.size(), 0.);
+    for (const Motion &motion : momenta)
+      {
+        double amount = 0.;
+        for (std::size_t i = 0; i < motion.entries.size(); ++i)
+          amount += motion.values[i] * forces[motion.entries[i]];
+        for (std::size_t i = 0; i < motion.entries.size(); ++i)
+          result[motion.entries[i]] += amount * motion.dual[i];
+      }
+    return result;
   }
 
   Vector
@@ -47,6 +78,19 @@ namespace fuga
     return u;
   }
 
-  template FreeMotions::FreeMotions(const RigidPieces<2> &);
-  template FreeMotions::FreeMotions(const RigidPieces<3> &);
+  Vector
+  FreeMotions::deformation_of_far(const Vector &u) const
+  {
+    constexpr double is_far = 1e3;
+    const Vector near       = deformation(u);
+    if (max_abs(u) <= is_far * max_abs(near))
+      return near;
+    Accurate rest = accurate(u);
+    for (const Motion &motion : motions)
+      remove(motion, rest);
+    return {rest.begin(), rest.end()};
+  }
+
+  template FreeMotions::FreeMotions(const RigidPieces<2> &, const Vector &);
+  template FreeMotions::FreeMotions(const RigidPieces<3> &, const Vector &);
 } // namespace fuga

@@ -196,6 +196,8 @@ namespace fuga
   }
 
 
+  // The unknown counts from the head start û instead of Δū: a long way has its own digits then, and
+  // does not take those of what deforms the bodies. The push grows by (K + a1 C + a0 M) (Δū - û).
   template <int dim>
   MovingBodies::Step
   BodiesInMotion<dim>::begin_step(const unsigned int rung)
@@ -207,10 +209,18 @@ namespace fuga
       free_field->try_step(rung, h, present_time + h, forces_at_end);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    const TimeIntegration::Change predicted = integration->predicted(h);
-    add_multiple(-1., coordinates->resistance(predicted.u, predicted.v), growth);
-    return {coordinates->jumps(predicted.u),
-            coordinates->condense(rung, integration->push(growth))};
+    Vector start(forces.size(), 0.);
+    add_multiple(h, coordinates->head_start(integration->steady_velocity()), start);
+    TimeIntegration::Change predicted = integration->predicted(h);
+    beyond_start                      = std::move(predicted.u);
+    add_multiple(-1., start, beyond_start);
+    add_multiple(-integration->damping_factor(h), beyond_start, predicted.v);
+    add_multiple(-1., coordinates->resistance(start, predicted.v), growth);
+    Vector push     = integration->push(growth);
+    const double a0 = integration->mass_factor(h);
+    for (std::size_t i = 0; i < push.size(); ++i)
+      push[i] += a0 * integration->mass()[i] * beyond_start[i];
+    return {coordinates->jumps(start), coordinates->condense(rung, push)};
   }
 
 
@@ -222,7 +232,9 @@ namespace fuga
     Vector mean    = first_forces_on_coordinates;
     add_multiple(0.5, forces, mean);
     add_multiple(0.5, forces_at_end, mean);
-    integration->advance(h, coordinates->expand(rung_of_step, x), mean, ledger);
+    Vector correction = coordinates->expand(rung_of_step, x);
+    add_multiple(-1., beyond_start, correction);
+    integration->advance(h, correction, mean, ledger);
     const Vector &u        = integration->displacement();
     const Vector restoring = coordinates->stiffness_times(u);
     ledger.bodies          = 0.5 * dot(u, restoring);
@@ -231,6 +243,7 @@ namespace fuga
       free_field->finish_step();
     present_time += h;
     integration->correct(net_forces(bar_forces, restoring));
+    integration->accelerate(coordinates->inertia_of_resultants(integration->memory().defect));
   }
 
 
@@ -281,8 +294,11 @@ namespace fuga
   {
     Vector changes = p;
     add_multiple(-1., first_forces, changes);
-    return coordinates->equilibrium_error(
-      now(), changes, std::max(max_abs(forces), max_abs(first_forces_on_coordinates)));
+    Vector acting        = driving->at(present_time);
+    const Vector carried = model.bar_forces(first_forces);
+    for (std::size_t i = 0; i < acting.size(); ++i)
+      acting[i] = std::max(std::abs(acting[i]), std::abs(carried[i]));
+    return coordinates->equilibrium_error(now(), changes, acting);
   }
 
 

@@ -329,15 +329,12 @@ namespace fuga
   EquilibriumError
   ModalCoordinates<dim>::equilibrium_error(const MotionState &state,
                                            const Vector &p,
-                                           const double scale) const
+                                           const Vector &acting) const
   {
     Vector on_lips = multiply(dual, interface_of(dynamic_forces(state)));
     add_multiple(1., p, on_lips);
-    return model.equilibrium_error_under(forces_on_bodies(state),
-                                         model.by_degrees_of_freedom(displacement(state)),
-                                         on_lips,
-                                         {},
-                                         scale);
+    const Vector u = displacement(state);
+    return model.equilibrium_error_in_motion(forces_on_bodies(state), u, u, on_lips, acting);
   }
 
 

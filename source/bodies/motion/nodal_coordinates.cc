@@ -41,7 +41,7 @@ namespace fuga
     , driving(driving_forces)
     , damping(rayleigh)
     , dashpots(make_dashpots(model, dynamics.absorbing.names))
-    , free_motions(model.rigid_pieces())
+    , free_motions(model.rigid_pieces(), of_steps->mass)
     , steps(of_steps)
   {
     model.elastic_bodies().assemble_by_nodes(pattern, stiffness);
@@ -57,7 +57,7 @@ namespace fuga
   Vector
   NodalCoordinates<dim>::stiffness_times(const Vector &u) const
   {
-    Vector result = product(stiffness, free_motions.deformation(u));
+    Vector result = product(stiffness, free_motions.deformation_of_far(u));
     if (!geometric.empty())
       add_multiple(1., product(geometric, u), result);
     return result;
@@ -98,18 +98,23 @@ namespace fuga
   }
 
 
-  // By one product with K, the dearest part of a step.
+  template <int dim>
+  Vector
+  NodalCoordinates<dim>::head_start(const Vector &velocity) const
+  {
+    Vector result = velocity;
+    add_multiple(-1., free_motions.deformation(velocity), result);
+    return result;
+  }
+
+
+  // Of K only the geometric part feels rigid motions. That saves a product, the dearest part of a
+  // step.
   template <int dim>
   Vector
   NodalCoordinates<dim>::resistance(const Vector &u, const Vector &v) const
   {
-    if (!is_damped())
-      return stiffness_times(u);
-    Vector deforming = u;
-    add_multiple(damping.of_stiffness, v, deforming);
-    Vector result = product(stiffness, free_motions.deformation(deforming));
-    add_other_damping(v, result);
-    collect(result);
+    Vector result = is_damped() ? damping_times(v) : Vector(u.size(), 0.);
     if (!geometric.empty())
       add_multiple(1., product(geometric, u), result);
     return result;
@@ -169,7 +174,7 @@ namespace fuga
   EquilibriumError
   NodalCoordinates<dim>::equilibrium_error(const MotionState &state,
                                            const Vector &p,
-                                           const double scale) const
+                                           const Vector &acting) const
   {
     const TimeIntegration &integration = state.integration;
     Vector loads                       = state.forces;
@@ -177,8 +182,9 @@ namespace fuga
     add_multiple(-1., integration.damping_forces(), loads);
     if (!geometric.empty())
       add_multiple(-1., product(geometric, integration.displacement()), loads);
-    return model.equilibrium_error_under(
-      loads, model.by_degrees_of_freedom(integration.displacement()), p, {}, scale);
+    const Vector &u = integration.displacement();
+    return model.equilibrium_error_in_motion(
+      loads, u, free_motions.deformation_of_far(u), p, acting);
   }
 
 

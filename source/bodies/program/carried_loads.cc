@@ -93,7 +93,7 @@ namespace fuga
       further_displacements(u, prescribed(patterns, factors, space.n_dofs()), system.fixed_dofs());
 
     Vector terms;
-    const Vector elastic = bodies.forces(u, terms);
+    const Vector elastic = bodies.forces(u, u, terms);
     const Vector contact = system.bar_forces(state.forces);
     Vector &released = result.released.forces = elastic;
     add_multiple(-1., result.carried.forces, released);

@@ -281,8 +281,8 @@ namespace fuga
                       PathResult &result,
                       PathObserver &observer)
   {
-    const StepSystem &of_step = rung(number).system;
-    const JointState &end     = attempt.record.end();
+    StepSystem &of_step   = rung(number).system;
+    const JointState &end = attempt.record.end();
     for (std::size_t k = 0; k < elements.size(); ++k)
       slip_rates[k] = mean_slip_rate(attempt.record, k, grid.length_of(number));
     length_before = grid.length_of(number);

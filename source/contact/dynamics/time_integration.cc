@@ -125,6 +125,18 @@ namespace fuga
     add_multiple(-1., out_of_balance, defect);
   }
 
+  void
+  TimeIntegration::accelerate(const Vector &forces)
+  {
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (m[i] > 0.)
+        {
+          a[i] += (1. - alpha_f) / (1. - alpha_m) * forces[i] / m[i];
+          out_of_balance[i] += forces[i];
+          defect[i] -= forces[i];
+        }
+  }
+
   double
   TimeIntegration::kinetic_energy() const
   {

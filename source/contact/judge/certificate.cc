@@ -269,8 +269,10 @@ namespace fuga
     // double precision, is uncertain by more than the forces allow, and only what exceeds this
     // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which
     // knows no S.)
+    // A body that has flown far has jumps with fewer digits than x, by which a step changes them.
     const double n_terms  = std::max(4., static_cast<double>(x.size()));
-    const double rounding = n_terms * std::numeric_limits<double>::epsilon() * std::sqrt(dot(x, x));
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            (n_terms * std::sqrt(dot(x, x)) + largest_of_elements(delta));
     Vector elastic(f.size());
     for (std::size_t i = 0; i < f.size(); ++i)
       {

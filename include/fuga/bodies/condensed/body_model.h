@@ -124,14 +124,22 @@ namespace fuga
 
     /** Errors of the full model for displacement u, bar forces p and nodal forces @p loads (entry node
      * * dim + component; empty: none). @p motion: a rigid motion that was taken out of u, to whose
-     * last digits the jumps are uncertain. @p scale: of forces that others have balanced in @p
-     * loads; errors are relative to the largest of all forces. */
+     * last digits the jumps are uncertain. */
     EquilibriumError
-    equilibrium_error_under(Vector loads,
+    equilibrium_error_under(const Vector &loads,
                             const dealii::Vector<double> &u,
                             const Vector &p,
-                            const dealii::Vector<double> &motion,
-                            const double scale = 0.) const;
+                            const dealii::Vector<double> &motion) const;
+
+    /** The same of bodies that move, where inertia is one of the @p loads. @p u, the displacement, is
+     * right to its last digits, which may be more than all of what K feels of it, the @p
+     * deformation (both by nodes). @p acting: see fuga::equilibrium_error(). */
+    EquilibriumError
+    equilibrium_error_in_motion(const Vector &loads,
+                                const Vector &u,
+                                const Vector &deformation,
+                                const Vector &p,
+                                const Vector &acting) const;
 
     /** Cᵀ (P - K u), of vectors by nodes. */
     Vector
@@ -206,6 +214,10 @@ namespace fuga
     }
 
   private:
+    EquilibriumError
+    equilibrium_error_of(
+      Vector elastic, Vector terms, const Vector &p, Vector loads, const Vector &acting) const;
+
     void
     find_coordinates(const std::vector<bool> &frictionless);
 

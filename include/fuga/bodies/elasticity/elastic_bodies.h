@@ -46,10 +46,10 @@ namespace fuga
     Vector
     forces(const Vector &u, const std::vector<bool> *only = nullptr) const;
 
-    /** The same; @p terms: Σ|Kᵢⱼuⱼ|, what the rounding errors of forces and displacements are in
-     * proportion to. */
+    /** The same; @p terms: Σ|Kᵢⱼwⱼ|, what the rounding errors of forces and displacements are in
+     * proportion to where u comes from displacements w, @p rounded. */
     Vector
-    forces(const Vector &u, Vector &terms) const;
+    forces(const Vector &u, const Vector &rounded, Vector &terms) const;
 
     /** Strain energy ½ uᵀ K u of every cell. */
     Vector

@@ -26,14 +26,15 @@ namespace fuga
   };
 
   /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim +
-   * component). @p scale: forces are relative to it if it is larger than all of them. */
+   * component). @p acting: forces that others balance within P a or Gᵀ p, say weight by inertia where a
+   * body falls; errors are relative to them as well. Empty if there are none. */
   template <int dim>
   EquilibriumError
   equilibrium_error(const Vector &elastic,
                     const Vector &terms,
                     const Vector &contact,
                     const Vector &loads,
-                    const double scale,
+                    const Vector &acting,
                     const std::vector<bool> &fixed,
                     const RigidPieces<dim> &pieces);
 } // namespace fuga

@@ -192,6 +192,9 @@ namespace fuga
     Vector first_forces, first_forces_on_coordinates;
     /** Forces now and at the end of the step. */
     Vector forces, forces_at_end;
+    /** How much farther than the head start of the step the bodies come if they go on as they move.
+     */
+    Vector beyond_start;
     double present_time       = 0.;
     unsigned int rung_of_step = 0;
   };

@@ -42,7 +42,20 @@ namespace fuga
     Vector
     damping_times(const Vector &v) const override;
     Vector
+    head_start(const Vector &velocity) const override
+    {
+      return velocity;
+    }
+
+    Vector
     resistance(const Vector &u, const Vector &v) const override;
+
+    /** Not needed: rigid motions of bodies are no sums of others here. */
+    Vector
+    inertia_of_resultants(const Vector &) const override
+    {
+      return {};
+    }
 
     Vector
     driving_forces(const double time) const override
@@ -99,7 +112,9 @@ namespace fuga
     }
 
     EquilibriumError
-    equilibrium_error(const MotionState &state, const Vector &p, const double scale) const override;
+    equilibrium_error(const MotionState &state,
+                      const Vector &p,
+                      const Vector &acting) const override;
 
     std::string
     description() const override

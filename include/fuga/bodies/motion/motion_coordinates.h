@@ -51,9 +51,19 @@ namespace fuga
     virtual Vector
     damping_times(const Vector &v) const = 0;
 
-    /** K u + C v, for the price of one of them where it can be. */
+    /** Of the velocity, the part that a step begins with: rigid motions, which are far ways that no
+     * stiffness resists; or all of it where K u costs little. */
+    virtual Vector
+    head_start(const Vector &velocity) const = 0;
+
+    /** K u + C v of such a head start u. */
     virtual Vector
     resistance(const Vector &u, const Vector &v) const = 0;
+
+    /** The forces of inertia of rigid motions that have the resultants of @p forces on every body that
+     * nothing but joints holds; may be empty for zero. */
+    virtual Vector
+    inertia_of_resultants(const Vector &forces) const = 0;
 
     /** f, without what goes on beside the bodies. */
     virtual Vector
@@ -107,10 +117,10 @@ namespace fuga
     virtual const Vector &
     accelerated_mass() const = 0;
 
-    /** Error of the equilibrium of all nodes where bar forces have changed by @p p; relative to @p
-     * scale if that is larger than all forces. */
+    /** Error of the equilibrium of all nodes where bar forces have changed by @p p, with
+     * forces that @p act on the nodes. */
     virtual EquilibriumError
-    equilibrium_error(const MotionState &state, const Vector &p, const double scale) const = 0;
+    equilibrium_error(const MotionState &state, const Vector &p, const Vector &acting) const = 0;
 
     /** A line for the log; empty if there is nothing to say. */
     virtual std::string

@@ -41,7 +41,15 @@ namespace fuga
     Vector
     damping_times(const Vector &v) const override;
     Vector
+    head_start(const Vector &velocity) const override;
+    Vector
     resistance(const Vector &u, const Vector &v) const override;
+
+    Vector
+    inertia_of_resultants(const Vector &forces) const override
+    {
+      return free_motions.inertia_of_resultants(forces);
+    }
 
     Vector
     driving_forces(const double time) const override
@@ -119,7 +127,9 @@ namespace fuga
     }
 
     EquilibriumError
-    equilibrium_error(const MotionState &state, const Vector &p, const double scale) const override;
+    equilibrium_error(const MotionState &state,
+                      const Vector &p,
+                      const Vector &acting) const override;
 
     std::string
     description() const override

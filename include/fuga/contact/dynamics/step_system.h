@@ -47,7 +47,7 @@ namespace fuga
 
     /** x at the end of the step, where the bars have these jumps and forces. */
     Vector
-    coordinates(const Vector &jumps, const Vector &forces) const;
+    coordinates(const Vector &jumps, const Vector &forces);
 
     const DenseMatrix &
     stiffness() const override
@@ -116,7 +116,7 @@ namespace fuga
     std::optional<LayeredSystem> layered_system;
     /** Forces of the closed joint per unit of force on the coordinates, by columns. */
     DenseMatrix reactions_to_units;
-    /** Of S, if there are more bars than coordinates. */
+    /** Of S, once they are needed. */
     std::optional<LuFactors> factors;
     double pushed = 0., energy = 0.;
   };

@@ -20,8 +20,7 @@ namespace fuga
    *
    *     (K + a1 C + a0 M) (Δu - Δū) + Gᵀ Δp = push,
    *
-   * with what Δu would be if bodies went on as they move: a long way of a step has its own digits,
-   * and does not take those of what accelerates bodies.
+   * with what Δu would be if bodies went on as they move.
    *
    * With the spectral radius 1 it is the trapezoidal rule, which keeps the energy. Degrees of
    * freedom without mass are in equilibrium at all times.
@@ -111,6 +110,13 @@ namespace fuga
      * added up. */
     void
     correct(const Vector &net_forces);
+
+    /** Changes accelerations at the end of the step so that inertia takes over @p forces of what the
+     * last correct() found out of balance: the elimination has rounded away a share of K, and that
+     * of the resultants of bodies which only inertia resists is more of them the stiffer they are.
+     */
+    void
+    accelerate(const Vector &forces);
 
     /** f - C v - K u - Gᵀ p, which is M a but for what the method damps. */
     const Vector &
