@@ -19,16 +19,22 @@ namespace fuga
   std::vector<FreeMotions::Motion>
   FreeMotions::orthonormal(const RigidPieces<dim> &pieces, const Vector &weights)
   {
+    constexpr double no_weight = 1e-12;
+    const auto square_of       = [&weights](const Vector &u) {
+      double sum = 0.;
+      for (std::size_t i = 0; i < u.size(); ++i)
+        sum += weights[i] * u[i] * u[i];
+      return sum;
+    };
     std::vector<Motion> result;
     for (std::size_t k = 0; k < pieces.n_free_motions(); ++k)
       {
-        Vector whole = pieces.free_motion(k);
+        Vector whole     = pieces.free_motion(k);
+        const double all = square_of(whole);
         for (const Motion &other : result)
           remove(other, whole);
-        double square = 0.;
-        for (std::size_t i = 0; i < whole.size(); ++i)
-          square += weights[i] * whole[i] * whole[i];
-        if (square == 0.)
+        const double square = square_of(whole);
+        if (square <= no_weight * all)
           continue;
         const double size = std::sqrt(square);
         Motion motion;
