@@ -218,18 +218,9 @@ namespace fuga
     const std::size_t n_local = discretization.reference_element().n_nodes() * dim;
     CellStiffness<dim> stiffness(discretization, materials);
     Vector local(n_local), force(n_local);
-    const auto rests = [&](const std::size_t cell) {
-      const unsigned int *nodes = discretization.cell_nodes(cell);
-      return std::all_of(nodes, nodes + n_local / dim, [&u](const unsigned int node) {
-        return std::all_of(&u[node * dim], &u[node * dim] + dim, [](const double component) {
-          return component == 0.;
-        });
-      });
-    };
     for (std::size_t cell = 0; cell < discretization.n_cells(); ++cell)
       {
-        if (!discretization.is_own(cell) || (only && !(*only)[discretization.cell_body(cell)]) ||
-            rests(cell))
+        if (!discretization.is_own(cell) || (only && !(*only)[discretization.cell_body(cell)]))
           continue;
         const double *K = stiffness.of(cell);
         stiffness.take_deformation(cell, u, local);
