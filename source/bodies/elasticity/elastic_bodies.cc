@@ -236,6 +236,8 @@ namespace fuga
   ElasticBodies<dim>::forces(const Vector &u, const std::vector<bool> *only) const
   {
     Vector result(discretization.n_dofs(), 0.);
+    if (std::all_of(u.begin(), u.end(), [](const double value) { return value == 0.; }))
+      return result; // the first solution with any load
     for_each_cell_force(
       u,
       [&](const std::size_t cell, const Vector &, const Vector &force, const double *) {

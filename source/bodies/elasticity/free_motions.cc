@@ -62,18 +62,33 @@ namespace fuga
   }
 
   Vector
-  FreeMotions::inertia_of_resultants(const Vector &forces) const
+  FreeMotions::project(const std::vector<Motion> &motions,
+                       const Vector Motion::*const factors,
+                       const Vector Motion::*const shape,
+                       const Vector &given)
   {
-    Vector result(forces.size(), 0.);
-    for (const Motion &motion : momenta)
+    Vector result(given.size(), 0.);
+    for (const Motion &motion : motions)
       {
         double amount = 0.;
         for (std::size_t i = 0; i < motion.entries.size(); ++i)
-          amount += motion.values[i] * forces[motion.entries[i]];
+          amount += (motion.*factors)[i] * given[motion.entries[i]];
         for (std::size_t i = 0; i < motion.entries.size(); ++i)
-          result[motion.entries[i]] += amount * motion.dual[i];
+          result[motion.entries[i]] += amount * (motion.*shape)[i];
       }
     return result;
+  }
+
+  Vector
+  FreeMotions::inertia_of_resultants(const Vector &forces) const
+  {
+    return project(momenta, &Motion::values, &Motion::dual, forces);
+  }
+
+  Vector
+  FreeMotions::rigid_part(const Vector &u) const
+  {
+    return project(motions, &Motion::dual, &Motion::values, u);
   }
 
   Vector
@@ -84,6 +99,8 @@ namespace fuga
     return u;
   }
 
+  // What is nearer loses three digits of its deformation by the removal in double precision, 1e-13
+  // of the elastic forces: less than a step leaves out of balance.
   Vector
   FreeMotions::deformation_of_far(const Vector &u) const
   {

@@ -209,8 +209,9 @@ namespace fuga
       free_field->try_step(rung, h, present_time + h, forces_at_end);
     Vector growth = forces_at_end;
     add_multiple(-1., forces, growth);
-    Vector start(forces.size(), 0.);
-    add_multiple(h, coordinates->head_start(integration->steady_velocity()), start);
+    Vector start = coordinates->head_start(integration->steady_velocity());
+    for (double &way : start)
+      way *= h;
     TimeIntegration::Change predicted = integration->predicted(h);
     beyond_start                      = std::move(predicted.u);
     add_multiple(-1., start, beyond_start);

@@ -102,9 +102,7 @@ namespace fuga
   Vector
   NodalCoordinates<dim>::head_start(const Vector &velocity) const
   {
-    Vector result = velocity;
-    add_multiple(-1., free_motions.deformation(velocity), result);
-    return result;
+    return free_motions.rigid_part(velocity);
   }
 
 

@@ -35,6 +35,10 @@ namespace fuga
     Vector
     deformation_of_far(const Vector &u) const;
 
+    /** What deformation() takes off. */
+    Vector
+    rigid_part(const Vector &u) const;
+
     /** M R (Rᵀ M R)⁻¹ Rᵀ f, R these motions of bodies with mass: the resultants of forces f as
      * inertia forces. */
     Vector
@@ -52,6 +56,13 @@ namespace fuga
     template <int dim>
     static std::vector<Motion>
     orthonormal(const RigidPieces<dim> &pieces, const Vector &weights);
+
+    /** Σ shape (factors · given) over @p motions. */
+    static Vector
+    project(const std::vector<Motion> &motions,
+            const Vector Motion::*const factors,
+            const Vector Motion::*const shape,
+            const Vector &given);
 
     template <typename Number>
     static void
