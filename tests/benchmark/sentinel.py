@@ -47,11 +47,11 @@ class OfFile:
         return parts
 
 
-def dam_mesh():
-    path = fuga_runs.WORK / "meshes" / "dam_block_12.msh"
+def dam_block(n):
+    path = fuga_runs.WORK / "meshes" / ("dam_block_%d.msh" % n)
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists():
-        subprocess.run(["gmsh", "-3", "-v", "1", "-format", "msh41", "-setnumber", "n", "12", "-o", str(path),
+        subprocess.run(["gmsh", "-3", "-v", "1", "-format", "msh41", "-setnumber", "n", str(n), "-o", str(path),
                         str(meshes.REPOSITORY / "meshes" / "dam_block_3d.geo")], check=True, stdout=subprocess.DEVNULL)
     return str(path)
 
@@ -59,7 +59,11 @@ def dam_mesh():
 CASES = {**{"scene G, %d, f = %g" % (n, f): scenes.scene_g(n, f) for n in (129, 513) for f in (0.2, 0.6)},
          **{"S0, %d" % n: scenes.s0(n) for n in (129, 257)},
          "S0, 129, law (9)": scenes.s0(129, "law9"),
-         "dam block in space, 12": OfFile("dam_block_3d.prm", dam_mesh, ["Solver/Bodies=direct", "Output/Fields=end"])}
+         "dam block in space, 12": OfFile("dam_block_3d.prm", lambda: dam_block(12), ["Solver/Bodies=direct", "Output/Fields=end"]),
+         "dam block, 16, to limit": OfFile("dam_block_3d.prm", lambda: dam_block(16),
+                                           ["Solver/Bodies=direct", "Output/Fields=never", "Safety/Load factor=water"]),
+         "dam, 3 s of earthquake": OfFile("dam_earthquake.prm", lambda: str(meshes.REPOSITORY / "meshes" / "dam.msh"),
+                                          ["Output/Fields=never", "Stages/earthquake/Duration=3", "Stages/earthquake/Levels=1"])}
 # The same bodies, grown together, under the loads of the end: one linear solution, by the same program.
 CONTROLS = {(case.name, case.n): case.altered(bonded=True) for case in CASES.values() if isinstance(case, scenes.Scene)}
 # Scenes that CalculiX solves as well, ten increments a stage.
