@@ -32,6 +32,9 @@ namespace fuga
       return state;
     }
 
+    /** Rate of slip, relative to the largest rate of dislocation, that is none. */
+    constexpr double no_slip_rate = 1e-10;
+
     /** Means of both tangents. */
     Vector
     shear_stiffnesses(const PathContext &context, const std::vector<std::size_t> &elements)
@@ -114,6 +117,47 @@ namespace fuga
                           growth * softest > load ? load / softest : growth);
   }
 
+  double
+  TurningSegment::rate_tolerance(const Station &station) const
+  {
+    return no_slip_rate * max_abs(station.point.rates.dislocations);
+  }
+
+  double
+  TurningSegment::driving_force() const
+  {
+    if (course.yielding)
+      return (course.yielding->stiffness + std::abs(*start.load_rate)) *
+             max_abs(course.yielding->drive.reactions);
+    const Drive drive = drive_at(context.elements, course, start.state);
+    return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
+  }
+
+  double
+  TurningSegment::parameter_scale() const
+  {
+    return course.yielding ? course.length : std::max(1., course.t_end);
+  }
+
+  // The motion has changed so much that its measure no longer controls it: another segment begins.
+  bool
+  TurningSegment::loses_control(const Station &station) const
+  {
+    return course.yielding &&
+           std::abs(*station.point.load_rate - *start.load_rate) > 0.5 * course.yielding->stiffness;
+  }
+
+  // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
+  // Close to a mechanism their rounding moves the slips.
+  double
+  TurningSegment::force_noise(const JointState &state) const
+  {
+    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
+    return std::max(force_rounding * force_scale,
+                    stage_rounding * context.system.largest_stiffness() *
+                      max_abs(state.dislocations));
+  }
+
   TurningStage
   TurningSegment::stage_at_start(const std::vector<TangentVector> &directions) const
   {
@@ -130,6 +174,16 @@ namespace fuga
           stage.forces.push_back(force);
       }
     return stage;
+  }
+
+  Vector
+  SlipStages::velocity(const std::size_t j) const
+  {
+    Vector result;
+    for (std::size_t i = 0; i < rates[j].size(); ++i)
+      for (const double component : directions[j][i])
+        result.push_back(rates[j][i] * component);
+    return result;
   }
 
   // A level inside a step is a shorter step from the same point, or one back from its end.

@@ -165,7 +165,7 @@ namespace fuga
     return true;
   }
 
-  // A linear background has answered once and for all. Any other is linearised at the state that
+  // A linear background has answered once and for all: @p base has its forces. Any other is linearised at the state that
   // the last answer led to, until that stays where it is, or would as it has come closer to
   // its end the last time: a Newton iteration about the other.
   bool
@@ -196,7 +196,9 @@ namespace fuga
         if (!take_response(tau, stage, state))
           return false;
         const TurningStage before = stage;
-        if (!solver.solve(demand, tau, advance, base, xi, stage))
+        TurningStage from         = base;
+        from.forces               = solver.forces_at(tau, base);
+        if (!solver.solve(demand, tau, advance, from, xi, stage))
           return false;
         double change = 0.;
         for (std::size_t j = 0; j < stage.slips.size(); ++j)

@@ -13,47 +13,45 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 
 namespace fuga
 {
   namespace
   {
-    /** Rate of slip, relative to the largest rate of dislocation, that is none. */
-    constexpr double no_slip_rate = 1e-10;
-
-    /** At stage number @p k the Lagrange polynomial that is one at stage @p j and zero at the others
-     * from @p first to k - 1. */
+    /** At @p x the Lagrange polynomial that is one at the abscissa of stage @p j and zero at those of
+     * the others from @p first up to, without, @p last. */
     double
-    lagrange(const std::size_t first, const std::size_t j, const std::size_t k)
+    lagrange(const std::size_t first, const std::size_t last, const std::size_t j, const double x)
     {
       const auto &c = runge_kutta::abscissae;
       double result = 1.;
-      for (std::size_t m = first; m < k; ++m)
+      for (std::size_t m = first; m < last; ++m)
         if (m != j)
-          result *= (c[k] - c[m]) / (c[j] - c[m]);
+          result *= (x - c[m]) / (c[j] - c[m]);
       return result;
     }
 
-    /** First guess for stage number @p k: the parabola through the three stages before, or less. */
+    /** First guess at the share @p x of a step: the polynomial through the stages of @p given from
+     * @p first on. */
     void
-    predict(const std::size_t k,
-            const std::vector<Vector> &stage_rates,
-            const std::vector<std::vector<TangentVector>> &stage_directions,
+    predict(const SlipStages &given,
+            const std::size_t first,
+            const double x,
             Vector &rates,
             std::vector<TangentVector> &directions)
     {
-      const std::size_t first = k > 3 ? k - 3 : 0;
       std::fill(rates.begin(), rates.end(), 0.);
       std::fill(directions.begin(), directions.end(), TangentVector{{0., 0.}});
-      for (std::size_t j = first; j < k; ++j)
+      for (std::size_t j = first; j < given.rates.size(); ++j)
         {
-          const double weight = lagrange(first, j, k);
+          const double weight = lagrange(first, given.rates.size(), j, x);
           for (std::size_t i = 0; i < rates.size(); ++i)
             {
-              rates[i] += weight * stage_rates[j][i];
+              rates[i] += weight * given.rates[j][i];
               for (std::size_t a = 0; a < 2; ++a)
-                directions[i][a] += weight * stage_directions[j][i][a];
+                directions[i][a] += weight * given.directions[j][i][a];
             }
         }
       for (std::size_t i = 0; i < directions.size(); ++i)
@@ -62,8 +60,16 @@ namespace fuga
           if (size > 0.5)
             directions[i] = {{directions[i][0] / size, directions[i][1] / size}};
           else
-            directions[i] = stage_directions.back()[i];
+            directions[i] = given.directions.back()[i];
         }
+    }
+
+    Vector
+    products(const Vector &a, const Vector &b)
+    {
+      Vector result(a.size());
+      std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::multiplies<>());
+      return result;
     }
 
     /** First guess of the dislocations of stage number @p k: behind the beginning of the step, with
@@ -80,7 +86,7 @@ namespace fuga
       blas::axpy(result.size(), c[k] * length, from.rates.dislocations.data(), result.data());
       for (std::size_t j = first; j < k; ++j)
         {
-          const double weight = (c[k] * c[k]) / (c[j] * c[j]) * lagrange(first, j, k);
+          const double weight = (c[k] * c[k]) / (c[j] * c[j]) * lagrange(first, k, j, c[k]);
           for (std::size_t bar = 0; bar < result.size(); ++bar)
             result[bar] += weight * (stages[j][bar] - from.state.dislocations[bar] -
                                      c[j] * length * from.rates.dislocations[bar]);
@@ -89,45 +95,59 @@ namespace fuga
     }
   } // namespace
 
-  double
-  TurningSegment::rate_tolerance(const Station &station) const
+  // First guess for stage number k: the parabola through the three stages before, or less; of a
+  // step that begins where the last one began, and is no longer, the polynomial through all stages
+  // of that one.
+  void
+  TurningSegment::predict(const SlipStages &before,
+                          const std::size_t k,
+                          Vector &rates,
+                          std::vector<TangentVector> &directions) const
   {
-    return no_slip_rate * max_abs(station.point.rates.dislocations);
+    const double abscissa = runge_kutta::abscissae[k];
+    const double x        = abscissa * before.length / last_stages.length;
+    if (last_stages.tau == before.tau && x <= 1.)
+      fuga::predict(last_stages, 0, x, rates, directions);
+    else
+      fuga::predict(before, k > 3 ? k - 3 : 0, abscissa, rates, directions);
   }
 
-  double
-  TurningSegment::driving_force() const
+  // tan ψ of the turning elements.
+  Vector
+  TurningSegment::rises_of_lips() const
   {
-    if (course.yielding)
-      return (course.yielding->stiffness + std::abs(*start.load_rate)) *
-             max_abs(course.yielding->drive.reactions);
-    const Drive drive = drive_at(context.elements, course, start.state);
-    return std::max({max_abs(drive.reactions), max_abs(drive.release), max_abs(drive.strength)});
+    Vector result;
+    for (const std::size_t k : turning)
+      result.push_back(start.state.strengths[k].dilatancy);
+    return result;
   }
 
-  double
-  TurningSegment::parameter_scale() const
+  // Slips and rises from which stage number k goes on by its own rates. Where the background is
+  // linear the forces with them follow from those of the stages before, without a product.
+  TurningStage
+  TurningSegment::base_of(const Station &from,
+                          const Vector &first_forces,
+                          const SlipStages &stages,
+                          const std::size_t k) const
   {
-    return course.yielding ? course.length : std::max(1., course.t_end);
-  }
-
-  // The motion has changed so much that its measure no longer controls it: another segment begins.
-  bool
-  TurningSegment::loses_control(const Station &station) const
-  {
-    return course.yielding &&
-           std::abs(*station.point.load_rate - *start.load_rate) > 0.5 * course.yielding->stiffness;
-  }
-
-  // Forces are differences of terms as large as the stiffness of a rigid joint times the slip.
-  // Close to a mechanism their rounding moves the slips.
-  double
-  TurningSegment::force_noise(const JointState &state) const
-  {
-    constexpr double force_rounding = 1e-13, stage_rounding = 1e-14;
-    return std::max(force_rounding * force_scale,
-                    stage_rounding * context.system.largest_stiffness() *
-                      max_abs(state.dislocations));
+    namespace rk        = runge_kutta;
+    const Vector rise   = rises_of_lips();
+    TurningStage result = from.stage;
+    for (std::size_t j = 0; j < k; ++j)
+      {
+        const double weight   = stages.length * rk::weights[k][j];
+        const Vector velocity = stages.velocity(j);
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+          result.slips[i] += static_cast<long double>(weight) * velocity[i];
+        add_multiple(weight, products(stages.rates[j], rise), result.dilations);
+      }
+    if (!linear)
+      return result;
+    result.forces = first_forces;
+    add_multiple(rk::abscissae[k] * stages.length, solver.load_rates(), result.forces);
+    for (std::size_t j = 0; j < k; ++j)
+      add_multiple(-stages.length * rk::weights[k][j], stages.lost_forces[j], result.forces);
+    return result;
   }
 
   // One step of the Runge-Kutta pair. The error is relative to the tolerance.
@@ -136,12 +156,7 @@ namespace fuga
   {
     namespace rk        = runge_kutta;
     const std::size_t n = turning.size();
-    std::array<Vector, rk::n_stages> rates;
-    rates[0].resize(2 * n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t a = 0; a < 2; ++a)
-        rates[0][2 * i + a] = from.slip_rates[i] * from.stage.directions[i][a];
-    const auto power = [&](const TurningStage &stage, const Vector &slip_rates) {
+    const auto power    = [&](const TurningStage &stage, const Vector &slip_rates) {
       double sum = 0.;
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t a = 0; a < 2; ++a)
@@ -149,9 +164,7 @@ namespace fuga
       return sum;
     };
 
-    Vector rise;
-    for (const std::size_t k : turning)
-      rise.push_back(start.state.strengths[k].dilatancy);
+    const Vector rise = rises_of_lips();
 
     // Where nothing drives nothing slips.
     const double drive = driving_force();
@@ -164,24 +177,17 @@ namespace fuga
     JointState &state = to.point.state;
     state             = from.point.state;
     to.stage          = from.stage;
-    double work       = length * rk::weights.back()[0] * power(from.stage, rates[0]);
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
-    // Of the stages so far: rates of slip along the directions, and these.
-    std::vector<Vector> stage_rates                          = {xi};
-    std::vector<std::vector<TangentVector>> stage_directions = {from.stage.directions};
-    std::vector<Vector> stage_dislocations                   = {from.point.state.dislocations};
+    SlipStages stages = {from.tau, length, {xi}, {from.stage.directions}, {}};
+    if (linear)
+      stages.lost_forces.push_back(solver.resistance(stages.velocity(0), products(xi, rise)));
+    const Vector first_forces = linear ? solver.forces_at(from.tau, from.stage) : Vector();
+    double work = length * rk::weights.back()[0] * power(from.stage, stages.velocity(0));
+    std::vector<Vector> stage_dislocations = {from.point.state.dislocations};
     for (std::size_t k = 1; k < rk::n_stages; ++k)
       {
-        TurningStage base = from.stage;
-        for (std::size_t j = 0; j < k; ++j)
-          for (std::size_t i = 0; i < n; ++i)
-            {
-              const double weight = length * rk::weights[k][j];
-              for (std::size_t a = 0; a < 2; ++a)
-                base.slips[2 * i + a] += static_cast<long double>(weight) * rates[j][2 * i + a];
-              base.dilations[i] += weight * rise[i] * stage_rates[j][i];
-            }
-        predict(k, stage_rates, stage_directions, xi, to.stage.directions);
+        const TurningStage base = base_of(from, first_forces, stages, k);
+        predict(stages, k, xi, to.stage.directions);
         for (double &value : xi)
           value *= length * rk::diagonal;
         // Stages on the cones by their rates alone, so that the method keeps its order (as one for
@@ -199,18 +205,22 @@ namespace fuga
                          to.stage,
                          state))
           return false;
-        stage_rates.push_back(xi);
-        for (double &value : stage_rates.back())
+        stages.rates.push_back(xi);
+        for (double &value : stages.rates.back())
           value /= length * rk::diagonal;
-        stage_directions.push_back(to.stage.directions);
+        stages.directions.push_back(to.stage.directions);
+        if (linear)
+          {
+            stages.lost_forces.push_back(base.forces);
+            add_multiple(-1., to.stage.forces, stages.lost_forces.back());
+            for (double &force : stages.lost_forces.back())
+              force /= length * rk::diagonal;
+          }
         stage_dislocations.push_back(state.dislocations);
-        rates[k].resize(2 * n);
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t a = 0; a < 2; ++a)
-            rates[k][2 * i + a] = xi[i] * to.stage.directions[i][a] / (length * rk::diagonal);
-        work += length * rk::weights.back()[k] * power(to.stage, rates[k]);
+        work += length * rk::weights.back()[k] * power(to.stage, stages.velocity(k));
       }
-    to.tau = from.tau + length;
+    last_stages = std::move(stages);
+    to.tau      = from.tau + length;
     if (course.length - to.tau < 4. * std::numeric_limits<double>::epsilon() * course.length)
       to.tau = course.length;
     if (!complete(to))
@@ -220,10 +230,8 @@ namespace fuga
     for (std::size_t k = 0; k < rk::n_stages; ++k)
       {
         const double weight = length * (rk::weights.back()[k] - rk::embedded[k]);
-        for (std::size_t i = 0; i < 2 * n; ++i)
-          difference[i] += weight * rates[k][i];
-        for (std::size_t i = 0; i < n; ++i)
-          of_rises[i] += weight * rise[i] * stage_rates[k][i];
+        add_multiple(weight, last_stages.velocity(k), difference);
+        add_multiple(weight, products(last_stages.rates[k], rise), of_rises);
       }
     error = std::max(max_abs(difference) / (step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /
@@ -338,7 +346,7 @@ namespace fuga
         allowed  = 1.;
         is_known = false;
         rejected = no_boundary;
-        length.accept(error, length() > short_step);
+        length.accept(error, allowed == 1.);
       }
     // An event may come just before the maximum.
     at_turning_point =

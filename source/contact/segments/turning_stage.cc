@@ -44,34 +44,38 @@ namespace fuga
   }
 
   // Terms as large as the stiffness where rigid joints cross times the longest slip cancel.
-  TurningStageSolver::Base
-  TurningStageSolver::base(const double tau, const TurningStage &stage) const
+  Vector
+  TurningStageSolver::forces_at(const double tau, const TurningStage &stage) const
+  {
+    Accurate forces     = accurate(response.forces);
+    const auto take_off = [&forces](const long double change, const double *const column) {
+      if (change != 0.L)
+        add_scaled(forces.size(), -change, column, forces.data());
+    };
+    take_off(response.tau - tau, response.rates.data());
+    for (std::size_t j = 0; j < stage.slips.size(); ++j)
+      take_off(stage.slips[j] - response.slips[j], response.against_slip.column(j));
+    if (!response.against_rise.empty())
+      for (std::size_t j = 0; j < stage.dilations.size(); ++j)
+        take_off(stage.dilations[j] - response.dilations[j], response.against_rise.column(j));
+    return {forces.begin(), forces.end()};
+  }
+
+  Vector
+  TurningStageSolver::noise(const double tau, const TurningStage &base) const
   {
     constexpr double rounding = 1e-15, slip_rounding = 1e-18;
-    Accurate forces     = accurate(response.forces);
     double longest_slip = 0.;
-    add_scaled(forces.size(), tau - response.tau, response.rates.data(), forces.data());
-    for (std::size_t j = 0; j < stage.slips.size(); ++j)
-      {
-        add_scaled(forces.size(),
-                   response.slips[j] - stage.slips[j],
-                   response.against_slip.column(j),
-                   forces.data());
-        longest_slip = std::max(longest_slip, std::abs(static_cast<double>(stage.slips[j])));
-      }
-    for (std::size_t j = 0; j < stage.dilations.size() && !response.against_rise.empty(); ++j)
-      add_scaled(forces.size(),
-                 response.dilations[j] - stage.dilations[j],
-                 response.against_rise.column(j),
-                 forces.data());
-    Base result = {stage, {forces.begin(), forces.end()}, {}};
+    for (const long double slip : base.slips)
+      longest_slip = std::max(longest_slip, std::abs(static_cast<double>(slip)));
+    Vector result;
     for (std::size_t i = 0; i < turning.size(); ++i)
       {
         double size = turning[i].cohesion;
         for (std::size_t a = 0; a < 3; ++a)
           size += (a == 0 ? turning[i].friction : 1.) *
                   (force_sizes[3 * i + a] + std::abs(tau * response.rates[3 * i + a]));
-        result.noise.push_back(rounding * size + slip_rounding * diagonal[i] * longest_slip);
+        result.push_back(rounding * size + slip_rounding * diagonal[i] * longest_slip);
       }
     return result;
   }
@@ -94,7 +98,8 @@ namespace fuga
   // Components along e and across: T + (f N - c) e, or its rate along e.
   TurningStageSolver::Residual
   TurningStageSolver::evaluate(const Demand demand,
-                               const Base &from,
+                               const TurningStage &base,
+                               const Vector &noise,
                                const double advance,
                                const Vector &xi,
                                TurningStage &stage) const
@@ -102,7 +107,7 @@ namespace fuga
     constexpr double rounding = 1e-15;
     const std::size_t n       = turning.size();
     Vector slip(2 * n), rise(n);
-    set_slips(from.stage, xi, stage);
+    set_slips(base, xi, stage);
     for (std::size_t i = 0; i < n; ++i)
       {
         for (std::size_t a = 0; a < 2; ++a)
@@ -110,7 +115,7 @@ namespace fuga
         rise[i] = xi[i] * turning[i].rise;
       }
     const Vector change = resistance(slip, rise);
-    stage.forces        = from.forces;
+    stage.forces        = base.forces;
     Residual result;
     result.values.resize(2 * n);
     result.flow.resize(3 * n);
@@ -133,10 +138,10 @@ namespace fuga
                                own.friction * along[3 * i] - strength;
         result.values[2 * i + 1] =
           side[0] * stage.forces[3 * i + 1] + side[1] * stage.forces[3 * i + 2];
-        const double noise = from.noise[i] + rounding * diagonal[i] * flow_size;
+        const double of_both = noise[i] + rounding * diagonal[i] * flow_size;
         for (std::size_t a = 0; a < 2; ++a)
           if (result.values[2 * i + a] != 0.)
-            result.worst = std::max(result.worst, std::abs(result.values[2 * i + a]) / noise);
+            result.worst = std::max(result.worst, std::abs(result.values[2 * i + a]) / of_both);
       }
     return result;
   }
@@ -160,10 +165,13 @@ namespace fuga
                                 const Residual &residual)
   {
     const std::size_t n = turning.size();
-    const bool of_rates = demand == Demand::rates;
-    Vector &arms        = factorisations[static_cast<std::size_t>(demand)].arms;
+    // The slip of a stage beside what stretches an element until it slips.
+    constexpr double weak_ratio = 0.03;
+    const bool of_rates         = demand == Demand::rates;
+    Vector &arms                = factorisations[static_cast<std::size_t>(demand)].arms;
     arms.resize(n);
     DenseMatrix M(2 * n, 2 * n);
+    std::vector<bool> is_weak(2 * n, false);
     for (std::size_t j = 0; j < n; ++j)
       {
         const TangentVector ej = stage.directions[j], sj = normal_to(ej);
@@ -173,6 +181,7 @@ namespace fuga
         if (arms[j] == 0.)
           arms[j] = std::numeric_limits<double>::min();
         const double ratio = xi[j] / arms[j];
+        is_weak[2 * j + 1] = !turns_are_coupled && std::abs(ratio) <= weak_ratio;
         for (std::size_t i = 0; i < n; ++i)
           {
             const TangentVector e = stage.directions[i], side = normal_to(e);
@@ -194,24 +203,46 @@ namespace fuga
           M(2 * j, 2 * j + 1) -=
             (sj[0] * residual.flow[3 * j + 1] + sj[1] * residual.flow[3 * j + 2]) / arms[j];
       }
-    factorisations[static_cast<std::size_t>(demand)].factors.emplace(std::move(M));
+    factorisations[static_cast<std::size_t>(demand)].factors.emplace(M, is_weak);
   }
 
-  void
+  bool
+  TurningStageSolver::take_factors(const Demand demand,
+                                   const double advance,
+                                   const Vector &xi,
+                                   const TurningStage &stage,
+                                   const Residual &residual)
+  {
+    Factorisation &own         = factorisations[static_cast<std::size_t>(demand)];
+    const Factorisation &other = factorisations[1 - static_cast<std::size_t>(demand)];
+    if (own.factors || !other.factors)
+      {
+        factorise(demand, advance, xi, stage, residual);
+        return true;
+      }
+    own = {other.factors->without_corrections(), other.arms};
+    return false;
+  }
+
+  bool
   TurningStageSolver::take_step(const Vector &step,
                                 const Vector &arms,
                                 Vector &xi,
                                 TurningStage &stage)
   {
     constexpr double largest_turn = 1.;
+    bool is_whole                 = true;
     for (std::size_t j = 0; j < xi.size(); ++j)
       {
         xi[j] += step[2 * j];
-        const double turn     = std::clamp(step[2 * j + 1] / arms[j], -largest_turn, largest_turn);
+        const double wanted   = step[2 * j + 1] / arms[j],
+                     turn     = std::clamp(wanted, -largest_turn, largest_turn);
+        is_whole              = is_whole && turn == wanted;
         const TangentVector e = stage.directions[j], side = normal_to(e);
         for (std::size_t a = 0; a < 2; ++a)
           stage.directions[j][a] = std::cos(turn) * e[a] + std::sin(turn) * side[a];
       }
+    return is_whole;
   }
 
   // Whether a stage can be solved must not depend on what was solved before.
@@ -219,65 +250,79 @@ namespace fuga
   TurningStageSolver::solve(const Demand demand,
                             const double tau,
                             const double advance,
-                            const TurningStage &base_stage,
+                            const TurningStage &base,
                             Vector &xi,
                             TurningStage &stage)
   {
-    std::optional<LuFactors> &factors = factorisations[static_cast<std::size_t>(demand)].factors;
-    const bool has_old_factors        = factors.has_value();
-    const Vector first_xi             = xi;
-    const TurningStage first_stage    = stage;
-    if (iterate(demand, tau, advance, base_stage, xi, stage))
+    const auto has_factors = [this](const std::size_t i) {
+      return factorisations[i].factors.has_value();
+    };
+    const bool has_old_factors     = has_factors(0) || has_factors(1);
+    const Vector first_xi          = xi;
+    const TurningStage first_stage = stage;
+    if (iterate(demand, tau, advance, base, xi, stage))
       return true;
-    factors.reset();
+    factorisations = {};
     if (!has_old_factors)
       return false;
     xi    = first_xi;
     stage = first_stage;
-    return iterate(demand, tau, advance, base_stage, xi, stage);
+    return iterate(demand, tau, advance, base, xi, stage);
   }
 
   bool
   TurningStageSolver::iterate(const Demand demand,
                               const double tau,
                               const double advance,
-                              const TurningStage &base_stage,
+                              const TurningStage &base,
                               Vector &xi,
                               TurningStage &stage)
   {
-    constexpr unsigned int max_iterations = 30;
-    // Residuals, in units of rounding, with which an iteration that stands still is accepted.
-    constexpr double accepted = 20.;
-    // Factors serve as long as they gain a digit or so at a time.
-    constexpr double slow        = 0.2;
-    Factorisation &factorisation = factorisations[static_cast<std::size_t>(demand)];
-    const Base from              = base(tau, base_stage);
-    Residual residual            = evaluate(demand, from, advance, xi, stage);
-    bool needs_factors           = !factorisation.factors;
+    constexpr unsigned int max_iterations = 30, patience = 8;
+    // Residuals, in units of rounding, with which an iteration that stands still is accepted, and
+    // from which on its steps tell more than rounding.
+    constexpr double accepted = 20., well_above_rounding = 1e3;
+    // What new factors should gain at a time. Others are given up if more iterations with them are
+    // ahead than new ones would cost.
+    constexpr double slow      = 0.2;
+    const double worthwhile    = 6. + static_cast<double>(turning.size()) / 40.;
+    Factorisation &own         = factorisations[static_cast<std::size_t>(demand)];
+    const Vector noise_of_base = noise(tau, base);
+    Residual residual          = evaluate(demand, base, noise_of_base, advance, xi, stage);
+    bool needs_factors         = !own.factors;
+    double best                = std::numeric_limits<double>::infinity();
+    unsigned int since_best    = 0;
+    Vector last_step; // empty if nothing is to be learnt from it
     ++count.n_solutions;
-    for (unsigned int i = 0; i < max_iterations; ++i)
+    for (unsigned int i = 0; i < max_iterations && since_best < patience; ++i)
       {
         if (residual.worst <= 1.)
           return true;
         if (!std::isfinite(residual.worst))
           return false;
-        const bool fresh = needs_factors;
-        if (needs_factors)
-          factorise(demand, advance, xi, stage, residual);
-        if (factorisation.factors->reciprocal_condition() == 0.)
+        const bool fresh = needs_factors && take_factors(demand, advance, xi, stage, residual);
+        if (own.factors->first_factors().reciprocal_condition() == 0.)
           return false;
-        Vector step = residual.values;
-        factorisation.factors->solve(step);
+        if (needs_factors)
+          last_step.clear();
+        Vector step = own.factors->solve(residual.values, last_step);
         ++count.n_iterations;
         count.max_in_one                = std::max<std::size_t>(count.max_in_one, i + 1);
         const TurningStage stage_before = stage;
         const Vector xi_before          = xi;
         const Residual residual_before  = residual;
-        take_step(step, factorisation.arms, xi, stage);
-        residual = evaluate(demand, from, advance, xi, stage);
+        const bool is_whole             = take_step(step, own.arms, xi, stage);
+        residual                        = evaluate(demand, base, noise_of_base, advance, xi, stage);
         if (residual.worst <= accepted && residual.worst >= 0.5 * residual_before.worst)
           return true;
-        needs_factors = !(residual.worst <= slow * residual_before.worst);
+        const double gain = residual_before.worst / residual.worst;
+        needs_factors     = !(std::log(residual.worst) <= worthwhile * std::log(gain));
+        turns_are_coupled = turns_are_coupled || (fresh && slow * gain < 1. &&
+                                                  own.factors->first_factors().has_weak_unknowns());
+        last_step =
+          is_whole && residual_before.worst > well_above_rounding ? std::move(step) : Vector();
+        since_best = residual.worst < 0.5 * best ? 0 : since_best + 1;
+        best       = std::min(best, residual.worst);
         if (residual.worst < 10. * residual_before.worst)
           continue;
         if (fresh)

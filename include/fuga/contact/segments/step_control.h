@@ -30,13 +30,23 @@ namespace fuga
     void
     fail()
     {
+      rejected_error = 0.;
       length *= 0.25;
     }
 
+    /** Of steps from one point the second rejection tells how the error falls: by less than the
+     * order where directions turn into others at once. */
     void
     reject(const double error)
     {
-      length *= std::max(0.1, growth(error));
+      double order = 5.;
+      if (rejected_error > error)
+        order = std::clamp(std::log(rejected_error / error) / std::log(rejected_length / length),
+                           least_order,
+                           order);
+      rejected_error  = error;
+      rejected_length = length;
+      length *= std::max(0.1, 0.9 * std::pow(error, -1. / order));
     }
 
     /** With @p foreseeing a change of what leads the error goes on from step to step: where
@@ -45,6 +55,7 @@ namespace fuga
     void
     accept(const double error, const bool foreseeing)
     {
+      rejected_error        = 0.;
       const double of_error = growth(error), taken = length;
       length *= std::min(largest_growth, of_error);
       if (foreseeing && taken_before > 0.)
@@ -60,7 +71,7 @@ namespace fuga
     }
 
   private:
-    static constexpr double largest_growth = 5.;
+    static constexpr double largest_growth = 5., least_order = 1.;
 
     static double
     growth(const double error)
@@ -70,6 +81,7 @@ namespace fuga
     }
 
     double length, taken_before = 0., growth_before = 1.;
+    double rejected_length = 0., rejected_error = 0.;
   };
 } // namespace fuga
 

@@ -17,6 +17,22 @@ namespace fuga
            state.strengths[k].resists_shear();
   }
 
+  /** The stages so far of a step from τ on. */
+  struct SlipStages
+  {
+    double tau = -1., length = 0.;
+    /** Rates of slip along the directions, and these. */
+    std::vector<Vector> rates;
+    std::vector<std::vector<TangentVector>> directions;
+    /** The forces that slips with these rates take away per unit of τ, if they are the same all
+     * along. */
+    std::vector<Vector> lost_forces;
+
+    /** Rates of slip of stage number @p j along both tangents. */
+    Vector
+    velocity(const std::size_t j) const;
+  };
+
   /**
    * The path in one working scheme with slips whose directions turn. All elements but those are the
    * *background*, a working scheme in which the turning elements stick; it answers their slips s
@@ -135,6 +151,18 @@ namespace fuga
     /** Where even the shortest step fails. @throws PathFailure if the curve does not end there. */
     void
     expect_end(const PathPoint &point, const double shortest);
+    Vector
+    rises_of_lips() const;
+    TurningStage
+    base_of(const Station &from,
+            const Vector &first_forces,
+            const SlipStages &stages,
+            const std::size_t k) const;
+    void
+    predict(const SlipStages &before,
+            const std::size_t k,
+            Vector &rates,
+            std::vector<TangentVector> &directions) const;
     bool
     step(const Station &from, const double length, Station &to, double &error);
     double
@@ -195,6 +223,8 @@ namespace fuga
     bool at_limit = false, at_turning_point = false;
     double end = 0.;
     std::vector<Station> curve;
+    /** Of the last step that could be taken. */
+    SlipStages last_stages;
     std::vector<std::size_t> lost_slip;
   };
 } // namespace fuga

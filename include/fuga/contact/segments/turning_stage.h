@@ -5,6 +5,7 @@
 #define fuga_contact_segments_turning_stage_h
 
 #include <fuga/base/numerics/accurate.h>
+#include <fuga/base/numerics/secant_factors.h>
 #include <fuga/contact/segments/path_options.h>
 #include <fuga/contact/tangent_vector.h>
 
@@ -61,7 +62,8 @@ namespace fuga
    * T + (f N - c) e = 0: a return mapping. With Demand::rates the slips ξ e are what flows with the
    * rates at τ while the path goes on by λ: e·q_t + f q_n = λ (ċ - ḟ N), with q the change of
    * forces by λ and ξ. Unknowns are ξ and the angles of e, so that neither N = 0 nor ξ = 0 is a
-   * singular point. Solved by Newton's method; the factors are kept as long as they serve.
+   * singular point. Solved by a quasi-Newton method: factors are kept, for both demands, as long as
+   * they serve, and learn from their steps.
    */
   class TurningStageSolver
   {
@@ -82,10 +84,21 @@ namespace fuga
     void
     set_strengths(const std::vector<TurningElement> &elements);
 
+    /** The forces of the turning elements at @p tau with the slips and dilations of @p stage. */
+    Vector
+    forces_at(const double tau, const TurningStage &stage) const;
+
+    /** How fast they grow with τ if nothing slips. */
+    const Vector &
+    load_rates() const
+    {
+      return response.rates;
+    }
+
     /**
-     * Finds the stage at @p tau from the slips and dilations of @p base (s*, ω*); @p advance is λ.
-     * The directions of @p stage and the lengths @p xi are the first guess and are overwritten.
-     * Returns false if there is no solution near by.
+     * Finds the stage at @p tau from the slips and dilations of @p base (s*, ω*) and the forces with
+     * them; @p advance is λ. The directions of @p stage and the lengths @p xi are the first guess
+     * and are overwritten. Returns false if there is no solution near by.
      */
     bool
     solve(const Demand demand,
@@ -119,21 +132,12 @@ namespace fuga
       double worst = 0.;
     };
 
-    /** LU factors of the matrix of one demand, and the lengths that belong to a unit turn of each
+    /** Factors of the matrix of one demand, and the lengths that belong to a unit turn of each
      * direction in it. */
     struct Factorisation
     {
-      std::optional<LuFactors> factors;
+      std::optional<SecantFactors> factors;
       Vector arms;
-    };
-
-    /** The slips s*, the forces with them, and what rounding leaves of residuals. */
-    struct Base
-    {
-      const TurningStage &stage;
-      Vector forces;
-      /** Of the elements. */
-      Vector noise;
     };
 
     bool
@@ -143,11 +147,13 @@ namespace fuga
             const TurningStage &base,
             Vector &xi,
             TurningStage &stage);
-    Base
-    base(const double tau, const TurningStage &stage) const;
+    /** What rounding leaves of the residuals of the elements. */
+    Vector
+    noise(const double tau, const TurningStage &base) const;
     Residual
     evaluate(const Demand demand,
-             const Base &from,
+             const TurningStage &base,
+             const Vector &noise,
              const double advance,
              const Vector &xi,
              TurningStage &stage) const;
@@ -157,8 +163,17 @@ namespace fuga
               const Vector &xi,
               const TurningStage &stage,
               const Residual &residual);
-    static void
+    /** Returns false if it turned directions less than it should. */
+    static bool
     take_step(const Vector &step, const Vector &arms, Vector &xi, TurningStage &stage);
+    /** Factors for @p demand; those of the other demand serve as well at first. Returns whether they
+     * are new. */
+    bool
+    take_factors(const Demand demand,
+                 const double advance,
+                 const Vector &xi,
+                 const TurningStage &stage,
+                 const Residual &residual);
     /** Force number @p row that is lost as element @p j slips by @p slip, its lips rising by
      * @p rise. */
     double
@@ -174,6 +189,8 @@ namespace fuga
     Vector force_sizes;
     std::vector<TurningElement> turning;
     std::array<Factorisation, 2> factorisations;
+    /** Turns do more to the slips of others than factors without them could make up for. */
+    bool turns_are_coupled = false;
   };
 } // namespace fuga
 
