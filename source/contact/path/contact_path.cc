@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
+#include <fuga/base/numerics/blas_threads.h>
 #include <fuga/base/work_counter.h>
 #include <fuga/contact/element/change_of_state.h>
 #include <fuga/contact/element/joint_water.h>
@@ -63,6 +64,9 @@ namespace fuga
   PathResult
   ContactPath::follow_from_cut(const std::vector<double> &levels, PathObserver &observer)
   {
+    // So many rows: a product takes as long as threads need to begin and to meet.
+    constexpr std::size_t few_bars = 2500;
+    const blas::OneThread of_small_systems(system.n_bars() <= few_bars);
     next_level = cut.next_level;
     resticking = cut.resticking;
     standstill = Standstill();

@@ -347,14 +347,16 @@ namespace fuga
         rates[i] = own.friction * response.rates[3 * i] + e[0] * response.rates[3 * i + 1] +
                    e[1] * response.rates[3 * i + 2] -
                    (own.cohesion_rate - own.friction_rate * stage.forces[3 * i]);
-        for (std::size_t j = 0; j < n; ++j)
-          {
-            const auto force = [&](const std::size_t row) {
-              return lost_force(3 * i + row, j, stage.directions[j], turning[j].rise);
-            };
-            M(i, j) = own.friction * force(0) + e[0] * force(1) + e[1] * force(2);
-          }
       }
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const TangentVector e = stage.directions[i];
+          const auto force      = [&](const std::size_t row) {
+            return lost_force(3 * i + row, j, stage.directions[j], turning[j].rise);
+          };
+          M(i, j) = turning[i].friction * force(0) + e[0] * force(1) + e[1] * force(2);
+        }
     const LuFactors solver(std::move(M));
     if (solver.reciprocal_condition() == 0.)
       return {};
