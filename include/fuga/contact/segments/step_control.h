@@ -51,7 +51,8 @@ namespace fuga
 
     /** With @p foreseeing a change of what leads the error goes on from step to step: where
      * directions turn faster and faster, as towards the apex of a cone, every second step would be
-     * rejected otherwise (Gustafsson, ACM Trans. Math. Softw. 20, 1994). */
+     * rejected otherwise (Gustafsson, ACM Trans. Math. Softw. 20, 1994). A corner of a law, passed
+     * by short steps, tells nothing about what follows. */
     void
     accept(const double error, const bool foreseeing)
     {
@@ -59,7 +60,7 @@ namespace fuga
       const double of_error = growth(error), taken = length;
       length *= std::min(largest_growth, of_error);
       if (foreseeing && taken_before > 0.)
-        length *= std::min(1., taken / taken_before * of_error / growth_before);
+        length *= std::clamp(taken / taken_before * of_error / growth_before, least_foreseen, 1.);
       taken_before  = taken;
       growth_before = of_error;
     }
@@ -71,7 +72,7 @@ namespace fuga
     }
 
   private:
-    static constexpr double largest_growth = 5., least_order = 1.;
+    static constexpr double largest_growth = 5., least_order = 1., least_foreseen = 0.2;
 
     static double
     growth(const double error)
