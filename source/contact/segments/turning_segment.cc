@@ -24,6 +24,15 @@ namespace fuga
       return result;
     }
 
+    Vector
+    dilatancies_of(const std::vector<std::size_t> &elements, const JointState &state)
+    {
+      Vector result;
+      for (const std::size_t k : elements)
+        result.push_back(state.strengths[k].dilatancy);
+      return result;
+    }
+
     JointState
     with_stuck(const std::vector<std::size_t> &elements, JointState state)
     {
@@ -62,6 +71,7 @@ namespace fuga
     , first_boundary(boundary_at(context, course, 0., start.state))
     , turning(turning_elements(context.elements, start.state))
     , slipping(turning)
+    , dilatancies(dilatancies_of(turning, start.state))
     , stuck(with_stuck(turning, start.state))
     , linear(!context.scheme.is_nonlinear() && course.share_rate == 0.)
     , step_tolerance(options.curve_tolerance)

@@ -33,14 +33,14 @@ namespace fuga
       return result;
     }
 
-    /** First guess at the share @p x of a step: the polynomial through the stages of @p given from
+    /** At the share @p x of a step the polynomial through the stages of @p given from
      * @p first on. */
     void
-    predict(const SlipStages &given,
-            const std::size_t first,
-            const double x,
-            Vector &rates,
-            std::vector<TangentVector> &directions)
+    interpolate(const SlipStages &given,
+                const std::size_t first,
+                const double x,
+                Vector &rates,
+                std::vector<TangentVector> &directions)
     {
       std::fill(rates.begin(), rates.end(), 0.);
       std::fill(directions.begin(), directions.end(), TangentVector{{0., 0.}});
@@ -107,19 +107,9 @@ namespace fuga
     const double abscissa = runge_kutta::abscissae[k];
     const double x        = abscissa * before.length / last_stages.length;
     if (last_stages.tau == before.tau && x <= 1.)
-      fuga::predict(last_stages, 0, x, rates, directions);
+      interpolate(last_stages, 0, x, rates, directions);
     else
-      fuga::predict(before, k > 3 ? k - 3 : 0, abscissa, rates, directions);
-  }
-
-  // tan ψ of the turning elements.
-  Vector
-  TurningSegment::rises_of_lips() const
-  {
-    Vector result;
-    for (const std::size_t k : turning)
-      result.push_back(start.state.strengths[k].dilatancy);
-    return result;
+      interpolate(before, k > 3 ? k - 3 : 0, abscissa, rates, directions);
   }
 
   // Slips and rises from which stage number k goes on by its own rates. Where the background is
@@ -131,15 +121,13 @@ namespace fuga
                           const std::size_t k) const
   {
     namespace rk        = runge_kutta;
-    const Vector rise   = rises_of_lips();
     TurningStage result = from.stage;
     for (std::size_t j = 0; j < k; ++j)
       {
         const double weight   = stages.length * rk::weights[k][j];
         const Vector velocity = stages.velocity(j);
-        for (std::size_t i = 0; i < velocity.size(); ++i)
-          result.slips[i] += static_cast<long double>(weight) * velocity[i];
-        add_multiple(weight, products(stages.rates[j], rise), result.dilations);
+        add_scaled(velocity.size(), weight, velocity.data(), result.slips.data());
+        add_multiple(weight, products(stages.rates[j], dilatancies), result.dilations);
       }
     if (!linear)
       return result;
@@ -164,8 +152,6 @@ namespace fuga
       return sum;
     };
 
-    const Vector rise = rises_of_lips();
-
     // Where nothing drives nothing slips.
     const double drive = driving_force();
     const double slip_noise =
@@ -180,7 +166,8 @@ namespace fuga
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
     SlipStages stages = {from.tau, length, {xi}, {from.stage.directions}, {}};
     if (linear)
-      stages.lost_forces.push_back(solver.resistance(stages.velocity(0), products(xi, rise)));
+      stages.lost_forces.push_back(
+        solver.resistance(stages.velocity(0), products(xi, dilatancies)));
     const Vector first_forces = linear ? solver.forces_at(from.tau, from.stage) : Vector();
     double work = length * rk::weights.back()[0] * power(from.stage, stages.velocity(0));
     std::vector<Vector> stage_dislocations = {from.point.state.dislocations};
@@ -231,7 +218,7 @@ namespace fuga
       {
         const double weight = length * (rk::weights.back()[k] - rk::embedded[k]);
         add_multiple(weight, last_stages.velocity(k), difference);
-        add_multiple(weight, products(last_stages.rates[k], rise), of_rises);
+        add_multiple(weight, products(last_stages.rates[k], dilatancies), of_rises);
       }
     error = std::max(max_abs(difference) / (step_tolerance * jump_scale + slip_noise),
                      max_abs(solver.resistance(difference, of_rises)) /

@@ -157,18 +157,25 @@ namespace fuga
     return response.against_rise.empty() ? force : force + response.against_rise(row, j) * rise;
   }
 
-  void
-  TurningStageSolver::factorise(const Demand demand,
-                                const double advance,
-                                const Vector &xi,
-                                const TurningStage &stage,
-                                const Residual &residual)
+  bool
+  TurningStageSolver::take_factors(const Demand demand,
+                                   const double advance,
+                                   const Vector &xi,
+                                   const TurningStage &stage,
+                                   const Residual &residual)
   {
+    Factorisation &own         = factorisations[static_cast<std::size_t>(demand)];
+    const Factorisation &other = factorisations[1 - static_cast<std::size_t>(demand)];
+    if (!own.factors && other.factors)
+      {
+        own = {other.factors->without_corrections(), other.arms};
+        return false;
+      }
     const std::size_t n = turning.size();
     // The slip of a stage beside what stretches an element until it slips.
     constexpr double weak_ratio = 0.03;
     const bool of_rates         = demand == Demand::rates;
-    Vector &arms                = factorisations[static_cast<std::size_t>(demand)].arms;
+    Vector &arms                = own.arms;
     arms.resize(n);
     DenseMatrix M(2 * n, 2 * n);
     std::vector<bool> is_weak(2 * n, false);
@@ -203,25 +210,8 @@ namespace fuga
           M(2 * j, 2 * j + 1) -=
             (sj[0] * residual.flow[3 * j + 1] + sj[1] * residual.flow[3 * j + 2]) / arms[j];
       }
-    factorisations[static_cast<std::size_t>(demand)].factors.emplace(M, is_weak);
-  }
-
-  bool
-  TurningStageSolver::take_factors(const Demand demand,
-                                   const double advance,
-                                   const Vector &xi,
-                                   const TurningStage &stage,
-                                   const Residual &residual)
-  {
-    Factorisation &own         = factorisations[static_cast<std::size_t>(demand)];
-    const Factorisation &other = factorisations[1 - static_cast<std::size_t>(demand)];
-    if (own.factors || !other.factors)
-      {
-        factorise(demand, advance, xi, stage, residual);
-        return true;
-      }
-    own = {other.factors->without_corrections(), other.arms};
-    return false;
+    own.factors.emplace(M, is_weak);
+    return true;
   }
 
   bool

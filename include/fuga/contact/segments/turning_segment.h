@@ -151,8 +151,6 @@ namespace fuga
     /** Where even the shortest step fails. @throws PathFailure if the curve does not end there. */
     void
     expect_end(const PathPoint &point, const double shortest);
-    Vector
-    rises_of_lips() const;
     TurningStage
     base_of(const Station &from,
             const Vector &first_forces,
@@ -207,6 +205,8 @@ namespace fuga
     const ContactBoundary first_boundary;
     /** Numbers of the turning elements, and of all that slip: these first. */
     std::vector<std::size_t> turning, slipping;
+    /** tan ψ of the turning elements. */
+    const Vector dilatancies;
     /** The start as the background sees it: turning elements stick. */
     JointState stuck;
     /** The background answers linearly, everywhere along the segment in the same way. */

@@ -157,12 +157,6 @@ namespace fuga
              const double advance,
              const Vector &xi,
              TurningStage &stage) const;
-    void
-    factorise(const Demand demand,
-              const double advance,
-              const Vector &xi,
-              const TurningStage &stage,
-              const Residual &residual);
     /** Returns false if it turned directions less than it should. */
     static bool
     take_step(const Vector &step, const Vector &arms, Vector &xi, TurningStage &stage);
