@@ -46,9 +46,16 @@ namespace fuga::tests
       return multiply(S, x);
     }
 
+    void
+    refine(Solution &solution) const override
+    {
+      solution.resistance = resistance(solution.x);
+    }
+
     Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
                     const Vector &r,
+                    const Solution &,
                     const double) const override
     {
       const DenseMatrix jumps     = all_jumps();
@@ -61,7 +68,7 @@ namespace fuga::tests
       DenseMatrix K = multiply_transposed(jumps, multiply(C, jumps));
       for (std::size_t i = 0; i < S.n_rows() * S.n_rows(); ++i)
         K.data()[i] += S.data()[i];
-      Solution solution{r, {}};
+      Solution solution{r, {}, {}};
       LuFactors(std::move(K)).solve(solution.x);
       solution.resistance = resistance(solution.x);
       return solution;

@@ -193,6 +193,23 @@ TEST(Iterative, MatrixFreeStepsOfCornersAndCrossings)
   EXPECT_GT(steps.count("open", 2.) + steps.count("slip", 2.), 0u);
 }
 
+// Cells of 1 x 1/11 and 1 x 1/9: diagonals over short edges of 11.05 and 9.06.
+TEST(Iterative, LongCellsAreMentioned)
+{
+  nlohmann::ordered_json scene = rough_blocks();
+  add_load(scene, "press", "traction", "top", "0; -1");
+  scene["Stages"]["press"] = {{"Loads", "press: t"}};
+  const auto warnings      = [&](const double width, const std::string &solver) {
+    const GmshMesh mesh =
+      blocks_mesh({0., width}, {0., 1., 2.}, 3, {{"lower"}, {"upper"}}, {{"joint", true, 1, 0, 1}});
+    return run_with(solver, write_scene(mesh, scene), {}).summary.at("warnings");
+  };
+  ASSERT_EQ(warnings(11., "iterative").size(), 1u);
+  EXPECT_NE(warnings(11., "iterative").dump().find("up to 11 times as long"), std::string::npos);
+  EXPECT_EQ(warnings(11., "direct").size(), 0u);
+  EXPECT_EQ(warnings(9., "iterative").size(), 0u);
+}
+
 // On cones the slips turn while the load grows, and a step takes their last direction: the scheme
 // is that of the events, forces are close (every step less is an error of first order in a slip of
 // a few elements), and all conditions hold to the bound of the certificate.

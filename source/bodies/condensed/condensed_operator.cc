@@ -140,7 +140,7 @@ namespace fuga
             loads.push_back(pattern.forces);
             u.push_back(coordinates.distribute(no_coordinates.data(), pattern.prescribed));
           }
-        solve_bonded(loads, u);
+        solve_bonded(loads, u, InteriorSolver::Digits::first);
         for (std::size_t j = 0; j < n; ++j)
           {
             const Vector residual = model.out_of_balance(loads[j], u[j]);
@@ -164,8 +164,8 @@ namespace fuga
         std::copy_n(x.column(j), x.n_rows(), y.data() + y.size() - x.n_rows());
         u.push_back(coordinates.distribute(y.data(), {}));
       }
-    solve_bonded(no_loads, u);
-    solve_bonded(no_loads, u);
+    for (const auto digits : {InteriorSolver::Digits::first, InteriorSolver::Digits::last})
+      solve_bonded(no_loads, u, digits);
     DenseMatrix result(x.n_rows(), x.n_columns());
     for (std::size_t j = 0; j < x.n_columns(); ++j)
       {
@@ -188,8 +188,8 @@ namespace fuga
   {
     const std::vector<Vector> given = {loads};
     std::vector<Vector> field       = {std::move(u)};
-    solve_bonded(given, field);
-    solve_bonded(given, field);
+    for (const auto digits : {InteriorSolver::Digits::first, InteriorSolver::Digits::last})
+      solve_bonded(given, field, digits);
     u = std::move(field.front());
   }
 
@@ -197,7 +197,8 @@ namespace fuga
   template <int dim>
   void
   CondensedOperator<dim>::solve_bonded(const std::vector<Vector> &loads,
-                                       std::vector<Vector> &u) const
+                                       std::vector<Vector> &u,
+                                       const InteriorSolver::Digits digits) const
   {
     const auto &coordinates = model.interface_coordinates();
     DenseMatrix y(coordinates.size(), u.size());
@@ -206,7 +207,7 @@ namespace fuga
         const Vector load = model.out_of_balance(loads[j], u[j]);
         std::copy(load.begin(), load.end(), y.column(j));
       }
-    solver->solve(y);
+    solver->solve(y, digits);
     for (std::size_t j = 0; j < u.size(); ++j)
       u[j] = coordinates.distribute(y.column(j), u[j]);
   }
@@ -224,7 +225,7 @@ namespace fuga
           coordinates.gather({columns.column(j), columns.column(j) + columns.n_rows()});
         std::copy(load.begin(), load.end(), y.column(j));
       }
-    solver->solve(y);
+    solver->solve(y, InteriorSolver::Digits::first);
     for (std::size_t j = 0; j < columns.n_columns(); ++j)
       {
         const Vector u = coordinates.distribute(y.column(j), {});
@@ -233,17 +234,50 @@ namespace fuga
   }
 
 
-  // Not left to the iterations, whose errors the condition of the eliminated part magnifies:
-  // motions of the bodies meet no resistance.
   template <int dim>
   Vector
   CondensedOperator<dim>::resistance(const Vector &x) const
   {
-    Vector jumps = x;
+    TangentSolver::Solution solution{x, {}, {}};
+    refine(solution);
+    return solution.resistance;
+  }
+
+
+  // Not left to the iterations, whose errors the condition of the eliminated part magnifies:
+  // motions of the bodies meet no resistance.
+  template <int dim>
+  void
+  CondensedOperator<dim>::refine(TangentSolver::Solution &solution) const
+  {
+    Vector jumps        = solution.x;
+    const Vector motion = interior_of_motion(jumps);
     projection->take_out_motion(jumps);
-    Vector forces = matrix_free_solver->resistance(jumps);
-    projection->take_out_work(forces);
-    return forces;
+    if (!solution.interior.empty() && !motion.empty())
+      add_multiple(-1., motion, solution.interior);
+    solution.resistance = matrix_free_solver->resistance(jumps, solution.interior);
+    if (!motion.empty())
+      add_multiple(1., motion, solution.interior);
+    projection->take_out_work(solution.resistance);
+  }
+
+
+  template <int dim>
+  Vector
+  CondensedOperator<dim>::interior_of_motion(const Vector &jumps) const
+  {
+    const Vector amounts = motion_of(jumps);
+    if (amounts.empty())
+      return {};
+    Vector field(model.discretization().n_dofs(), 0.);
+    for (std::size_t k = 0; k < amounts.size(); ++k)
+      add_multiple(amounts[k], model.rigid_pieces().free_motion(k), field);
+    const auto &coordinates = model.interface_coordinates();
+    Vector eliminated(coordinates.first_interface_coordinate(), 0.);
+    for (std::size_t dof = 0; dof < field.size(); ++dof)
+      if (const auto c = coordinates.coordinate_of(dof); c && *c < eliminated.size())
+        eliminated[*c] = field[dof];
+    return matrix_free_solver->own_rows(eliminated);
   }
 
 
@@ -287,12 +321,14 @@ namespace fuga
   TangentSolver::Solution
   CondensedOperator<dim>::solve_with_bars(const std::vector<ElementStiffness> &stiffness,
                                           const Vector &r,
+                                          const TangentSolver::Solution &so_far,
                                           const double tolerance) const
   {
     TangentSolver::Solution solution = matrix_free_solver->solve_with_bars(
       blocks_of_bars(
         model.elements(), stiffness, model.interface_coordinates().jump_operator(), r.size()),
       r,
+      so_far,
       tolerance);
     projection->take_out_work(solution.resistance);
     return solution;

@@ -18,6 +18,15 @@ namespace fuga
   {
     constexpr int max_iterations          = 2000;
     constexpr std::size_t columns_at_once = 8;
+
+    int
+    multiply_for_multigrid(ML_Operator *level, int, double *x, int, double *y)
+    {
+      const auto &K = *static_cast<const Epetra_CrsMatrix *>(ML_Get_MyMatvecData(level));
+      const Epetra_Vector X(View, K.DomainMap(), x);
+      Epetra_Vector Y(View, K.RangeMap(), y);
+      return K.Apply(X, Y);
+    }
   } // namespace
 
 
@@ -51,6 +60,8 @@ namespace fuga
       std::make_unique<ML_Epetra::MultiLevelPreconditioner>(*system->K, settings, true);
     if (!system->multigrid->IsPreconditionerComputed())
       throw NumericalFailure("Algebraic multigrid failed to set up.");
+    const ML *hierarchy = system->multigrid->GetML();
+    ML_Operator_Set_ApplyFunc(hierarchy->Amat + hierarchy->ML_finest_level, multiply_for_multigrid);
   }
 
 
@@ -88,9 +99,10 @@ namespace fuga
         DenseMatrix X(n_own_rows(), n);
         for (std::size_t j = 0; j < n; ++j)
           add_column(system->coupling, -1., first + j, X.column(j));
-        solve_columns(X, tolerance_of_columns);
+        DenseMatrix Y(n_own_rows(), n);
+        solve_columns(X, Y, tolerance_of_columns);
         for (std::size_t j = 0; j < n; ++j)
-          add_to_kept(system->coupling, 1., X.column(j), S.column(first + j));
+          add_to_kept(system->coupling, 1., Y.column(j), S.column(first + j));
       }
     processes::sum(S.data(), n_kept * n_kept);
     for (std::size_t j = 0; j < n_kept; ++j)
@@ -105,17 +117,20 @@ namespace fuga
   // same on all processes: MPI_Allreduce adds the parts of two in either order, and the sum of two
   // commutes.
   void
-  IterativeSolver::solve_columns(DenseMatrix &loads, const double tolerance)
+  IterativeSolver::solve_columns(DenseMatrix &loads, DenseMatrix &solutions, const double tolerance)
   {
     interruption::check("while the bodies were solved");
     processes::meet(processes::Place::solver, loads.n_columns());
     const int n_rows = blocks.n_own_rows(), n = static_cast<int>(loads.n_columns());
     Epetra_MultiVector R(View, system->map, loads.data(), n_rows, n);
-    Epetra_MultiVector X(system->map, n), Z(system->map, n), P(system->map, n), Q(system->map, n);
+    Epetra_MultiVector X(View, system->map, solutions.data(), n_rows, n);
+    Epetra_MultiVector Z(system->map, n), P(system->map, n), Q(system->map, n);
     Vector goal(loads.n_columns()), norm(goal), rz(goal), product(goal), previous(goal.size(), 0.);
     R.Norm2(goal.data());
     for (double &value : goal)
       value *= tolerance;
+    system->K->Multiply(false, X, Q);
+    R.Update(-1., Q, 1.);
     for (int count = 0;; ++count)
       {
         R.Norm2(norm.data());
@@ -135,7 +150,7 @@ namespace fuga
         for (std::size_t j = 0; j < norm.size(); ++j)
           P(static_cast<int>(j))
             ->Update(1., *Z(static_cast<int>(j)), previous[j] > 0. ? rz[j] / previous[j] : 0.);
-        system->K->Apply(P, Q);
+        system->K->Multiply(false, P, Q);
         P.Dot(Q, product.data());
         for (std::size_t j = 0; j < norm.size(); ++j)
           if (is_running[j])
@@ -148,8 +163,6 @@ namespace fuga
             }
         previous = rz;
       }
-    for (int j = 0; j < n; ++j)
-      std::copy_n(X[j], n_rows, loads.column(static_cast<std::size_t>(j)));
   }
 
 
@@ -160,6 +173,15 @@ namespace fuga
       if (const auto place = static_cast<std::size_t>(blocks.own_place(blocks.rows[i]));
           place < n_own_rows())
         own[place] = load[i];
+  }
+
+
+  Vector
+  IterativeSolver::own_rows(const Vector &eliminated) const
+  {
+    Vector own(n_own_rows(), 0.);
+    take_own(eliminated.data(), own.data());
+    return own;
   }
 
 
@@ -177,13 +199,14 @@ namespace fuga
   DenseMatrix
   IterativeSolver::own_solutions(const DenseMatrix &loads,
                                  const std::size_t first,
-                                 const std::size_t n)
+                                 const std::size_t n,
+                                 const double tolerance)
   {
-    DenseMatrix X(n_own_rows(), n);
+    DenseMatrix own(n_own_rows(), n), X(n_own_rows(), n);
     for (std::size_t j = 0; j < n; ++j)
-      take_own(loads.column(first + j), X.column(j));
+      take_own(loads.column(first + j), own.column(j));
     if (!nothing_to_eliminate())
-      solve_columns(X, tolerance_of_solutions);
+      solve_columns(own, X, tolerance);
     return X;
   }
 
@@ -198,7 +221,7 @@ namespace fuga
     for (std::size_t first = 0; first < n_columns; first += columns_at_once)
       {
         const std::size_t n = std::min(columns_at_once, n_columns - first);
-        const DenseMatrix X = own_solutions(loads, first, n);
+        const DenseMatrix X = own_solutions(loads, first, n, tolerance_of_remainders);
         for (std::size_t j = 0; j < n; ++j)
           {
             if (processes::is_first())
@@ -213,12 +236,16 @@ namespace fuga
 
 
   void
-  IterativeSolver::solve(DenseMatrix &loads)
+  IterativeSolver::solve(DenseMatrix &loads, const Digits digits)
   {
     for (std::size_t first = 0; first < loads.n_columns(); first += columns_at_once)
       {
         const std::size_t n = std::min(columns_at_once, loads.n_columns() - first);
-        const DenseMatrix X = own_solutions(loads, first, n);
+        const DenseMatrix X =
+          own_solutions(loads,
+                        first,
+                        n,
+                        digits == Digits::first ? tolerance_of_solutions : tolerance_of_remainders);
         for (std::size_t j = 0; j < n; ++j)
           give_own(X.column(j), loads.column(first + j));
       }

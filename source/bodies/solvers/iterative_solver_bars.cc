@@ -68,7 +68,7 @@ namespace fuga
     /** [K_ii K_ic; K_ci K_cc + C]. */
     struct BodiesWithBars
     {
-      const Epetra_CrsMatrix &K;
+      const NodalMatrix &K;
       const Compressed &coupling, &kept;
       const std::vector<BlockOfCoordinates> &bars;
 
@@ -78,7 +78,7 @@ namespace fuga
         const auto n          = static_cast<std::size_t>(K.NumMyRows());
         const Epetra_Vector u = interior_part(K.RowMap(), x);
         Epetra_Vector f       = interior_part(K.RowMap(), y);
-        K.Apply(u, f);
+        K.Multiply(false, u, f);
         const Vector jumps = kept_part(x, n, kept.start.size() - 1);
         add_to_interior(coupling, 1., jumps.data(), y.begin());
         Vector forces(jumps.size(), 0.);
@@ -150,19 +150,22 @@ namespace fuga
 
 
   Vector
-  IterativeSolver::resistance(const Vector &x)
+  IterativeSolver::resistance(const Vector &x, Vector &interior)
   {
+    DenseMatrix y(n_own_rows(), 1);
+    std::copy(interior.begin(), interior.end(), y.data());
     Vector result(n_kept, 0.);
     add_kept_block(system->kept, x.data(), result.data());
     if (!nothing_to_eliminate() && max_abs(x) > 0.)
       {
-        DenseMatrix y(n_own_rows(), 1);
-        add_to_interior(system->coupling, -1., x.data(), y.data());
-        solve_columns(y, tolerance_of_products);
+        DenseMatrix load(n_own_rows(), 1);
+        add_to_interior(system->coupling, -1., x.data(), load.data());
+        solve_columns(load, y, tolerance_of_products);
         ++its_work.n_solutions;
         add_to_kept(system->coupling, 1., y.data(), result.data());
       }
     processes::sum(result);
+    interior.assign(y.data(), y.data() + n_own_rows());
     return result;
   }
 
@@ -170,14 +173,26 @@ namespace fuga
   TangentSolver::Solution
   IterativeSolver::solve_with_bars(const std::vector<BlockOfCoordinates> &bars,
                                    const Vector &r,
+                                   const TangentSolver::Solution &so_far,
                                    const double tolerance)
   {
     const std::size_t n = n_own_rows();
     Work load           = work_vector(blocks, n_kept, system->comm.Comm()), y(load);
     if (processes::is_first())
       std::copy(r.begin(), r.end(), load.begin() + n);
+    const double goal = tolerance * load.l2_norm();
+    if (!so_far.interior.empty())
+      {
+        std::copy(so_far.interior.begin(), so_far.interior.end(), y.begin());
+        const Epetra_Vector u = interior_part(system->map, y);
+        Epetra_Vector left    = interior_part(system->map, load);
+        system->K->Multiply(false, u, left);
+        add_to_interior(system->coupling, 1., so_far.x.data(), load.begin());
+        std::transform(load.begin(), load.begin() + n, load.begin(), std::negate<>());
+        y = 0.;
+      }
 
-    dealii::SolverControl control(max_bar_iterations, tolerance * load.l2_norm());
+    dealii::SolverControl control(max_bar_iterations, goal);
     dealii::SolverGMRES<Work> gmres(
       control,
       dealii::SolverGMRES<Work>::AdditionalData(basis_size, /*right_preconditioning=*/true));
@@ -207,6 +222,7 @@ namespace fuga
     add_kept_block(system->kept, solution.x.data(), solution.resistance.data());
     add_to_kept(system->coupling, 1., y.begin(), solution.resistance.data());
     processes::sum(solution.resistance);
+    solution.interior.assign(y.begin(), y.begin() + n);
     return solution;
   }
 } // namespace fuga

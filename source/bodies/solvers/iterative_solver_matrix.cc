@@ -115,7 +115,7 @@ namespace fuga
 
     /** A matrix of Trilinos from rows in which indices, of @p columns, may repeat; rows without
      * entries get @p diagonal. */
-    std::unique_ptr<Epetra_CrsMatrix>
+    std::unique_ptr<NodalMatrix>
     epetra_matrix(const Epetra_Map &map,
                   const Epetra_Map &columns,
                   const Compressed &rows,
@@ -147,7 +147,7 @@ namespace fuga
           read_row(row);
           counts[row] = static_cast<int>(entries.size());
         }
-      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, map, columns, counts.data(), true);
+      auto matrix = std::make_unique<NodalMatrix>(Copy, map, columns, counts.data(), true);
       std::vector<int> indices;
       std::vector<double> values;
       for (std::size_t row = 0; row < counts.size(); ++row)
@@ -216,5 +216,6 @@ namespace fuga
     const Epetra_Map columns = map_of_columns(system->map, interior);
     system->K =
       epetra_matrix(system->map, columns, interior, sum_of_diagonal / std::max(1, n_rows));
+    system->K->finish(blocks.block_size);
   }
 } // namespace fuga

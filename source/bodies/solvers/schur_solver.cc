@@ -254,7 +254,7 @@ namespace fuga
     if (n_kept == 0)
       {
         solution = of_all;
-        solve(solution);
+        solve(solution, Digits::first);
       }
     else
       {
@@ -270,7 +270,7 @@ namespace fuga
 
 
   void
-  SchurSolver::solve(DenseMatrix &loads)
+  SchurSolver::solve(DenseMatrix &loads, const Digits)
   {
     if (nothing_to_eliminate)
       {

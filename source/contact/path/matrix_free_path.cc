@@ -20,8 +20,10 @@ namespace fuga
     /** Of the residual, by its 2-norm, to the largest force: bodies are in equilibrium as a whole
      * to the root of the number of bars times this, and the certificate is to be below 1e-9. */
     constexpr double tolerance = 1e-11;
-    /** Of a linear solution: while schemes change, and when they do not any more. */
+    /** Of a linear solution: while schemes change, and, when they do not any more, at most. */
     constexpr double rough = 1e-3, fine = 1e-9;
+    /** Of a residual that is to be within the tolerance behind a linear solution. */
+    constexpr double margin = 0.3;
     constexpr int max_steps = 80;
     /** Schemes lead further if the residual may grow at first, but not for ever: they would come
      * round again. */
@@ -85,7 +87,7 @@ namespace fuga
   MatrixFreePath::jumps(const double t, const Trial &trial) const
   {
     Vector result = imposed_jumps(t);
-    add_multiple(1., multiply(bodies.jump_operator(), trial.x), result);
+    add_multiple(1., multiply(bodies.jump_operator(), trial.bodies.x), result);
     layers.enlarge(result);
     return result;
   }
@@ -111,7 +113,7 @@ namespace fuga
     Vector pressed = trial.forces;
     add_multiple(-1., from.water, pressed);
     trial.residual = multiply(bodies.load_patterns(), history.factors(t));
-    add_multiple(-1., trial.Sx, trial.residual);
+    add_multiple(-1., trial.bodies.resistance, trial.residual);
     add_multiple(-1., multiply_transposed(bodies.jump_operator(), pressed), trial.residual);
   }
 
@@ -139,10 +141,8 @@ namespace fuga
     for (double length = longest; length >= shortest * longest; length *= 0.5)
       {
         Trial trial;
-        trial.x  = at.x;
-        trial.Sx = at.Sx;
-        add_multiple(length, step.x, trial.x);
-        add_multiple(length, step.resistance, trial.Sx);
+        trial.bodies = at.bodies;
+        trial.bodies.add(length, step);
         evaluate(from, t, trial);
         const double rest = std::sqrt(dot(trial.residual, trial.residual));
         if (rest < least)
@@ -164,8 +164,8 @@ namespace fuga
     Trial reached;
     Vector of_bodies = system.jumps(from.dislocations, from.forces);
     add_multiple(-1., imposed_jumps(from.t), of_bodies);
-    reached.x      = multiply_transposed(dual, of_bodies);
-    reached.Sx     = bodies.resistance(reached.x);
+    reached.bodies.x = multiply_transposed(dual, of_bodies);
+    solver.refine(reached.bodies);
     reached.forces = from.forces;
     double done = 0., piece = 1.;
     while (piece >= shortest_part)
@@ -230,13 +230,15 @@ namespace fuga
   {
     bool is_exact        = true;
     const double loading = max_abs(multiply(bodies.load_patterns(), history.factors(t)));
-    double accuracy      = rough;
+    bool is_near         = false;
     ++iteration_count.n_solutions;
     evaluate(from, t, trial);
     for (int count = 0;; ++count)
       {
-        const double scale = std::max({loading, max_abs(trial.forces), max_abs(trial.Sx)});
-        if (std::sqrt(dot(trial.residual, trial.residual)) <= tolerance * scale)
+        const double scale =
+          std::max({loading, max_abs(trial.forces), max_abs(trial.bodies.resistance)});
+        const double rest = std::sqrt(dot(trial.residual, trial.residual));
+        if (rest <= tolerance * scale)
           {
             if (layers.defect(trial.forces) > tolerance * scale)
               layers.update(trial.forces);
@@ -244,7 +246,7 @@ namespace fuga
               return true;
             else
               {
-                trial.Sx = bodies.resistance(trial.x);
+                solver.refine(trial.bodies);
                 is_exact = true;
               }
             evaluate(from, t, trial);
@@ -252,13 +254,16 @@ namespace fuga
           }
         if (count == max_steps)
           return false;
-        const auto states = trial.states;
-        const TangentSolver::Solution step =
-          solver.solve_with_bars(trial.tangents, trial.residual, accuracy);
+        const auto states                  = trial.states;
+        const TangentSolver::Solution step = solver.solve_with_bars(
+          trial.tangents,
+          trial.residual,
+          trial.bodies,
+          is_near ? std::clamp(margin * tolerance * scale / rest, fine, rough) : rough);
         trial = line_search(from, t, trial, step, count < free_steps ? harmless_growth : 1.);
-        if (trial.x.empty())
+        if (trial.states.empty())
           return false;
-        accuracy = trial.states == states ? fine : rough;
+        is_near  = trial.states == states;
         is_exact = false;
         ++iteration_count.n_iterations;
         iteration_count.max_in_one =

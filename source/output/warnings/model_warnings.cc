@@ -123,6 +123,52 @@ namespace fuga
               unit));
         }
     }
+
+    /** Of the corners of one cell the largest distance to the smallest; the largest of all cells.
+     */
+    template <int dim>
+    double
+    stretch_of_cells(const Discretization<dim> &space)
+    {
+      double result = 1.;
+      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
+        {
+          const unsigned int *nodes = space.cell_nodes(cell);
+          double least = std::numeric_limits<double>::infinity(), largest = 0.;
+          for (std::size_t i = 0; i < space.reference_element().n_corners(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+              {
+                const double distance = space.position(nodes[i]).distance(space.position(nodes[j]));
+                least                 = std::min(least, distance);
+                largest               = std::max(largest, distance);
+              }
+          result = std::max(result, largest / least);
+        }
+      return result;
+    }
+
+    /** Multigrid that joins neighbours alike in all directions smooths badly along thin cells. */
+    template <int dim>
+    void
+    warn_of_stretched_cells(const Parameters &parameters,
+                            const CondensedSystem<dim> &system,
+                            std::vector<std::string> &warnings)
+    {
+      constexpr double usual  = 10.;
+      const BodySolver solver = parameters.model.body_solver;
+      if (solver == BodySolver::automatic || is_direct(solver))
+        return;
+      const double stretch = stretch_of_cells(system.discretization());
+      if (stretch > usual)
+        warnings.push_back(fmt::format(
+          "Solver/Bodies = {}: cells are up to {:.3g} times as long as wide, usual is at most "
+          "{:g}. "
+          "Conjugate gradients with multigrid need the more iterations the longer cells are; "
+          "direct does not care.",
+          name_of(solver),
+          stretch,
+          usual));
+    }
   } // namespace
 
 
@@ -146,6 +192,7 @@ namespace fuga
           warnings.push_back(text);
         warn_of_waves(parameters, system, warnings);
         warn_of_size(parameters, system, warnings);
+        warn_of_stretched_cells(parameters, system, warnings);
       }
     ImplausibleLoads<dim> loads(parameters, system, load_factors);
     for (unsigned int stage = first_stage; stage < end_stage; ++stage)

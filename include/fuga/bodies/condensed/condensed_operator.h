@@ -7,6 +7,7 @@
 #include <fuga/base/numerics/sparse_operator.h>
 #include <fuga/bodies/condensed/body_model.h>
 #include <fuga/bodies/solvers/bodies_work.h>
+#include <fuga/bodies/solvers/interior_solver.h>
 #include <fuga/bodies/solvers/rigid_projection.h>
 #include <fuga/contact/system/tangent_solver.h>
 
@@ -14,8 +15,6 @@
 
 namespace fuga
 {
-  struct SymmetricTriplets;
-  class InteriorSolver;
   class IterativeSolver;
 
 
@@ -90,9 +89,14 @@ namespace fuga
     Vector
     stiffness_of_lips() const;
 
+    /** TangentSolver::refine(). */
+    void
+    refine(TangentSolver::Solution &solution) const;
+
     TangentSolver::Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
                     const Vector &r,
+                    const TangentSolver::Solution &so_far,
                     const double tolerance) const;
 
     /** Condensed loads of the patterns, by columns; @p motion_loads: their work on the motions. */
@@ -142,13 +146,19 @@ namespace fuga
     DenseMatrix
     loads_out_of_balance(const std::vector<LoadPattern> &patterns) const;
 
+    /** What a motion of the bodies with these jumps does inside; empty if they have no motions. */
+    Vector
+    interior_of_motion(const Vector &jumps) const;
+
     /** S x by columns, from the displacements that the jumps x cause. */
     DenseMatrix
     resistance_of_bodies(const DenseMatrix &x) const;
 
     /** Adds to every u the bonded response to what is out of balance under its loads. */
     void
-    solve_bonded(const std::vector<Vector> &loads, std::vector<Vector> &u) const;
+    solve_bonded(const std::vector<Vector> &loads,
+                 std::vector<Vector> &u,
+                 const InteriorSolver::Digits digits) const;
 
     /** Columns for which one pass over the factors serves. */
     static constexpr std::size_t at_once = 16;

@@ -71,12 +71,19 @@ namespace fuga
       return condensed.stiffness_of_lips();
     }
 
+    void
+    refine(Solution &solution) const override
+    {
+      condensed.refine(solution);
+    }
+
     Solution
     solve_with_bars(const std::vector<ElementStiffness> &of_elements,
                     const Vector &r,
+                    const Solution &so_far,
                     const double tolerance) const override
     {
-      return condensed.solve_with_bars(of_elements, r, tolerance);
+      return condensed.solve_with_bars(of_elements, r, so_far, tolerance);
     }
 
     unsigned int

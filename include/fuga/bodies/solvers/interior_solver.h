@@ -44,13 +44,22 @@ namespace fuga
     virtual DenseMatrix
     eliminate(SymmetricTriplets &matrix, const unsigned int n_kept) = 0;
 
-    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of @p loads, which is overwritten. */
+    /** Which digits a solution is to bring: those of a load, or those of what a solution has left
+     * of it. */
+    enum class Digits
+    {
+      first,
+      last
+    };
+
+    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of @p loads, which is overwritten. F_i is what a
+     * solution has left. */
     virtual DenseMatrix
     condense(DenseMatrix &loads) = 0;
 
     /** Overwrites every column of @p loads by K_ii⁻¹ load_i, followed by zeros for the kept unknowns. */
     virtual void
-    solve(DenseMatrix &loads) = 0;
+    solve(DenseMatrix &loads, const Digits digits) = 0;
 
     virtual const SolverWork &
     work() const = 0;

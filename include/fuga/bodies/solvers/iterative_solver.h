@@ -41,15 +41,20 @@ namespace fuga
     condense(DenseMatrix &loads) override;
 
     void
-    solve(DenseMatrix &loads) override;
+    solve(DenseMatrix &loads, const Digits digits) override;
+
+    /** Of values of all eliminated coordinates the own rows. */
+    Vector
+    own_rows(const Vector &eliminated) const;
 
     /** Instead of eliminate(): S is not computed. */
     void
     prepare(SymmetricTriplets &matrix, const unsigned int n_kept);
 
-    /** S x. */
+    /** S x. @p interior, the own rows of what x causes inside, is refined; empty if it is not
+     * known. */
     Vector
-    resistance(const Vector &x);
+    resistance(const Vector &x, Vector &interior);
 
     /**
      * Solves (S + C) x = r, C of @p bars, for all unknowns at once: GMRES, for slipping elements are
@@ -58,6 +63,7 @@ namespace fuga
     TangentSolver::Solution
     solve_with_bars(const std::vector<BlockOfCoordinates> &bars,
                     const Vector &r,
+                    const TangentSolver::Solution &so_far,
                     const double tolerance);
 
     const SolverWork &
@@ -94,10 +100,14 @@ namespace fuga
     give_own(const double *own, double *solution) const;
     /** Own rows of the solutions for @p n columns of @p loads from @p first on. */
     DenseMatrix
-    own_solutions(const DenseMatrix &loads, const std::size_t first, const std::size_t n);
-    /** Solves for the columns of @p loads (own rows x any number), which it overwrites. */
+    own_solutions(const DenseMatrix &loads,
+                  const std::size_t first,
+                  const std::size_t n,
+                  const double tolerance);
+    /** Adds to the columns of @p solutions (own rows x any number) what they lack under those of
+     * @p loads, which it overwrites. */
     void
-    solve_columns(DenseMatrix &loads, const double tolerance);
+    solve_columns(DenseMatrix &loads, DenseMatrix &solutions, const double tolerance);
 
     NodalBlocks blocks;
     std::unique_ptr<System> system;

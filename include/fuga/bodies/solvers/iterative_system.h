@@ -4,19 +4,21 @@
 #ifndef fuga_bodies_solvers_iterative_system_h
 #define fuga_bodies_solvers_iterative_system_h
 
-#include <Epetra_CrsMatrix.h>
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
 #include <fuga/bodies/processes.h>
 #include <fuga/bodies/solvers/iterative_solver.h>
+#include <fuga/bodies/solvers/nodal_matrix.h>
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <mpi.h>
 
 namespace fuga
 {
-  /** Relative residuals: of what S is made of, and of other solutions, which are refined. */
-  constexpr double tolerance_of_columns = 1e-11, tolerance_of_solutions = 1e-9;
+  /** Relative residuals: of what S is made of, of other solutions, and of what is solved for what
+   * these have left: all digits together. */
+  constexpr double tolerance_of_columns = 1e-11, tolerance_of_solutions = 1e-9,
+                   tolerance_of_remainders = 1e-6;
 
   /** Compressed rows (or columns) of a sparse matrix. */
   struct Compressed
@@ -100,7 +102,7 @@ namespace fuga
 
     Epetra_MpiComm comm;
     Epetra_Map map;
-    std::unique_ptr<Epetra_CrsMatrix> K;
+    std::unique_ptr<NodalMatrix> K;
     /** Own rows of K_ic by columns; what the own cells give to K_cc, by rows of one triangle. */
     Compressed coupling, kept;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> multigrid;

@@ -50,7 +50,7 @@ namespace fuga
     condense(DenseMatrix &loads) override;
 
     void
-    solve(DenseMatrix &loads) override;
+    solve(DenseMatrix &loads, const Digits digits) override;
 
     /** All unknowns under the load that condense() had last, one column, if the kept ones are @p
      * kept: the second half of a solution. */

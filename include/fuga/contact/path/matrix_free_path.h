@@ -42,10 +42,11 @@ namespace fuga
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
 
-    /** Coordinates of the bodies with S x and the elements' response to their jumps. */
+    /** The bodies and the elements' response to their jumps. */
     struct Trial
     {
-      Vector x, Sx, forces, residual;
+      TangentSolver::Solution bodies;
+      Vector forces, residual;
       std::vector<ContactState> states;
       std::vector<ElementStiffness> tangents;
       Vector dilations;

@@ -24,6 +24,11 @@ namespace fuga
       Vector x;
       /** S x, to the accuracy of the solution. */
       Vector resistance;
+      /** Displacements inside the bodies, for refine(); empty if they are not known. */
+      Vector interior;
+
+      void
+      add(const double factor, const Solution &step);
     };
 
     virtual ~TangentSolver() = default;
@@ -35,13 +40,20 @@ namespace fuga
 
     /**
      * Solves (S + Bᵀ C B) x = r with C of @p bars, one per contact element, to the relative residual
-     * @p tolerance.
+     * @p tolerance. What the solution @p so_far, which this one is to be added to, has left inside
+     * the bodies is solved for with it.
      * @throws NumericalFailure
      */
     virtual Solution
     solve_with_bars(const std::vector<ElementStiffness> &bars,
                     const Vector &r,
+                    const Solution &so_far,
                     const double tolerance) const = 0;
+
+    /** Makes the resistance to x exact: of a sum of solutions with little to be done, of x alone
+     * from the beginning. */
+    virtual void
+    refine(Solution &solution) const = 0;
   };
 } // namespace fuga
 
