@@ -59,7 +59,7 @@ namespace
     bool print_parameters  = false;
   };
 
-  /** A line on a terminal that is gone when this object ends. */
+  /** A line on a terminal that disappears when this object is destroyed. */
   class PassingLine
   {
   public:
@@ -163,7 +163,7 @@ namespace
     return checkpoint.exit_code;
   }
 
-  // Without a report the results and the verdict are what they are.
+  // Write the report after a run. If that fails, the results and the verdict are still valid.
   void
   report_after_run(const OutputSettings &output)
   {
@@ -177,7 +177,7 @@ namespace
       }
   }
 
-  /** What a run that ended before its end left, and how to go on. */
+  /** Return what a run that ended early has left, and how to continue. */
   std::string
   advice(const std::string &directory)
   {

@@ -7,7 +7,7 @@ namespace fuga
 {
   namespace
   {
-    /** Whether a character of UTF-8 goes on here. */
+    /** Return whether @p byte continues a character of UTF-8. */
     bool
     goes_on(const char byte)
     {

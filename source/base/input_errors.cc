@@ -15,7 +15,7 @@ namespace fuga
   {
     constexpr std::size_t max_shown = 20;
 
-    /** Each of the messages was shortened already. */
+    /** Several input errors; each of their messages has already been shortened. */
     class SeveralErrors : public InputError
     {
     public:

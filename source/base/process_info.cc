@@ -19,8 +19,8 @@ namespace fuga
     constexpr double bytes_per_megabyte     = 1024. * 1024.;
   } // namespace
 
-  // Field 22 of /proc/self/stat is the start of the process in clock ticks since boot; the name in
-  // field 2 may contain blanks, so counting begins behind its closing bracket.
+  // Field 22 of /proc/self/stat is the start of the process in clock ticks since boot. The name in
+  // field 2 may contain blanks, so counting begins after its closing bracket.
   double
   seconds_since_process_start()
   {
@@ -51,7 +51,7 @@ namespace fuga
 
   namespace
   {
-    /** The number that a file begins with; infinity if there is none ("max"). */
+    /** Return the number that a file begins with; infinity if there is none ("max"). */
     double
     number_in(const std::string &path)
     {

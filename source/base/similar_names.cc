@@ -17,8 +17,8 @@ namespace fuga
       return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
 
-    /** Number of letters to insert, delete, replace or exchange with their neighbour; capitals and
-     * small letters are the same. */
+    /** Return the number of letters to insert, delete, replace or exchange with their neighbour;
+     * capital and small letters are considered equal. */
     std::size_t
     edit_distance(const std::string &a, const std::string &b)
     {
@@ -56,7 +56,7 @@ namespace fuga
         const auto [shorter, longer] = std::minmax({wrong.size(), name.size()});
         const std::size_t allowed    = std::max<std::size_t>(1, (shorter + 1) / 3);
         if (longer - shorter > allowed)
-          continue; // so many letters are to be inserted at least: no need to count
+          continue; // at least this many letters are to be inserted: no need to count
         const std::size_t distance = edit_distance(wrong, name);
         if (distance <= allowed)
           close.emplace_back(distance, name);

@@ -23,7 +23,7 @@ namespace fuga::work
       return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
 
-    // What the process did before its first phase counts as work on the model.
+    // The work of the process before its first phase counts as work on the model.
     double last = 0.;
 
     void

@@ -30,7 +30,7 @@ namespace fuga
         {
           stress.initialize("w", stress_expression, constants);
           tangent.initialize("w", tangent_expression, constants);
-          // Syntax errors come at the first evaluation only.
+          // Syntax errors only appear at the first evaluation.
           stress.value(dealii::Point<1>(0.));
           tangent.value(dealii::Point<1>(0.));
         }
@@ -68,10 +68,9 @@ namespace fuga
     return w > 0. && std::abs(tangent(w) * first_compliance - 1.) <= small_change;
   }
 
-  // Near w = 0 the terms of an expression cancel, as in √(1 + w) - 1, and what is left of them is a
-  // staircase on which Newton's method of a path finds no equilibrium. The tangent has no need to
-  // vanish there, so that its integral keeps all digits; with x = w s³ it is smooth for roots as
-  // well.
+  // Near w = 0 the terms of an expression cancel, as in √(1 + w) - 1, and the rest is a staircase
+  // on which the Newton method of a path finds no equilibrium. The tangent need not vanish there,
+  // so that its integral keeps all digits; with x = w s³ it is smooth for roots as well.
   double
   ExpressionLaw::stress(const double w) const
   {
@@ -91,11 +90,11 @@ namespace fuga
   {
     using Rule = boost::math::quadrature::gauss<double, 15>;
 
-    /** An interval with one application of the rule to each half. */
+    /** An interval, with one application of the rule to each half. */
     struct Part
     {
       double begin, end, left, right;
-      /** By how much both halves differ from one application to the whole. */
+      /** Difference between one application of the rule to both halves and one to the whole. */
       double defect;
 
       double
@@ -122,9 +121,10 @@ namespace fuga
     }
 
     /**
-     * ∫f over [0, 1], the part with the largest defect halved first. An expression is known to its
-     * rounding errors only, and where its terms cancel these are large: where halving does not
-     * reduce small defects any more, they are noise, and more parts would not mend it.
+     * Return ∫f over [0, 1], where the part with the largest defect is halved first. An expression
+     * is known only up to its rounding errors, and where its terms cancel these are large. Where
+     * halving does not reduce small defects any more, they are noise, and more parts would not
+     * help.
      */
     template <typename Function>
     double
@@ -161,9 +161,9 @@ namespace fuga
     }
   } // namespace
 
-  // Where the stress is an integral of the tangent, of both integrals that of x inside is done at
-  // once (Cauchy's formula for repeated integration): ∫ (w - x) σ'(x) dx. x = w s³ makes a root of
-  // x at x = 0, as in law (9), smooth.
+  // Where the stress is an integral of the tangent, the inner one of the two integrals over x is
+  // evaluated at once (Cauchy's formula for repeated integration): ∫ (w - x) σ'(x) dx. The
+  // substitution x = w s³ makes a root of x at x = 0, as in law (9), smooth.
   double
   ExpressionLaw::energy(const double w) const
   {
@@ -181,7 +181,8 @@ namespace fuga
       [this, w](const double s) { return 3. * w * s * s * stress(w * s * s * s); });
   }
 
-  // A bracket: doubled, or half of the rest of the way to the limit, until the stress is passed.
+  // The bracket is doubled, or extended by half of the remaining distance to the limit, until the
+  // stress is exceeded.
   double
   ExpressionLaw::deformation(const double sigma) const
   {

@@ -57,7 +57,8 @@ namespace fuga
       {
         parser->initialize(variables + ",t", filled, all_constants, true);
         for (unsigned int c = 0; c < filled.size(); ++c)
-          parser->value(dealii::Point<dim>(), c); // syntax errors come at the first evaluation only
+          parser->value(dealii::Point<dim>(), c); // syntax errors only appear at the first
+                                                  // evaluation
       }
     catch (const dealii::ExceptionBase &error)
       {

@@ -13,7 +13,7 @@ namespace fuga
 {
   namespace
   {
-    /** "file:line: " or nothing. */
+    /** Return "file:line: " or nothing. */
     std::string
     where(const std::string &origin)
     {
@@ -37,7 +37,7 @@ namespace fuga
       return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
     }
 
-    /** All names in a sentence, and the one that may be meant. */
+    /** Append to a sentence all names, and the one that may be meant. */
     std::string
     with_hint(const std::string &sentence,
               const std::string &wrong,
@@ -99,7 +99,7 @@ namespace fuga
                                  count[body] == 0 ? "no" : std::to_string(count[body])));
     }
 
-    /** @p number: of the condition in the model. */
+    /** Check one condition; @p number is its number in the model. */
     void
     check_condition(const JointedMesh &mesh, const ModelDefinition &model, const std::size_t number)
     {
@@ -201,7 +201,7 @@ namespace fuga
               "xyz"[c]));
     }
 
-    /** Boundaries that only dynamic stages know. */
+    /** Check the boundaries that only dynamic stages use. */
     void
     check_boundaries(const JointedMesh &mesh, const NamedBoundaries &boundaries)
     {

@@ -20,7 +20,7 @@ namespace fuga
     struct State
     {
       int number = 1, rank = 0;
-      /** For MUMPS: its messages are not taken for ours. */
+      /** Communicator for MUMPS, so that its messages are not taken for those of this program. */
       MPI_Comm others = MPI_COMM_NULL;
       bool separated  = false;
       std::vector<double> memory;
@@ -51,7 +51,7 @@ namespace fuga
       std::atexit(finalise_mpi);
     }
 
-    /** Open MPI's mpirun, and launchers that speak PMIx or PMI. */
+    /** Return whether a launcher is present: Open MPI's mpirun, or one that uses PMIx or PMI. */
     bool
     has_launcher()
     {
@@ -61,7 +61,7 @@ namespace fuga
       return false;
     }
 
-    /** MPI counts by int. */
+    /** Call @p action for portions of n, since MPI counts by int. */
     template <typename Action>
     void
     in_portions(const std::size_t n, const Action &action)
@@ -78,7 +78,7 @@ namespace fuga
   {
     if (!has_launcher())
       return;
-    // Who waits while the first process works alone leaves his core to others.
+    // A process that waits while the first one works alone leaves its core to others.
     setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
     initialise_mpi();
     State &all = state();
@@ -170,7 +170,8 @@ namespace fuga
   }
 
 
-  // A sum over all at once may be rounded differently on every process: the first one adds.
+  // A sum over all processes at once may be rounded differently on each of them, so the first one
+  // adds.
   void
   processes::sum(double *values, const std::size_t n)
   {
@@ -249,13 +250,13 @@ namespace fuga
   {
     if (number() > 1)
       return MPI_Comm_c2f(state().others);
-    // A program that no launcher started has nobody to talk to: do not open any network.
+    // A program that no launcher started has nobody to communicate with, so no network is opened.
     if (!has_launcher())
       {
         setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
         setenv("OMPI_MCA_btl", "self", 0);
         setenv("OMPI_MCA_pml", "ob1", 0);
-        // Runs that begin and end at the same time would delete each other's session directory.
+        // Runs that begin and end at the same time would delete each other's session directories.
         setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
       }
     initialise_mpi();

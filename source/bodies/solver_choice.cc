@@ -9,19 +9,23 @@ namespace fuga
 {
   namespace
   {
-    /** Measured (doc/scaling.md); within a factor of two or three on other machines. */
+    /** Measured values (doc/scaling.md); they are correct within a factor of two or three on other
+     * machines. */
     constexpr double operations_per_second   = 1.2e10;
     constexpr double seconds_per_entry       = 5e-9;
     constexpr double bytes_per_entry         = 64.;
     constexpr double iterations_in_the_plane = 30.;
     constexpr double iterations_in_space     = 40.;
-    /** Two stages with their schemes and their judgement, loads included. */
+    /** Number of solutions in two stages with their schemes and their judgement, and for the
+     * loads. */
     constexpr double solutions_matrix_free = 30., solutions_of_loads = 6.;
     constexpr double bytes_per_megabyte = 1024. * 1024.;
-    /** Of the machine's memory; the rest is for the system, the fields and other programs. What is
-     * free at the moment does not enter: the same input takes the same solver on a busy day. */
+    /** Share of the machine's memory that may be used; the rest is for the system, the fields and
+     * other programs. The memory that is free at the moment does not matter: the same input takes
+     * the same solver on a busy day. */
     constexpr double usable_share = 0.7;
-    /** A factor is worth this much more time: every further solution with it costs little. */
+    /** Factor of additional time that a factorisation is worth, because every further solution with
+     * it costs little. */
     constexpr double worth_of_a_factor = 4.;
   } // namespace
 

@@ -31,7 +31,7 @@ namespace fuga
                                       {LayerLaw::tabular, "tabular", true},
                                       {LayerLaw::expression, "expression", true}};
 
-    /** The layer of a joint as one direction sees it. */
+    /** The layer of a joint as seen in one direction. */
     struct View
     {
       LayerLaw law;

@@ -10,8 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** ρ = 0. The stress is a reaction, so the four functions of the deformation have no meaning.
-     */
+    /** The law ρ = 0. The stress is a reaction, so the four functions of the deformation have no
+     * meaning. */
     class RigidLaw : public ComplianceLaw
     {
     public:

@@ -11,8 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** -ln(1-q) without its first terms: Σ q^k/k from k = @p first on. The closed form cancels for
-     * small q, the series does not. */
+    /** Return -ln(1-q) without its first terms, i.e. Σ q^k/k beginning with k = @p first. The
+     * closed form cancels for small q, the series does not. */
     double
     rest_of_logarithm(const double q, const int first)
     {
@@ -89,14 +89,15 @@ namespace fuga
     return stiffness(w);
   }
 
-  // ∫σ dw with w = ζq³ is (3ζ²/ρ)∫q⁵/(1-q) dq.
+  // With w = ζq³, ∫σ dw is (3ζ²/ρ)∫q⁵/(1-q) dq.
   double
   CubicRootLaw::energy(const double w) const
   {
     return 3. * thickness * thickness / compliance * rest_of_logarithm(root(w), 6);
   }
 
-  // σρ/ζ = q³/(1-q) is increasing and convex in q: Newton from the right converges monotonically.
+  // σρ/ζ = q³/(1-q) is increasing and convex in q, so that Newton's method converges monotonically
+  // from the right.
   double
   CubicRootLaw::deformation(const double sigma) const
   {
@@ -127,7 +128,7 @@ namespace fuga
   {
   }
 
-  // ∫dw/(1-q) with w = ζq³ is 3ζ∫q²/(1-q) dq.
+  // With w = ζq³, ∫dw/(1-q) is 3ζ∫q²/(1-q) dq.
   double
   CubicRootTangentLaw::stress(const double w) const
   {
@@ -140,7 +141,7 @@ namespace fuga
     return stiffness(w);
   }
 
-  // By parts: ∫σ dw = σw - ∫w dσ, and ∫w dσ = (3ζ²/ρ)∫q⁵/(1-q) dq.
+  // Integration by parts gives ∫σ dw = σw - ∫w dσ, where ∫w dσ = (3ζ²/ρ)∫q⁵/(1-q) dq.
   double
   CubicRootTangentLaw::energy(const double w) const
   {
@@ -149,9 +150,9 @@ namespace fuga
            (q * q * q * rest_of_logarithm(q, 3) - rest_of_logarithm(q, 6));
   }
 
-  // The stress is increasing and convex in q: Newton from the right converges monotonically. Both
-  // bounds of q follow from dropping all terms of the series but the first, and from q + q²/2 <
-  // 3/2.
+  // The stress is increasing and convex in q, so that Newton's method converges monotonically from
+  // the right. Both bounds of q follow from dropping all terms of the series but the first, and
+  // from q + q²/2 < 3/2.
   double
   CubicRootTangentLaw::deformation(const double sigma) const
   {

@@ -10,9 +10,9 @@ namespace fuga
 {
   namespace
   {
-    /** β c0: a hundredth of the reference stress remains where contact begins. */
+    /** The value of β c0: a hundredth of the reference stress remains where contact begins. */
     const double decay = std::log(100.);
-    /** Length of the foot as share of c0. */
+    /** Length of the foot as a share of c0. */
     constexpr double foot_share = 0.05;
 
     LawFoot

@@ -26,8 +26,8 @@ namespace fuga
     return 1. / (compliance * rest * rest);
   }
 
-  // With u = w/V_m: (V_m²/ρ0) (-ln(1 - u) - u). For small u the difference cancels; its series
-  // Σ u^k/k from k = 2 on does not.
+  // With u = w/V_m the energy is (V_m²/ρ0) (-ln(1 - u) - u). For small u the difference cancels;
+  // its series Σ u^k/k, which begins with k = 2, does not.
   double
   HyperbolicLaw::energy(const double w) const
   {

@@ -13,14 +13,15 @@ namespace fuga
   {
     using Problem = std::optional<LawProblem>;
 
-    /** First deformation tested, and ratio of two neighbours, far from a limit. */
+    /** First deformation that is tested, and ratio of two neighbouring ones, far from a limit. */
     constexpr double first_share = 1e-6;
     constexpr double growth      = 1.2;
-    /** No more than so many deformations: a law may never reach the largest stress. */
+    /** Largest number of deformations, because a law may never reach the largest stress. */
     constexpr int max_samples = 400;
     /** Remaining share of the way to a limit that is tested last. */
     constexpr double closest_to_limit = 1e-6;
-    /** Step of the difference that the tangent is compared with, relative to the deformation. */
+    /** Step of the difference quotient that the tangent is compared with, relative to the
+     * deformation. */
     constexpr double difference_step     = 1e-5;
     constexpr double tangent_tolerance   = 1e-4;
     constexpr double identity_tolerance  = 1e-8;
@@ -33,7 +34,7 @@ namespace fuga
       return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
     }
 
-    /** ∫ f dw by Gauss's rule with five points. */
+    /** Return ∫ f dw by Gauss's rule with five points. */
     template <typename Function>
     double
     integral(const Function &f, const double a, const double b)
@@ -47,7 +48,7 @@ namespace fuga
       return h * sum;
     }
 
-    /** Size of the deformations that matter. */
+    /** Return the size of the relevant deformations. */
     double
     scale_of(const ComplianceLaw &law, const double stress)
     {
@@ -123,7 +124,8 @@ namespace fuga
         return problem;
       if (!is_close(law.secant(w) * w, stress, identity_tolerance))
         return {{w, "the secant is not stress/deformation"}};
-      // Close to a limit the stress knows the deformation better than the deformation the stress.
+      // Close to a limit the stress determines the deformation better than the deformation
+      // determines the stress.
       const double back = law.deformation(stress);
       if (!is_close(law.stress(back), stress, identity_tolerance) &&
           !is_close(back, w, identity_tolerance))

@@ -5,8 +5,8 @@
 
 namespace fuga
 {
-  // Value, slope m and curvature k at ξ = 1: b + c + d = 1 - a, 2b + 3c + 4d = m - a,
-  // 2b + 6c + 12d = k.
+  // The conditions are value, slope m and curvature k at ξ = 1: b + c + d = 1 - a,
+  // 2b + 3c + 4d = m - a, 2b + 6c + 12d = k.
   LawFoot::LawFoot(const double foot_length,
                    const double stress_at_end,
                    const double slope,

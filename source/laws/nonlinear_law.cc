@@ -48,8 +48,8 @@ namespace fuga
         (residual > 0. ? upper : lower) = w;
         const double slope              = tangent(w);
         double next                     = w - residual / slope;
-        // Newton creeps along an exponential: a step must be below half of the last but one. Where
-        // only the slope overflows it would stand still.
+        // Newton's method creeps along an exponential, so a step must be below half of the last but
+        // one. It would stagnate where only the slope overflows.
         if (!(std::isfinite(slope) && next >= lower && next <= upper &&
               std::abs(next - w) <= 0.5 * last_change))
           next = 0.5 * (lower + upper);

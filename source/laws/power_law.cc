@@ -13,10 +13,10 @@ namespace fuga
   {
     /** Secant stiffness at the end of the foot relative to σ_r/w_r, or its inverse for m < 1. */
     constexpr double stiffness_share = 1e-3;
-    /** Shortest foot for m > 1 and for m < 1, as share of w_r. */
+    /** Shortest foot for m > 1 and for m < 1, as a share of w_r. */
     constexpr double shortest_hard = 1e-3;
     constexpr double shortest_soft = 1e-6;
-    /** The cubic foot starts with less than this slope for larger exponents, then falls. */
+    /** For larger exponents the cubic foot starts with less than this slope, which then falls. */
     constexpr double steepest_cubic = 1.6;
     constexpr double quartic_slope  = 0.28;
 

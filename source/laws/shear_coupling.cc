@@ -11,9 +11,9 @@ namespace fuga
 {
   namespace
   {
-    /** Below this tension, as share of σ_r, the stiffness falls no further. */
+    /** Tension, as a share of σ_r, below which the stiffness falls no further. */
     constexpr double largest_tension = 0.9;
-    /** No bracket is looked for beyond. */
+    /** Stress beyond which no bracket is looked for. */
     constexpr double largest_stress = 1e200;
   } // namespace
 
@@ -66,9 +66,9 @@ namespace fuga
     return sigma < 0. ? sigma * normal.initial_compliance() : normal.deformation(sigma);
   }
 
-  // Solves w_n(σ) - widening(σ) = w. The widening is ≥ 0 and falls with σ, so the left side
-  // increases and the root lies between σ_n(w) and σ_n(w + widening there), or below any stress
-  // that is enough where the latter is beyond the closure limit.
+  // Solve w_n(σ) - widening(σ) = w. The widening is ≥ 0 and decreases with σ, so the left side
+  // increases and the root lies between σ_n(w) and σ_n(w + widening there), or below any
+  // sufficiently large stress where the latter is beyond the closure limit.
   template <typename Widening>
   double
   ShearCoupling::pressure_at(const double w, const Widening &widening) const
@@ -78,8 +78,8 @@ namespace fuga
       return closure < limit ? normal_stress(closure) : std::numeric_limits<double>::infinity();
     };
     double low = normal_stress(w);
-    // Where the stiffness stops falling the widening is lost at once, so that a layer which shear
-    // alone keeps pressed could be under that tension as well: it stays pressed.
+    // Where the stiffness stops falling the widening is lost at once, so that a layer which is kept
+    // pressed by shear alone could be under that tension as well; it stays pressed.
     if (low <= -largest_tension * scale)
       {
         const double above = std::nextafter(-largest_tension * scale, 0.);
@@ -97,8 +97,8 @@ namespace fuga
                                               std::max(std::abs(low), std::abs(high));
          ++i)
       {
-        // σ ← σ_n(w + widening(σ)): a contraction when the widening is small; else the bracket is
-        // halved.
+        // The iteration σ ← σ_n(w + widening(σ)) is a contraction when the widening is small;
+        // otherwise the bracket is halved.
         const double next = stress(w + widening(s));
         if (next < s)
           high = s;
@@ -133,8 +133,9 @@ namespace fuga
     return {sigma, k.value * e, slope, shear_slope, k.value + k.first * e * shear_slope};
   }
 
-  // With a closure: σ_n(w) + ½τ²k_t'/k_t² = σ, whose second term is ≥ 0 and grows with w, for m < 1
-  // beyond bounds at w_c: sheared lips stay below w_c where the normal law alone passes it.
+  // With a closure the equation is σ_n(w) + ½τ²k_t'/k_t² = σ, whose second term is ≥ 0 and grows
+  // with w, for m < 1 beyond bounds at w_c: sheared lips stay below w_c where the normal law alone
+  // passes it.
   ShearCoupling::Deformation
   ShearCoupling::deformation(const double sigma, const double tau) const
   {

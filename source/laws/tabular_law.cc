@@ -18,8 +18,8 @@ namespace fuga
 
     using Values = std::vector<double>;
 
-    /** One-sided formula for a parabola through three points, limited so that it keeps the shape.
-     */
+    /** Return the slope at an end by the one-sided formula for a parabola through three points,
+     * limited so that it preserves the shape. */
     double
     end_slope(const double h0, const double h1, const double slope0, const double slope1)
     {
@@ -27,7 +27,8 @@ namespace fuga
       return std::clamp(slope, smallest_end_slope * slope0, 3. * slope0);
     }
 
-    /** Slopes at the points: the weighted harmonic mean of those of the intervals. */
+    /** Return the slopes at the points, i.e. the weighted harmonic mean of those of the
+     * intervals. */
     Values
     spline_slopes(const Values &h, const Values &slopes)
     {
@@ -46,7 +47,7 @@ namespace fuga
       return d;
     }
 
-    /** Lengths and slopes of the intervals. */
+    /** Return lengths and slopes of the intervals. */
     std::pair<Values, Values>
     intervals_of(const std::vector<TabularLaw::Point> &table)
     {

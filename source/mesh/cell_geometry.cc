@@ -15,7 +15,8 @@ namespace fuga
   {
     using Point = std::array<double, 3>;
 
-    /** Jacobians below this times (largest edge at the corner)^dim are zero but for rounding. */
+    /** Jacobians below this value times (largest edge at the corner)^dim are zero up to
+     * rounding. */
     constexpr double flat = 1e-12;
 
     Point
@@ -40,7 +41,8 @@ namespace fuga
      */
     using Corner = std::array<unsigned int, 4>;
 
-    /** One corner is enough for simplices, their Jacobian is constant. */
+    /** Return the corners to check. One corner is sufficient for simplices, because their Jacobian
+     * is constant. */
     std::pair<const Corner *, unsigned int>
     corners(const CellShape shape)
     {
@@ -69,7 +71,8 @@ namespace fuga
         }
     }
 
-    /** Jacobian at a corner, divided by the lengths of the edges so that it is a pure number. */
+    /** Return the Jacobian at a corner, divided by the lengths of the edges so that it is a pure
+     * number. */
     double
     scaled_jacobian(const JointedMesh::Cell &cell,
                     const Corner &corner,
@@ -156,7 +159,7 @@ namespace fuga
     const Point b = vertices[face[2]] - origin;
     if (shape == CellShape::triangle)
       return 0.5 * std::sqrt(dot(cross(a, b), cross(a, b)));
-    // half the cross product of the diagonals: exact if plane
+    // half the cross product of the diagonals is exact for a plane face
     const Point d = cross(b, vertices[face[3]] - vertices[face[1]]);
     return 0.5 * std::sqrt(dot(d, d));
   }

@@ -68,7 +68,8 @@ namespace fuga
   }
 
 
-  /** A counting sort by the smallest vertex: a few half-faces each remain to be sorted. */
+  /** This is a counting sort by the smallest vertex, after which only a few half-faces each remain
+   * to be sorted. */
   void
   FaceTable::sort_half_faces(const JointedMesh &mesh)
   {
@@ -110,7 +111,7 @@ namespace fuga
           const Entry &b = entries[i + 1];
           if (a.others != b.others)
             continue;
-          // neighbours go round their face in opposite directions, all cells being positive
+          // neighbours traverse their face in opposite directions, because all cells are positive
           if (neighbours[a.half_face] != none || same_direction(vertices_of(a), vertices_of(b)))
             throw InputError(fmt::format(
               "{}: cells of '{}' and '{}' overlap at the face at {}; at a face at most two cells "

@@ -11,7 +11,7 @@ namespace fuga
 {
   namespace
   {
-    /** The words of Gmsh for a group of elements, as one writes them in a .geo file. */
+    /** Return Gmsh's word for a group of elements, as written in a .geo file. */
     const char *
     physical_word(const unsigned int dim)
     {
@@ -20,7 +20,7 @@ namespace fuga
       return words[dim];
     }
 
-    /** Makes a GmshMesh of the contents of a file; one use per object. */
+    /** Makes a GmshMesh from the contents of a file; each object can be used once. */
     class Assembly
     {
     public:
@@ -94,9 +94,8 @@ namespace fuga
     }
 
 
-    /** Names are how the parameter file speaks of groups: each must mean one group of its
-     * dimension.
-     */
+    /** The parameter file refers to groups by names, so each name must mean one group of its
+     * dimension. */
     void
     Assembly::check_names() const
     {
@@ -178,8 +177,8 @@ namespace fuga
     }
 
 
-    /** An element without its direction: elements with the same vertices come next to each other.
-     */
+    /** An element without its direction; elements with the same vertices are sorted next to each
+     * other. */
     struct VertexSet
     {
       std::array<unsigned int, 8> vertices;
@@ -200,8 +199,9 @@ namespace fuga
 
 
     /**
-     * Format 2.2 writes an element once for every group it is in: looks for elements with the same
-     * vertices. Elements are counted into bins by their smallest vertex, so that few are compared.
+     * Format 2.2 writes an element once for every group that contains it, so elements with the same
+     * vertices are looked for. Elements are sorted into bins by their smallest vertex, so that few
+     * are compared.
      */
     void
     Assembly::check_overlaps(const unsigned int dim) const
@@ -287,7 +287,7 @@ namespace fuga
     }
 
 
-    /** Takes over the elements that are in a group, with the new vertex numbers. */
+    /** The elements that are in a group are copied, with the new vertex numbers. */
     void
     Assembly::copy(const unsigned int dim, std::vector<MeshEntity> &entities) const
     {

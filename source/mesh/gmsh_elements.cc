@@ -16,7 +16,7 @@ namespace fuga
   NodeNumbers::build(const std::vector<std::int64_t> &tags)
   {
     const std::int64_t largest = tags.empty() ? 0 : *std::max_element(tags.begin(), tags.end());
-    // compared this way round the sum cannot overflow
+    // compared in this way the sum cannot overflow
     if (largest / 4 <= static_cast<std::int64_t>(tags.size()) + 250)
       {
         table.assign(static_cast<std::size_t>(largest) + 1, unknown);
@@ -118,7 +118,7 @@ namespace fuga
                           tag));
       }
     scanner.require_end_of_line("the nodes of an element");
-    // a negative group means the direction against that of the geometry
+    // a negative group means the direction opposite to that of the geometry
     if (group < 0 && dimension(shape) < 3)
       std::reverse(vertices.begin() + (n > 2 ? 1 : 0), vertices.begin() + n);
     const unsigned int dim = dimension(shape);
@@ -154,7 +154,7 @@ namespace fuga
         const std::int64_t n_tags =
           scanner.integer("the number of tags of an element", 0, largest_tag);
         std::array<std::int64_t, 2> tags{};
-        // further tags are about partitions; a count that lies ends with the line
+        // further tags concern partitions; a wrong count ends with the line
         for (std::int64_t t = 0; t < n_tags; ++t)
           {
             const std::int64_t tag =

@@ -18,7 +18,7 @@ namespace fuga
 {
   namespace
   {
-    /** The whole file in one go; grows with what is really there. */
+    /** Read the whole file at once; the string grows with what is really there. */
     std::string
     read_file(const std::string &file_name)
     {
@@ -62,7 +62,7 @@ namespace fuga
     shape_of(const CellShape shape)
     {
       using Type = CellShape;
-      // In the order of CellShape.
+      // The entries are in the order of CellShape.
       static constexpr std::array<Shape, 6> shapes = {{{0, 1, 0, Type::point},
                                                        {1, 2, 2, Type::point},
                                                        {2, 3, 3, Type::line},

@@ -143,7 +143,7 @@ namespace fuga
                     tag,
                     write_again));
     std::string_view name = line.substr(first + 1, last - first - 1);
-    // the parameter file cannot speak of blanks at the ends of a name
+    // the parameter file cannot refer to blanks at the ends of a name
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     while (!name.empty() && (name.back() == ' ' || name.back() == '\t'))
       name.remove_suffix(1);
@@ -291,7 +291,7 @@ namespace fuga
       {
         scanner.require_line("Nodes");
         contents.nodes.push_back(read_point());
-        // places on the curve or surface of the geometry: nothing to us
+        // positions on the curve or surface of the geometry are not used
         for (std::int64_t d = 0; parametric && d < dim; ++d)
           scanner.coordinate("a parametric coordinate of a node");
         scanner.require_end_of_line("the coordinates of a node");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-// What is checked of a joint's definition: the part of JointResolver that opens nothing.
+// The checks of the definition of a joint: the part of JointResolver that opens nothing.
 
 #include <fuga/base/similar_names.h>
 #include <fuga/mesh/cell_geometry.h>
@@ -17,7 +17,7 @@ namespace fuga
 {
   namespace
   {
-    /** Two lips are drawn separately but from the same numbers. */
+    /** Relative tolerance of lengths: two lips are drawn separately but from the same numbers. */
     constexpr double length_tolerance = 1e-9;
   } // namespace
 
@@ -86,8 +86,8 @@ namespace fuga
   }
 
 
-  /** Inside one body only the drawing says which side is plus: it must not turn round on the way.
-   */
+  /** Inside one body only the drawing defines which side is plus, so it must not turn round on the
+   * way. */
   void
   JointResolver::check_direction(const JointDefinition &joint, const Group &line) const
   {

@@ -18,7 +18,7 @@ namespace fuga
       std::set<unsigned int> vertices;
     };
 
-    /** Vertices are counted as they were in the closed mesh. */
+    /** Collect a lip; vertices are counted as they were in the closed mesh. */
     Lip
     collect(const JointedMesh &mesh, const unsigned int label, const SplitVertices &split_vertices)
     {
@@ -44,7 +44,7 @@ namespace fuga
       return fmt::format("{} {}", n, n == 1 ? singular : plural);
     }
 
-    /** "face", "faces" of a lip and its length or area. */
+    /** Return "face" or "faces" of a lip, with its length or area. */
     std::string
     describe_extent(const JointedMesh &mesh, const Lip &lip)
     {

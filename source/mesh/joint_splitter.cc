@@ -17,7 +17,7 @@ namespace fuga
 {
   namespace
   {
-    /** Opens one mesh; one use per object. */
+    /** Opens one mesh; each object can be used once. */
     class Splitter
     {
     public:
@@ -160,8 +160,8 @@ namespace fuga
 
 
     /**
-     * Gives every group of cells around a vertex that is connected through uncut faces its own
-     * copy; the group of the first cell keeps the vertex. Returns the number of groups.
+     * Every group of cells around a vertex that is connected through uncut faces gets its own copy;
+     * the group of the first cell keeps the vertex. The number of groups is returned.
      */
     unsigned int
     Splitter::split_vertex(const FaceTable &table,

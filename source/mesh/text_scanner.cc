@@ -16,7 +16,7 @@ namespace fuga
 {
   namespace
   {
-    /** Beyond this a coordinate is rubbish, and its square or cube may overflow. */
+    /** Size beyond which a coordinate is meaningless, and its square or cube may overflow. */
     constexpr double largest_coordinate = 1e15;
 
     bool
@@ -25,7 +25,7 @@ namespace fuga
       return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
     }
 
-    /** from_chars reports underflow like overflow; only the latter is a mistake of the user's. */
+    /** from_chars reports underflow like overflow; only the latter is a mistake by the user. */
     double
     value_out_of_range(const char *begin, const char *end)
     {

@@ -18,8 +18,9 @@ namespace fuga
   {
     using Quantity = AccuracyTarget::Quantity;
 
-    /** Error of a mesh over the difference to the mesh refined once more, if it falls like the size
-     * of the cells (pressures) or its square (single numbers). */
+    /** Return the ratio of the error of a mesh to its difference from the mesh refined once more,
+     * if the error decreases like the size of the cells (pressures) or its square (single
+     * numbers). */
     double
     error_over_difference(const Quantity quantity)
     {
@@ -50,9 +51,10 @@ namespace fuga
   }
 
 
-  // Every place is looked for in the fine faces that its own face was divided into, where the
-  // pressure is what the shape functions of the face make of that of its nodes. The nodes of the
-  // coarse mesh are among them for degrees 1, 2. A node that hangs on one other is at its place.
+  // Every place is looked for in the fine faces into which its own face was divided, where the
+  // pressure is interpolated from its nodes by the shape functions of the face. For degrees 1 and 2
+  // the nodes of the coarse mesh are among them. A node that hangs on one other node is at its
+  // place.
   template <int dim>
   void
   AccuracyEstimate<dim>::find_places()
@@ -67,7 +69,7 @@ namespace fuga
           {
             places.push_back(
               place_of(shares[0].first, face.positions[i], children.at({face.cell, face.number})));
-            counts[shares[0].first] = false; // the next face need not
+            counts[shares[0].first] = false; // the next face need not be searched for it
           }
     if (places.empty())
       throw InputError(fmt::format(
@@ -77,8 +79,8 @@ namespace fuga
   }
 
 
-  // Children follow each other in the tables, in the order of their parents; a child has the
-  // numbering of faces of its parent.
+  // Children follow each other in the tables, in the order of their parents; a child has the same
+  // numbering of faces as its parent.
   template <int dim>
   auto
   AccuracyEstimate<dim>::fine_faces() const -> FineFaces

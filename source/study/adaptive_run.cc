@@ -22,10 +22,12 @@ namespace fuga
 {
   namespace
   {
-    /** Of the energy of the difference: cells with this share of it are refined. */
+    /** Share of the energy of the difference: the cells that contain this share of it are
+     * refined. */
     constexpr double marked_share = 0.6;
 
-    /** One mesh refined everywhere has this many times the unknowns, about. */
+    /** Approximate factor by which the number of unknowns grows if the mesh is refined
+     * everywhere. */
     template <int dim>
     constexpr std::size_t growth = 1u << dim;
 
@@ -83,14 +85,14 @@ namespace fuga
           replace_model(next);
       }
     model->timer.restart();
-    // The last model has booked how it was made.
+    // The last model has recorded how it was made.
     model->timer.book("finding the mesh",
                       of_first_model + seconds_since(begin) - model->timer.sum());
     return Simulation<dim>(*model, report).run();
   }
 
 
-  // From here on nothing of an earlier run is left, and the summary says that this one is not
+  // From here on nothing of an earlier run is left, and the summary states that this one is not
   // finished.
   template <int dim>
   void
@@ -174,7 +176,8 @@ namespace fuga
   }
 
 
-  // Where stages end and at the end: between, the fields are mixtures of these.
+  // The cells are marked where stages end and at the end; in between the fields are mixtures of
+  // these.
   template <int dim>
   void
   AdaptiveRun<dim>::mark(const TrialRun<dim> &coarse,

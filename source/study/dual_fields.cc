@@ -16,8 +16,8 @@ namespace fuga
   {
     using Quantity = AccuracyTarget::Quantity;
 
-    /** Jump of the bars of a joint whose work is N, T or M (as 0, 1, 2), if the joint is straight.
-     */
+    /** Return the jump of the bars of a joint whose work is N, T or M (as 0, 1, 2), if the joint is
+     * straight. */
     Vector
     unit_jump_in_plane(const std::vector<ContactElement> &elements,
                        const std::vector<ElementFrame> &frames,
@@ -53,9 +53,9 @@ namespace fuga
       return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
     }
 
-    /** Jump of the bars of a joint in space whose work is N, T, M, T2, M1 or Mn (as 0 ... 5) in the
-     *  frame of @p resultant: lips that move as a whole along an axis or turn about it. Moments are
-     *  about the first element. */
+    /** Return the jump of the bars of a joint in space whose work is N, T, M, T2, M1 or Mn (as 0
+     * ... 5) in the frame of @p resultant: lips that move as a whole along an axis or turn about
+     * it. Moments are about the first element. */
     Vector
     unit_jump_in_space(const std::vector<ContactElement> &elements,
                        const std::vector<ElementFrame> &frames,
@@ -106,11 +106,13 @@ namespace fuga
 
   namespace
   {
-    /** Stiffness of a bar without compliance, and of what nothing holds, relative to that of the
-     * bodies: near enough to rigid and to free for a field that only weighs. */
+    /** Stiffness of a bar without compliance, and stiffness of motions that nothing holds, relative
+     * to that of the bodies: sufficiently near to rigid and to free for a field that only serves as
+     * a weight. */
     constexpr double nearly_rigid = 1e4, nearly_free = 1e-6;
 
-    /** The stiffness of the bars in the states of a level: none if they are open, or slip. */
+    /** Return the stiffness of the bars in the states of a level; it is zero if they are open, or
+     * slip. */
     template <int dim>
     Vector
     bar_stiffnesses(const TrialRun<dim> &run, const typename TrialRun<dim>::Level &level)
@@ -133,7 +135,7 @@ namespace fuga
       return result;
     }
 
-    /** What moves a dual field: a force on nodes, or the jump of bars. */
+    /** The cause of a dual field: a force on nodes, or the jump of bars. */
     struct Cause
     {
       Vector force, jump;
@@ -175,8 +177,8 @@ namespace fuga
     }
   } // namespace
 
-  // (S + Bᵀ C B) x = f + Bᵀ C w, with the condensed force f, the jump w and the stiffness C of the
-  // bars.
+  // The fields solve (S + Bᵀ C B) x = f + Bᵀ C w, with the condensed force f, the jump w and the
+  // stiffness C of the bars.
   template <int dim>
   std::vector<dealii::Vector<double>>
   dual_fields(const TrialRun<dim> &run, const typename TrialRun<dim>::Level &level)

@@ -60,7 +60,7 @@ namespace fuga
       return result;
     }
 
-    /** Every condensation, and the joints of every variant on it. */
+    /** Check every condensation, and the joints of every variant on it. */
     template <int dim>
     CheckedModel
     check_sweep(const Parameters &sweep)

@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** "Joints/base/Cohesion = 10, Constants/H = 5". */
+    /** Return a description such as "Joints/base/Cohesion = 10, Constants/H = 5". */
     std::string
     description_of(const Parameters &sweep, const Variant &variant)
     {
@@ -49,7 +49,7 @@ namespace fuga
     return model;
   }
 
-  // Nothing is computed before all is checked.
+  // Nothing is computed before everything has been checked.
   template <int dim>
   Sweep<dim>::Sweep(const Parameters &sweep_parameters)
     : parameters(sweep_parameters), log(parameters.output.directory + "/log.txt")
@@ -134,7 +134,7 @@ namespace fuga
     summary.n_jumps += row.path.n_jumps;
     summary.n_schemes += row.path.n_schemes;
     summary.n_iterations += row.n_iterations;
-    // Not a number is worse than any number.
+    // NaN is worse than any number.
     if (!(row.certificate <= summary.worst_certificate))
       summary.worst_certificate = row.certificate;
   }

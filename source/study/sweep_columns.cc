@@ -40,7 +40,7 @@ namespace fuga
       return result;
     }
 
-    /** The methods by which any of the variants looks for a factor of safety. */
+    /** Return the methods by which any of the variants looks for a factor of safety. */
     std::vector<std::string>
     methods(const Parameters &parameters)
     {
@@ -53,7 +53,7 @@ namespace fuga
       return names;
     }
 
-    /** Factor and verdict of one method. */
+    /** Return the columns with the factor and the verdict of one method. */
     Columns<SweepRow>
     columns_of_safety(const std::string &method)
     {

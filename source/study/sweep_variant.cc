@@ -25,12 +25,12 @@ namespace fuga
     }
   } // namespace
 
-  /** Notes what the table needs and has every event and level judged. */
+  /** Collects the data that the table needs, and has every event and level judged. */
   template <int dim>
   class VariantObserver : public PathObserver
   {
   public:
-    /** A phase follows, which must live as long as the observer hears of it. */
+    /** Begin a phase, which must live as long as this observer receives its reports. */
     void
     begin(PhaseRun<dim> &next)
     {
@@ -102,7 +102,7 @@ namespace fuga
       phase->ended_step(state);
     }
 
-    /** A search for safety is under way. */
+    /** True while a search for safety is under way. */
     bool searching = false;
     JointState last_state;
     Certificate worst;
@@ -141,7 +141,7 @@ namespace fuga
     const Parameters parameters;
     SweepRow row;
     VariantObserver<dim> observer;
-    /** None in the first phase, whose model is that of all variants. */
+    /** A nullptr in the first phase, whose model is that of all variants. */
     std::unique_ptr<const Model<dim>> later;
     std::unique_ptr<PhaseRun<dim>> phase;
   };

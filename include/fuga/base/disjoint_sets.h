@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** Union-find: which things hang together. */
+  /** Union-find structure that keeps track of which items are connected. */
   class DisjointSets
   {
   public:
@@ -34,7 +34,7 @@ namespace fuga
       parent[std::max(a, b)] = std::min(a, b);
     }
 
-    /** Replaces @p numbers by consecutive numbers of the sets; returns how many sets there are. */
+    /** Set @p numbers to consecutive numbers of the sets and return the number of sets. */
     unsigned int
     number(std::vector<unsigned int> &numbers)
     {

@@ -12,8 +12,8 @@ namespace fuga
   /**
    * The user's mistake: something in the parameter file, the mesh or the command line. The message
    * names the file, the line, the entry, its value, what is allowed and what to do; it is printed
-   * as it is and the program ends with exit code 1 before anything was computed or written. What is
-   * quoted may be of any length: from the middle of a very long message a part is left out.
+   * as it is, and the program ends with exit code 1 before anything was computed or written. Quoted
+   * text may be of any length: a part is left out from the middle of a very long message.
    */
   class InputError : public std::runtime_error
   {
@@ -39,7 +39,7 @@ namespace fuga
 
   /**
    * The path of the joints cannot be followed any further, although the present state is right and
-   * there may be another one behind it.
+   * there may be another one beyond it.
    */
   class PathFailure : public NumericalFailure
   {
@@ -48,8 +48,8 @@ namespace fuga
   };
 
   /**
-   * A result file cannot be written: the disk is full, or closed to the user. What was written
-   * before is complete. Ends the program with exit code 5.
+   * A result file cannot be written: the disk is full or not writable for the user. Everything
+   * written before is complete. Ends the program with exit code 5.
    */
   class WriteFailure : public std::runtime_error
   {

@@ -9,7 +9,8 @@
 namespace fuga
 {
   /**
-   * What a checkpoint has to keep says so by a function next to its declaration:
+   * A class whose members a checkpoint has to keep lists them in a function next to its
+   * declaration:
    *
    *     template <typename State, typename Visitor, only_for<State, JointState> = 0>
    *     void for_each_field(State &state, Visitor &&visit)

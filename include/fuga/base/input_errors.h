@@ -11,15 +11,20 @@
 namespace fuga
 {
   /**
-   * The mistakes of one input, collected so that they can be told at once instead of one per run.
+   * The mistakes of one input, collected so that they can be reported at once instead of one per
+   * run.
    */
   class InputErrors
   {
   public:
-    /** @p file: whose lines order the messages; without it they come as they were found. */
+    /**
+     * The messages are ordered by the lines of @p file; without it, they stay in the order found.
+     */
     explicit InputErrors(std::string file = {});
 
-    /** Whether @p action ended without an InputError; one that it throws is kept. */
+    /**
+     * Return whether @p action ended without an InputError; an InputError that it throws is kept.
+     */
     template <typename Action>
     bool
     attempt(const Action &action)
@@ -37,9 +42,10 @@ namespace fuga
     }
 
     /**
-     * Does nothing if there were no errors.
-     * @throws InputError: the only one as it is; or up to twenty of them, one per line, in the
-     * order of the lines of the file (what belongs to no line comes last), and how many there are.
+     * Do nothing if there were no errors.
+     * @throws InputError: a single one as it is; several ones, up to twenty, one per line, in the
+     * order of the lines of the file (those that belong to no line come last), together with their
+     * number.
      */
     void
     throw_if_any() const;
@@ -63,7 +69,9 @@ namespace fuga
     }
 
   private:
-    /** The line of the file that a message begins with; the largest number if there is none. */
+    /**
+     * Return the line of the file that a message begins with; the largest number if there is none.
+     */
     unsigned long
     line_of(const std::string &message) const;
 

@@ -10,8 +10,9 @@
 namespace fuga
 {
   /**
-   * The user asked the program to end (Ctrl-C, SIGTERM). The message is a sentence that says what
-   * was reached. The exit code of the program is 128 + the number of the signal, as of shells.
+   * The user asked the program to end (Ctrl-C, SIGTERM). The message is a sentence that says how
+   * far the run had come. The exit code of the program is 128 + the number of the signal, as it is
+   * for shells.
    */
   class Interrupted : public std::runtime_error
   {
@@ -20,25 +21,30 @@ namespace fuga
   };
 
   /**
-   * The wish to end. The handler of the signals only notes it; who does long work looks at it where
-   * the work can be left in good order. A second signal ends the program at once.
+   * The request to end. The signal handler only records it; long computations check for it at
+   * points where they can be left in good order. A second signal ends the program at once.
    */
   namespace interruption
   {
-    /** Signals are noted from now on, those that whoever started the program had ignored excepted;
-     * one that came before is forgotten. */
+    /**
+     * Record signals from now on, except for those that the parent process had set to be ignored; a
+     * signal that came before is forgotten.
+     */
     void
     listen();
 
-    /** The signal that came; 0 if none did. */
+    /** Return the number of the signal that came; 0 if none did. */
     int
     signal_number();
 
-    /** Of a program that ends for this signal: 130 after Ctrl-C, 143 after SIGTERM. */
+    /**
+     * Return the exit code of a program that ends because of this signal: 130 after Ctrl-C, 143
+     * after SIGTERM.
+     */
     int
     exit_code();
 
-    /** @throws Interrupted("Interrupted {@p where}.") if a signal came. */
+    /** Check for a signal. @throws Interrupted("Interrupted {@p where}.") if one came. */
     void
     check(const char *where);
   } // namespace interruption

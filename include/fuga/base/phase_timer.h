@@ -14,8 +14,10 @@
 
 namespace fuga
 {
-  /** A stop watch that books wall time to named phases, and how much memory had been needed behind
-   * each of them. */
+  /**
+   * A stop watch that books wall time to named phases and records the peak memory at the end of
+   * each of them.
+   */
   class PhaseTimer
   {
   public:
@@ -29,7 +31,7 @@ namespace fuga
       start = now();
     }
 
-    /** Books the time since the last call to @p name. */
+    /** Book the time since the last call to @p name. */
     void
     finish(const std::string &name)
     {
@@ -38,14 +40,14 @@ namespace fuga
       start = end;
     }
 
-    /** Books @p seconds that belong to none of the calls of finish(). */
+    /** Book @p seconds that belong to none of the calls of finish(). */
     void
     book(const std::string &name, const double seconds)
     {
       add(name, seconds);
     }
 
-    /** Adds the phases of another watch; finish() will not book them again. */
+    /** Add the phases of another watch; finish() will not book them again. */
     void
     set_apart(const PhaseTimer &other)
     {
@@ -56,7 +58,7 @@ namespace fuga
         }
     }
 
-    /** Of all phases. */
+    /** Return the sum over all phases [s]. */
     double
     sum() const
     {
@@ -66,14 +68,17 @@ namespace fuga
       return result;
     }
 
-    /** In the order of first use. */
+    /** Return the seconds booked to every phase, in the order of first use. */
     const std::vector<std::pair<std::string, double>> &
     seconds() const
     {
       return phases;
     }
 
-    /** Largest memory of the process up to the last end of every phase [MB], in the same order. */
+    /**
+     * Return the peak memory of the process up to the last end of every phase [MB], in the same
+     * order.
+     */
     const std::vector<std::pair<std::string, double>> &
     peak_megabytes() const
     {

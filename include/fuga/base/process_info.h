@@ -8,19 +8,22 @@
 
 namespace fuga
 {
-  /** Seconds since the operating system started this process, in its clock ticks (0.01 s). */
+  /**
+   * Return the seconds since the operating system started this process, in its clock ticks (0.01
+   * s).
+   */
   double
   seconds_since_process_start();
 
-  /** Largest memory of this process so far [MB]. */
+  /** Return the peak memory of this process so far [MB]. */
   double
   peak_memory_in_megabytes();
 
   /**
-   * Memory that this machine can give to the program [MB]: its physical memory, or less where a
-   * control group (container, batch system) limits it; infinity if the system says neither. What
-   * other
-   * programs use at the moment does not matter. @p root: where /proc and /sys are looked for.
+   * Return the memory that this machine can give to the program [MB]: its physical memory, or less
+   * where a control group (container, batch system) limits it; infinity if the system reports
+   * neither. The present use by other programs does not matter. @p root is the directory below
+   * which /proc and /sys are looked for.
    */
   double
   machine_memory_in_megabytes(const std::string &root = "");

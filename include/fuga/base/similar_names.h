@@ -10,8 +10,8 @@
 namespace fuga
 {
   /**
-   * "Did you mean 'a' or 'b'?" with the names among @p known that are a few letters away from
-   * @p wrong, capitals or not, and @p before in front of it; "" if there are none.
+   * Return "Did you mean 'a' or 'b'?", preceded by @p before, with the names among @p known that
+   * are a few letters away from @p wrong, ignoring case; "" if there are none.
    */
   std::string
   did_you_mean(const std::string &wrong,

@@ -11,15 +11,16 @@
 namespace fuga
 {
   /**
-   * Counts the work of this process, by phase: the same numbers on every machine, however busy it
-   * is, so that a test can tell when a run begins to cost more. One place for all counts; they are
-   * made where the work is handed to BLAS, LAPACK, MUMPS and the file system. Of one thread.
+   * Counters of the work of this process, by phase: the same numbers on every machine, however busy
+   * it is, so that a test can tell when a run begins to cost more. All counts are kept here; they
+   * are made where work is handed to BLAS, LAPACK, MUMPS and the file system. Not thread-safe: one
+   * thread counts.
    */
   namespace work
   {
     enum class Phase : unsigned char
     {
-      /** Start, mesh, assembly, and whatever is in no other phase. */
+      /** Start, mesh, assembly, and everything that is in no other phase. */
       model,
       elimination,
       loads,
@@ -36,22 +37,26 @@ namespace fuga
 
     struct Counts
     {
-      /** Multiplications with an addition in products, factorisations and solutions with dense
-       * matrices, in double and in a higher precision. */
+      /**
+       * Multiply-add operations in products, factorisations and solutions with dense matrices, in
+       * double and in a higher precision.
+       */
       std::uint64_t dense_operations     = 0;
       std::uint64_t accurate_operations  = 0;
       std::uint64_t dense_factorisations = 0;
       std::uint64_t dense_solutions      = 0;
-      /** Operations of the elimination as MUMPS counts them. */
+      /** Operations of the elimination as counted by MUMPS. */
       std::uint64_t sparse_operations = 0;
-      /** Right-hand sides condensed or solved with the factors of the bodies. */
+      /** Number of right-hand sides condensed or solved with the factors of the bodies. */
       std::uint64_t sparse_columns = 0;
       std::uint64_t bytes_written  = 0;
-      /** Of the processor, which do differ from run to run [s]. */
+      /** Processor time [s], which does differ from run to run. */
       double cpu_seconds = 0.;
     };
 
-    /** All work goes to a phase as long as an object of this class lives; then to the one before.
+    /**
+     * All work is counted in a phase as long as an object of this class lives; then in the previous
+     * one again.
      */
     class Scope
     {
@@ -72,14 +77,14 @@ namespace fuga
       extern std::size_t current;
     } // namespace internal
 
-    /** The counts of the present phase. */
+    /** Return the counts of the present phase. */
     inline Counts &
     now()
     {
       return internal::counts[internal::current];
     }
 
-    /** Those of all phases up to this moment. */
+    /** Return the counts of all phases up to this moment. */
     const std::array<Counts, n_phases> &
     all();
   } // namespace work

@@ -10,60 +10,64 @@
 
 namespace fuga
 {
-  /** Whether a body is there in a stage. */
+  /** Return whether a body exists in a stage. */
   bool
   is_there(const Material &material, const unsigned int stage);
 
-  /** The same for bodies by name. */
+  /** Return for each of these bodies whether it exists in a stage. */
   std::vector<bool>
   bodies_in_stage(const std::vector<std::string> &body_names,
                   const ModelDefinition &model,
                   const unsigned int stage);
 
-  /** Whether the supports of absorbing boundaries are released in a stage: inertia acts. */
+  /**
+   * Return whether the supports of absorbing boundaries are released in a stage, i.e. inertia acts.
+   */
   bool
   releases_supports(const ModelDefinition &model, const unsigned int stage);
 
-  /** Whether a stage has the bodies, joints and supports of the one before. */
+  /** Return whether a stage has the bodies, joints and supports of the previous one. */
   bool
   keeps_structure(const ModelDefinition &model, const unsigned int stage);
 
-  /** Whether bodies are built or removed, or joints grouted, at the beginning of a stage. */
+  /** Return whether bodies are built or removed, or joints grouted, at the beginning of a stage. */
   bool
   changes_construction(const ModelDefinition &model, const unsigned int stage);
 
-  /** Whether that happens in any stage but the first. */
+  /** Return whether this happens in any stage except for the first. */
   bool
   changes_construction(const ModelDefinition &model);
 
   /**
-   * The first stages of all phases, in which the same bodies are there, no joint is grouted, and
-   * inertia acts throughout or not at all: 0, every stage that begins with a change of
-   * construction, every dynamic stage and the one behind it.
+   * Return the first stages of all phases. In a phase the same bodies exist, no joint is grouted,
+   * and inertia acts throughout or not at all. First stages are 0, every stage that begins with a
+   * change of construction, every dynamic stage and the one after it.
    */
   std::vector<unsigned int>
   first_stages_of_phases(const ModelDefinition &model);
 
-  /** The stage behind the phase that begins with stage @p first. */
+  /** Return the stage after the phase that begins with stage @p first. */
   unsigned int
   end_of_phase(const ModelDefinition &model, const unsigned int first);
 
-  /** Tells a contact element in all phases of construction: its joint, degrees of freedom of its
-   * nodes (Discretization::dof(); the largest number for an obstacle), and the straight part of the
-   * joint at a corner (NodePair::part). */
+  /**
+   * Identifies a contact element in all phases of construction: its joint, degrees of freedom of
+   * its nodes (Discretization::dof(); the largest number for an obstacle), and the straight part of
+   * the joint at a corner (NodePair::part).
+   */
   using ElementIdentity = std::array<std::size_t, 4>;
 
   /**
-   * The displacement in which bodies that were built later are free of stress: on the nodes that
-   * they share with older bodies, what these had done by then. Elsewhere it is zero.
+   * The displacement at which bodies that were built later are free of stress: on the nodes that
+   * they share with older bodies, the displacement of these at that time. Elsewhere it is zero.
    */
   struct StressFreeShape
   {
-    /** In which the bodies were built. */
+    /** The stage in which the bodies were built. */
     unsigned int stage = 0;
-    /** Degrees of freedom; see Discretization::dof(). */
+    /** Degrees of freedom, see Discretization::dof(). */
     std::vector<std::size_t> dofs;
-    /** [m] */
+    /** Displacements of these degrees of freedom [m]. */
     Vector displacements;
   };
 
@@ -77,34 +81,47 @@ namespace fuga
     visit("displacements", displacements);
   }
 
-  /** What a phase of construction takes over from the one before; empty for the first phase. */
+  /**
+   * The data that a phase of construction takes over from the previous one; empty for the first
+   * phase.
+   */
   struct ConstructionState
   {
-    /** The stage in which the phase begins, and the load time: the number of the stage, or a later
-     * time where equilibrium was lost, or found again. */
+    /**
+     * The stage in which the phase begins, and the load time: the number of the stage, or a later
+     * time at which equilibrium was lost, or found again.
+     */
     unsigned int stage = 0;
     double begin       = 0.;
-    /** The phase is a motion that goes on until the bodies rest: equilibrium was lost, or they
-     * still moved at the end of a dynamic stage. */
+    /**
+     * Whether the phase is a motion that goes on until the bodies rest: equilibrium was lost, or
+     * they still moved at the end of a dynamic stage.
+     */
     bool until_rest = false;
-    /** At its beginning, of all degrees of freedom (Discretization::dof()) [m]. */
+    /**
+     * Displacement of all degrees of freedom (Discretization::dof()) at the beginning of the phase
+     * [m].
+     */
     Vector displacement;
-    /** Of the motion behind another one; empty: zero [m/s]. */
+    /** Velocity of a motion that follows another one [m/s]; empty: zero. */
     Vector velocity;
-    /** Bar forces then, less those of water in open elements [MN]. */
+    /** Bar forces at the beginning, minus those of water in open elements [MN]. */
     Vector forces;
-    /** What the bars feel besides the jump of the bodies and the imposed gaps [m]. */
+    /** Jumps of the bars in addition to the jump of the bodies and the imposed gaps [m]. */
     Vector jump_offsets;
     std::vector<StressFreeShape> shapes;
 
-    /** Nothing was before. */
+    /** Return whether there is no earlier phase. */
     bool
     is_first() const
     {
       return begin == 0. && !until_rest;
     }
 
-    /** The phase begins with its stage, with all that is built, removed and grouted then. */
+    /**
+     * Return whether the phase begins with its stage, with everything that is built, removed and
+     * grouted then.
+     */
     bool
     begins_stage() const
     {

@@ -14,27 +14,29 @@
 
 namespace fuga
 {
-  /** Acceleration of the ground along one axis: samples from time 0 at equal steps, linear in
-   * between, and zero behind the last of them. */
+  /**
+   * Acceleration of the ground along one axis: samples at equal steps starting at time 0, linear in
+   * between, and zero after the last of them.
+   */
   struct GroundMotion
   {
-    /** [s] */
+    /** Time between samples [s]. */
     double step = 0.;
-    /** [m/s²]; empty: the ground does not move along this axis. */
+    /** Samples of the acceleration [m/s²]; empty: the ground does not move along this axis. */
     Vector accelerations;
   };
 
   /**
    * Water that moves with a boundary (H. M. Westergaard, Water pressures on dams during
    * earthquakes, Trans. ASCE 98, 1933): the mass 7/8 (γ/g) √(H d) per area at the depth d below the
-   * level, H the depth of the bottom, along the normal of the boundary.
+   * level, where H is the depth of the bottom, along the normal of the boundary.
    */
   struct AddedMass
   {
     std::vector<std::string> boundaries;
     /** Heights of surface and bottom of the water [m]. */
     double level = 0., bottom = 0.;
-    /** γ [MN/m³]. */
+    /** Unit weight γ [MN/m³]. */
     double unit_weight = 0.;
     /** file:line of the entry, for messages. */
     std::string origin;
@@ -47,79 +49,100 @@ namespace fuga
     std::string origin;
   };
 
-  /** What is done about a record that does not end at rest. */
+  /** The treatment of a record that does not end at rest. */
   enum class Baseline
   {
-    /** A warning. */
+    /** Give a warning. */
     warn,
-    /** Nothing: it is meant. */
+    /** Do nothing: it is intended. */
     keep,
-    /** See without_parabola(). */
+    /** Subtract a parabola, see without_parabola(). */
     parabolic
   };
 
-  /** What of second order in the displacements a motion knows. */
+  /** The effects of second order in the displacements that a motion includes. */
   enum class SecondOrder
   {
     none,
-    /** See add_geometric_stiffness(). */
+    /** The weight acts on the displaced bodies, see add_geometric_stiffness(). */
     weight
   };
 
-  /** In what coordinates bodies move. */
+  /** The coordinates in which bodies move. */
   enum class MotionBodies
   {
     finite_elements,
-    /** See ModalBasis. */
+    /** Modes of the bodies, see ModalBasis. */
     modes
   };
 
-  /** How stages with a duration go on in time. */
+  /** Parameters of the motion in stages with a duration. */
   struct DynamicsDefinition
   {
-    /** Length of a step [s]; steps are a little shorter where levels of a stage ask for it. */
+    /** Length of a step [s]; steps are a little shorter if levels of a stage require it. */
     double time_step = 0.;
-    /** How often a step may be halved to find an event; 0: events are found within whole steps. */
+    /**
+     * Number of times that a step may be halved to find an event; 0: events are found within whole
+     * steps.
+     */
     unsigned int halvings = 10;
-    /** A step is halved if its events cost more than this share of the largest energy so far. */
+    /** A step is halved if its events cost more than this fraction of the largest energy so far. */
     double event_tolerance = 1e-4;
-    /** ρ∞ of the generalised-α method: 1 keeps the energy (trapezoidal rule), less of it damps what
-     * the steps do not resolve. */
+    /**
+     * ρ∞ of the generalised-α method: 1 conserves the energy (trapezoidal rule), a smaller value
+     * damps motions that the steps do not resolve.
+     */
     double spectral_radius = 1.;
-    /** g, which makes masses of weight densities [m/s²]. */
+    /** g, which converts weight densities to masses [m/s²]. */
     double gravity           = 9.81;
     SecondOrder second_order = SecondOrder::none;
     MotionBodies bodies      = MotionBodies::finite_elements;
-    /** Modes below it are taken [Hz]; 0: see BodiesInMotion. */
+    /** Modes below this frequency are used [Hz]; 0: see BodiesInMotion. */
     double highest_frequency = 0.;
-    /** Bodies without inertia: a foundation through which the ground motion arrives at once. */
+    /**
+     * Bodies without inertia, e.g. a foundation through which the ground motion arrives at once.
+     */
     std::vector<std::string> massless_bodies;
     /** Rayleigh damping of the bodies has this ratio at both frequencies [Hz]; 0: none. */
     double damping_ratio                      = 0.;
     std::array<double, 2> damping_frequencies = {{0., 0.}};
-    /** By axis, from the beginning of the stage with the number @p earthquake_stage. */
+    /**
+     * Motion of the ground by axis, from the beginning of the stage with the number
+     * @p earthquake_stage.
+     */
     std::array<GroundMotion, 3> ground;
     unsigned int earthquake_stage = 0;
     Baseline baseline             = Baseline::warn;
     std::vector<AddedMass> added_masses;
-    /** Behind them the bodies go on: dashpots take the waves that leave there. Supports on them
-     * hold in slow stages only; what they carry when a dynamic stage begins acts on. */
+    /**
+     * Boundaries beyond which the bodies continue: dashpots absorb the waves that leave there.
+     * Supports on them hold only in slow stages; the forces that they carry when a dynamic stage
+     * begins continue to act.
+     */
     NamedBoundaries absorbing;
-    /** Those of them through which the motion of the ground comes up as a wave. Where there are
-     * none, the ground moves as a whole, and displacements are relative to it. */
+    /**
+     * The absorbing boundaries through which the motion of the ground arrives as an upward wave. If
+     * there are none, the ground moves as a whole, and displacements are relative to it.
+     */
     NamedBoundaries compliant_base;
-    /** What of the motion of the ground the wave that comes up is. */
+    /** The share of the motion of the ground that is in the upward wave. */
     double upward_share = 1.;
-    /** Those of them beside which the bodies move as they would without all that is between. */
+    /**
+     * The absorbing boundaries outside of which the bodies move as they would without everything in
+     * between.
+     */
     NamedBoundaries free_field;
-    /** Where equilibrium was lost the bodies move for so long at most [s], under the loads that act
-     * this part of a stage later. */
+    /**
+     * Longest motion of bodies that lost their equilibrium [s], and the part of a stage by which
+     * the loads under which they move are later.
+     */
     double longest_continuation = 10.;
     double excess               = 0.01;
 
-    /** Load time of the loads under which bodies move that have lost their equilibrium at @p t, and
-     * at which the slow path goes on behind; half of what is left of the stage at least is for
-     * that.
+    /**
+     * Return the load time of the loads under which bodies move that have lost their equilibrium at
+     * @p t, and at which the slow path continues afterwards; at least half of the rest of the stage
+     * is left for that.
      */
     double
     end_of_continuation(const double t) const
@@ -127,7 +150,7 @@ namespace fuga
       return t + std::min(excess, 0.5 * (std::floor(t) + 1. - t));
     }
 
-    /** Whether massless_bodies name the body. */
+    /** Return whether massless_bodies contain the body. */
     bool
     is_massless(const std::string &body) const
     {

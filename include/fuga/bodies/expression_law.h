@@ -13,16 +13,16 @@ namespace fuga
 {
   /**
    * A law of the user: muParser expressions of the deformation w for the stress and for its
-   * derivative. The energy is the stress integrated by adaptive Gauss quadrature, as exactly as the
-   * rounding errors of the expression allow, the inverse Newton's method within a bracket. That
-   * the two expressions fit together is for check_law() to find out.
+   * derivative. The energy is the integral of the stress by adaptive Gauss quadrature, as exact as
+   * the rounding errors of the expression allow; the inverse is found by Newton's method within a
+   * bracket. check_law() checks that the two expressions are consistent.
    */
   class ExpressionLaw : public NonlinearLaw
   {
   public:
     /**
-     * @p stress and @p tangent as functions of w and the @p constants; @p limit > 0 [m] is the deformation that no finite
-     * stress reaches, infinite if there is none.
+     * @p stress and @p tangent are functions of w and the @p constants; @p limit > 0 [m] is the
+     * deformation that no finite stress reaches, infinite if there is none.
      * @throws InputError beginning with @p what if muParser refuses an expression.
      */
     ExpressionLaw(const std::string &stress,
@@ -51,14 +51,17 @@ namespace fuga
   private:
     struct Parsers;
 
-    /** Whether the tangent has hardly changed since w = 0, so that σ(w) is the integral of it. */
+    /**
+     * Return whether the tangent at w hardly differs from that at w = 0, so that σ(w) is computed
+     * as its integral.
+     */
     bool
     is_nearly_linear(const double w) const;
 
     const std::string stress_text;
     const double limit;
     const std::unique_ptr<const Parsers> parsers;
-    /** 1/σ'(0), asked for at every element and step. */
+    /** 1/σ'(0), which is needed at every element and step. */
     const double first_compliance;
   };
 } // namespace fuga

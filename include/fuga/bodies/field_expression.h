@@ -19,19 +19,21 @@ namespace dealii
 
 namespace fuga
 {
-  /** Whether the variable or constant @p identifier occurs in a muParser expression. */
+  /** Return whether the variable or constant @p identifier occurs in a muParser expression. */
   bool
   expression_uses(const std::string &expression, const std::string &identifier);
 
-  /** Expressions of the place (x, y, ...) and of the load time t, as muParser understands them. */
+  /**
+   * Functions of the position (x, y, ...) and of the load time t, given by muParser expressions.
+   */
   template <int dim>
   class FieldExpression
   {
   public:
     /**
-     * An empty expression is zero. @p what begins every message.
-     * @throws InputError, as evaluation does, with muParser's message or the place where the value
-     * is not a finite number.
+     * Parse the expressions; an empty expression is zero. Every message begins with @p what.
+     * @throws InputError, like the evaluation, with muParser's message or the position where the
+     * value is not a finite number.
      */
     FieldExpression(const std::vector<std::string> &expressions,
                     const std::map<std::string, double> &constants,
@@ -45,7 +47,7 @@ namespace fuga
     double
     value(const dealii::Point<dim> &position, const unsigned int component) const;
 
-    /** No expression uses the place. */
+    /** Return whether no expression depends on the position. */
     bool
     is_uniform() const
     {

@@ -10,7 +10,7 @@
 namespace fuga
 {
   /**
-   * Checks that bodies, boundaries and points of the model and of the mesh meet: every body has one
+   * Check that bodies, boundaries and points of the model and of the mesh match: every body has one
    * material; every name of a condition or load exists; every labelled boundary is a support, named
    * free, loaded, or the lip of a joint; a settlement moves supports only.
    * @throws InputError with the name, what exists, and the remedy.
@@ -18,19 +18,19 @@ namespace fuga
   void
   check_names(const JointedMesh &mesh, const ModelDefinition &model);
 
-  /** Index of @p name in @p names, or their number if it is not there. */
+  /** Return the index of @p name in @p names, or the size of @p names if it is not there. */
   unsigned int
   index_of(const std::vector<std::string> &names, const std::string &name);
 
-  /** For every one of @p names whether it is among @p targets. */
+  /** Return for each of @p names whether it is among @p targets. */
   std::vector<bool>
   selection(const std::vector<std::string> &names, const std::vector<std::string> &targets);
 
-  /** Mass per volume of the bodies of the mesh [MN s²/m⁴]. */
+  /** Return the mass per volume of the bodies of the mesh [MN s²/m⁴]. */
   Vector
   mass_densities(const JointedMesh &mesh, const ModelDefinition &model);
 
-  /** Vertices of the points that are called @p name. */
+  /** Return the vertices of the points that are called @p name. */
   std::vector<unsigned int>
   vertices_of_point(const JointedMesh &mesh, const std::string &name);
 } // namespace fuga

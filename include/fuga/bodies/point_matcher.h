@@ -12,14 +12,14 @@
 
 namespace fuga
 {
-  /** Copies of one node lie within this share of the extent of the model. */
+  /** Copies of one node lie within this fraction of the extent of the model. */
   constexpr double one_node = 1e-9;
-  /** The two sides of a joint coincide within this share of the size of a face. */
+  /** The two sides of a joint coincide within this fraction of the size of a face. */
   constexpr double matching_tolerance = 1e-5;
 
   /**
-   * Finds points by their coordinates. Sorted along a direction in which lines of a mesh hardly
-   * ever fall together, so that a search looks at a few candidates only.
+   * Finds points by their coordinates. The points are sorted along a direction in which lines of a
+   * mesh hardly ever coincide, so that a search checks only a few candidates.
    */
   template <int dim>
   class PointMatcher
@@ -35,7 +35,7 @@ namespace fuga
       std::sort(keys.begin(), keys.end());
     }
 
-    /** The first of the points that are not further away than @p tolerance. */
+    /** Return the first of the points that are not further away than @p tolerance. */
     unsigned int
     find(const dealii::Point<dim> &point, const double tolerance) const
     {

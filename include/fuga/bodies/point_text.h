@@ -14,7 +14,10 @@
 
 namespace fuga
 {
-  /** "(x, y)" or "(x, y, z)", for messages; also of a direction. @p digits significant digits. */
+  /**
+   * Return a point or a direction as "(x, y)" or "(x, y, z)" with @p digits significant digits, for
+   * messages.
+   */
   template <int dim>
   std::string
   text_of(const dealii::Tensor<1, dim> &point, const int digits = 6)
@@ -25,7 +28,7 @@ namespace fuga
     return text + ")";
   }
 
-  /** The first of different @p points, and dots if there are more. */
+  /** Return the first @p n_told different @p points, followed by dots if there are more. */
   template <int dim>
   std::string
   text_of_first(const std::vector<dealii::Point<dim>> &points, const std::size_t n_told = 4)

@@ -15,18 +15,18 @@
 namespace fuga
 {
   /**
-   * The processes that mpirun started for one run; one if there was no mpirun, and then nothing
-   * here costs anything or touches MPI.
+   * The processes that mpirun started for one run; a single one without mpirun, in which case
+   * nothing here costs anything or touches MPI.
    *
    * All processes do the same in the same order: each reads the input, builds the tables of the
-   * mesh and follows the contact path. What the bodies need is divided among them by cells and put
-   * together by the functions below, which all processes have to call alike. They *meet* at
-   * the beginning of every such function, so that a process that left the common way by an error
-   * of its own is noticed by the others instead of waited for.
+   * mesh and follows the contact path. The data of the bodies are divided among them by cells and
+   * assembled by the functions below, which all processes have to call alike. They *meet* at the
+   * beginning of every such function, so that if a process deviates because of an error of its own,
+   * the others notice this instead of waiting for it.
    */
   namespace processes
   {
-    /** What processes do together. */
+    /** The operations that processes do together. */
     enum class Place
     {
       begin,
@@ -39,7 +39,7 @@ namespace fuga
       end
     };
 
-    /** Thrown where processes should meet, if one of them is elsewhere. */
+    /** Exception thrown where processes should meet if one of them is elsewhere. */
     class Separated : public std::exception
     {
     public:
@@ -51,16 +51,18 @@ namespace fuga
     };
 
     /**
-     * To be called first in the program: joins the others if a launcher of MPI programs started
-     * this process. All but the first are silent from then on: what they print is lost.
+     * Join the other processes if a launcher of MPI programs started this one; to be called first
+     * in the program. All processes except for the first are silent from then on: their output is
+     * discarded.
      */
     void
     join();
 
     /**
-     * To be called last, with the exit code of this process (no_code behind Separated) and what it
-     * has to complain of: says it, once for all processes, waits for the others and returns the
-     * exit code of the run, that of the first process that has one.
+     * Leave the run; to be called last, with the exit code of this process (no_code after
+     * Separated) and its error message. This function prints the message, once for all processes,
+     * waits for the others and returns the exit code of the run, which is that of the first process
+     * that has one.
      */
     int
     leave(const int code, const std::string &complaint);
@@ -73,45 +75,56 @@ namespace fuga
     unsigned int
     rank();
 
-    /** Whether this is the process that writes and speaks. */
+    /** Return whether this is the process that writes files and messages. */
     inline bool
     is_first()
     {
       return rank() == 0;
     }
 
-    /** Whether what this process prints goes to a terminal. Launchers make every process believe
-     * so: no, if there is one. */
+    /**
+     * Return whether the output of this process goes to a terminal. Launchers make every process
+     * believe so; therefore the answer is no if there is one.
+     */
     bool
     have_terminal();
 
-    /** @p amount has to be the same on all processes. @throws Separated */
+    /**
+     * Check that all processes are at the same place; @p amount has to be the same on all of them.
+     * @throws Separated
+     */
     void
     meet(const Place place, const std::size_t amount = 0);
 
-    /** Replaces values by their sums over all processes; the same on all, bit by bit. */
+    /**
+     * Replace values by their sums over all processes; the results are identical on all, bit by
+     * bit.
+     */
     void
     sum(double *values, const std::size_t n);
     void
     sum(Vector &values);
 
-    /** Gives the values of the first process to all. */
+    /** Send the values of the first process to all others. */
     void
     broadcast(double *values, const std::size_t n);
 
-    /** What every process gives for @p n, by process. */
+    /** Return the values of @p n on all processes, by process. */
     std::vector<std::size_t>
     from_all(const std::size_t n);
 
-    /** Puts things of @p size bytes behind those of the processes before, the same on all; @p numbers:
-     *  how many each has, from_all(). */
+    /**
+     * Concatenate the items of @p size bytes of all processes in the order of the processes; the
+     * result is the same on all. @p numbers are the numbers of items on each process, see
+     * from_all().
+     */
     void
     gather(const void *mine,
            const std::vector<std::size_t> &numbers,
            const std::size_t size,
            void *all);
 
-    /** The things of all processes, those of the first one first. */
+    /** Return the items of all processes, those of the first one first. */
     template <typename T>
     std::vector<T>
     gather(std::vector<T> mine)
@@ -125,16 +138,24 @@ namespace fuga
       return all;
     }
 
-    /** Peak memory of every process when they met last [MB]; empty if there is only one. */
+    /**
+     * Return the peak memory of every process at their last meeting [MB]; empty if there is only
+     * one.
+     */
     std::vector<double>
     peak_memory();
 
-    /** MPI's handle, for Fortran, of a communicator for others than the functions above: all
-     * processes, or this one alone. Starts MPI if nobody did. */
+    /**
+     * Return MPI's Fortran handle of a communicator for purposes other than the functions above: of
+     * all processes, or of this one alone. Starts MPI if it has not been started.
+     */
     int
     fortran_communicator();
 
-    /** MPI has been finalised: nothing that belongs to it can be given back any more. */
+    /**
+     * Return whether MPI has been finalised, so that nothing that belongs to it can be released any
+     * more.
+     */
     bool
     have_ended();
   } // namespace processes

@@ -8,15 +8,15 @@
 
 namespace fuga
 {
-  /** How the bodies are eliminated; `automatic` is for the program to decide. */
+  /** The method by which the bodies are eliminated; with `automatic`, the program decides. */
   enum class BodySolver
   {
     automatic,
     direct,
-    /** The factor lies in files of the folder for temporary files. */
+    /** Direct with the factor stored in files in the folder for temporary files. */
     direct_on_disk,
     iterative,
-    /** Iterative without the stiffness of the interface, which is applied instead. */
+    /** Iterative without assembling the stiffness of the interface, which is applied instead. */
     matrix_free
   };
 
@@ -29,22 +29,24 @@ namespace fuga
     return solver == BodySolver::direct || solver == BodySolver::direct_on_disk;
   }
 
-  /** What either way to eliminate the bodies will take, and the choice. */
+  /** The estimated cost of both ways to eliminate the bodies, and the choice. */
   struct SolverEstimate
   {
-    /** Analysis of the factorisation by MUMPS: its memory; its operations by the speed of a core.
+    /**
+     * From the analysis of the factorisation by MUMPS: its memory, and its operations divided by
+     * the speed of a core.
      */
     double direct_megabytes  = 0.;
     double on_disk_megabytes = 0.;
     double direct_seconds    = 0.;
-    /** From the entries of the matrix and the number of right-hand sides. */
+    /** Estimated from the entries of the matrix and the number of right-hand sides. */
     double iterative_megabytes = 0.;
     double iterative_seconds   = 0.;
     /** Memory of the machine, free or not. */
     double available_megabytes = 0.;
     BodySolver choice          = BodySolver::direct;
 
-    /** One or two lines for the log. */
+    /** Return one or two lines for the log. */
     std::string
     text() const;
   };
@@ -57,17 +59,17 @@ namespace fuga
     std::size_t n_unknowns  = 0;
     std::size_t n_interface = 0;
     double direct_megabytes = 0.;
-    /** Memory that is left if the factor goes to files. */
+    /** Memory that is still needed if the factor is stored in files. */
     double on_disk_megabytes = 0.;
     double direct_operations = 0.;
-    /** Whether the stiffness of the interface can be done without. */
+    /** Whether the stiffness of the interface is not needed. */
     bool may_be_matrix_free = false;
   };
 
   /**
-   * Estimates both ways. The direct one is chosen where its factor fits into the memory of the
-   * machine, whatever others use of it now, or what remains of it with the factor in files, unless
-   * the iterative one is much faster.
+   * Estimate the cost of both ways. The direct one is chosen if its factor, or what remains of it
+   * in memory with the factor in files, fits into the memory of the machine, whatever others use of
+   * it now, unless the iterative one is much faster.
    */
   SolverEstimate
   estimate_solvers(const EliminationSize &size);

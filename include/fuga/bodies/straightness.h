@@ -9,12 +9,15 @@
 
 namespace fuga
 {
-  /** Deviation from a straight line that is rounding, relative to the size of the function. */
+  /**
+   * Deviation from a straight line that is due to rounding, relative to the size of the function.
+   */
   constexpr double linear_tolerance = 1e-12;
 
   /**
-   * Whether a function is linear between two arguments, as far as samples tell: at irregular
-   * places, so that no usual periodic or piecewise function looks straight at all of them.
+   * Return whether a function is linear between two arguments, as far as samples can tell. They are
+   * taken at irregular positions, so that no common periodic or piecewise function looks straight
+   * at all of them.
    */
   template <typename Function>
   bool

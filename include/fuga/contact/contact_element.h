@@ -16,35 +16,36 @@ namespace fuga
 {
   /**
    * The paper's frame-bar contact element: a normal and a tangential bar (in 3D: two) between the
-   * two nodes of a pair. Pure data. The state, the forces and the jumps live in ContactState and
-   * JointState.
+   * two nodes of a pair. The structure contains data only; the state, the forces and the jumps are
+   * stored in ContactState and JointState.
    */
   struct ContactElement
   {
-    /** Marks an element without tangential bar (frictionless). */
+    /** Marks an element without a tangential bar (frictionless). */
     static constexpr unsigned int no_bar = static_cast<unsigned int>(-1);
 
     /** Row of the normal bar in the contact system. */
     unsigned int normal_bar = no_bar;
     /** Row of the tangential bar, or no_bar. */
     unsigned int tangential_bar = no_bar;
-    /** In 3D, row of the bar along the second tangent; no_bar in 2D and without friction. The
-     * normal and both tangents form a right-handed orthonormal frame n = t1 x t2. */
+    /** Row of the bar along the second tangent in 3D; no_bar in 2D and without friction. The normal
+     * and both tangents form a right-handed orthonormal frame n = t1 x t2. */
     unsigned int second_tangential_bar = no_bar;
-    /** Which joint, and which element of it (counted along the joint). */
+    /** The number of the joint, and the number of the element within it (counted along the
+     * joint). */
     unsigned int joint  = 0;
     unsigned int number = 0;
-    /** Where it is [m]. */
+    /** Position of the element [m]. */
     std::array<double, 3> position = {{0., 0., 0.}};
     /** Tributary area A > 0 [m²]. */
     double area = 1.;
-    /** Gap when nothing is loaded, ≥ 0 [m]. */
+    /** Gap in the unloaded state, ≥ 0 [m]. */
     double initial_gap = 0.;
-    /** Laws of the layer; owned by the joint. */
+    /** Laws of the layer; the joint owns them. */
     const ComplianceLaw *normal_law = nullptr;
     const ComplianceLaw *shear_law  = nullptr;
-    /** If the shear stiffness grows with closure or pressure: what then replaces both laws, which
-     * give the compliances. */
+    /** The coupling that replaces both laws if the shear stiffness grows with closure or pressure;
+     * the laws then only give the compliances. */
     const ShearCoupling *coupling = nullptr;
     FrictionLaw friction;
 
@@ -60,7 +61,8 @@ namespace fuga
       return second_tangential_bar != no_bar;
     }
 
-    /** The normal bar (0), the tangential one (1), the second tangential one (2); or no_bar. */
+    /** Return the normal bar (i = 0), the tangential one (1) or the second tangential one (2), or
+     * no_bar. */
     unsigned int
     bar(const std::size_t i) const
     {
@@ -73,7 +75,7 @@ namespace fuga
       return has_second_tangential_bar() ? 3 : has_tangential_bar() ? 2 : 1;
     }
 
-    /** Calls @p action(bar, law of its layer) for every bar. */
+    /** Call @p action(bar, law of its layer) for every bar. */
     template <typename Action>
     void
     for_each_bar(Action &&action) const
@@ -85,7 +87,7 @@ namespace fuga
         action(second_tangential_bar, *shear_law);
     }
   };
-  /** Whether any element has two tangential bars: friction with a circular cone. */
+  /** Return whether any element has two tangential bars, i.e. friction with a circular cone. */
   inline bool
   have_two_tangents(const std::vector<ContactElement> &elements)
   {
@@ -95,8 +97,9 @@ namespace fuga
   }
 
   /**
-   * Whether the shear of an element can be anything but zero with what is left of its strength. It
-   * is asked with two tangential bars only: along one, an element without strength slips.
+   * Return whether the shear of an element can differ from zero with the remaining @p strength.
+   * This matters only for elements with two tangential bars: with one, an element without strength
+   * slips.
    */
   inline bool
   carries_shear(const ContactElement &element, const Strength &strength)

@@ -10,51 +10,53 @@
 namespace fuga
 {
   /**
-   * What the contact layer knows of the bodies: a small symmetric system
+   * The bodies as the contact layer knows them: a small symmetric system
    *
    *     S x + Bᵀ p = F a(t),      δ = B x + E a(t),                    (doc/theory.md, eq. 2, 2a)
    *
-   * with x the interface coordinates (in a finite element model the jumps themselves, B = I, but
-   * for the nodes where joints cross and at their corners), p the bar forces (tension positive), δ
-   * the jumps (plus minus minus, opening positive) that the joints feel, E the imposed jumps (what
-   * is sawn off, or filled in, between the lips) and a(t) the factors of the load patterns at load
-   * time t.
+   * where x are the interface coordinates (in a finite element model the jumps themselves, B = I,
+   * except at the nodes where joints cross and at their corners), p the bar forces (tension
+   * positive), δ the jumps (plus minus minus, opening positive) that the joints feel, E the imposed
+   * jumps (the material that is sawn off, or filled in, between the lips) and a(t) the factors of
+   * the load patterns at load time t.
    *
-   * S is symmetric and positive semidefinite; S + Bᵀ B must be positive definite: the bodies are
-   * held when every bar is rigid. Units: forces MN, jumps m (any consistent system).
+   * S is symmetric and positive semidefinite; S + Bᵀ B must be positive definite, i.e. the bodies
+   * are held when every bar is rigid. Units: forces MN, jumps m (any consistent system).
    */
   class ContactSystem
   {
   public:
     virtual ~ContactSystem() = default;
 
-    /** S, n_coordinates x n_coordinates, both triangles filled. */
+    /** Return S, n_coordinates x n_coordinates, with both triangles filled. */
     virtual const DenseMatrix &
     stiffness() const = 0;
 
-    /** Whether stiffness() is known; if not, it is empty and S by its products alone. */
+    /** Return whether stiffness() is known. If not, it is empty and S is known only through its
+     * products. */
     virtual bool
     has_stiffness() const
     {
       return true;
     }
 
-    /** S x where stiffness() is not known. */
+    /** Return S x where stiffness() is not known. */
     virtual Vector
     resistance(const Vector & /*x*/) const
     {
       return {};
     }
 
-    /** F, n_coordinates x n_patterns: the condensed force of each load pattern at factor one. */
+    /** Return F, n_coordinates x n_patterns: the condensed force of each load pattern at factor
+     * one. */
     virtual const DenseMatrix &
     load_patterns() const = 0;
 
-    /** B, n_bars x n_coordinates. */
+    /** Return B, n_bars x n_coordinates. */
     virtual const SparseOperator &
     jump_operator() const = 0;
 
-    /** E, n_bars x n_patterns [m]. An empty matrix stands for zero. */
+    /** Return E, n_bars x n_patterns [m]. An empty matrix stands for zero. */
     virtual const DenseMatrix &
     imposed_jumps() const
     {
@@ -63,8 +65,8 @@ namespace fuga
     }
 
     /**
-     * The condensed force of what earlier phases of construction left, a part of F a that does not
-     * change; empty if there is none. The work on it counts as energy of the bodies.
+     * Return the condensed force that earlier phases of construction have left, a constant part of
+     * F a; empty if there is none. Its work counts as energy of the bodies.
      */
     virtual const Vector &
     carried_load() const
@@ -73,14 +75,15 @@ namespace fuga
       return none;
     }
 
-    /** Forces [MN] that this problem knows besides F a, to which errors are related. */
+    /** Return the size of the forces [MN] that occur in this problem besides F a; errors are
+     * related to it. */
     virtual double
     force_scale() const
     {
       return 0.;
     }
 
-    /** The same of energies [MNm]. */
+    /** Return the corresponding size of energies [MNm]. */
     virtual double
     energy_scale() const
     {
@@ -88,14 +91,15 @@ namespace fuga
     }
 
     /**
-     * Rigid motions of the bodies that no support holds: n_bars x n_motions, the jump that a unit
-     * motion causes in every bar. Used by the certificate for the equilibrium of each body.
+     * Return the rigid motions of the bodies that no support holds, n_bars x n_motions: the jump
+     * that a unit motion causes in every bar. The certificate uses them for the equilibrium of each
+     * body.
      */
     virtual const DenseMatrix &
     rigid_motions() const = 0;
 
-    /** The coordinates x of those motions, n_coordinates x n_motions; empty if they are not known.
-     */
+    /** Return the coordinates x of those motions, n_coordinates x n_motions; empty if they are not
+     * known. */
     virtual const DenseMatrix &
     rigid_coordinates() const
     {
@@ -104,14 +108,16 @@ namespace fuga
     }
 
     /**
-     * Work of the applied (not condensed) load patterns on those motions: n_motions x n_patterns.
-     * Equilibrium of a floating body reads rigid_motions()ᵀ p = rigid_motion_loads() a(t).
+     * Return the work of the applied (not condensed) load patterns on those motions, n_motions x
+     * n_patterns. Equilibrium of a floating body reads rigid_motions()ᵀ p = rigid_motion_loads()
+     * a(t).
      */
     virtual const DenseMatrix &
     rigid_motion_loads() const = 0;
 
-    /** The water in the joints, whose forces ω depend on which elements are open: in equilibrium
-     * S x + Bᵀ (p - ω) = F a. nullptr: no joint has water that follows its opening. */
+    /** Return the water in the joints, whose forces ω depend on which elements are open;
+     * equilibrium then reads S x + Bᵀ (p - ω) = F a. A nullptr means that no joint has water that
+     * follows its opening. */
     virtual const WaterInJoints *
     water_in_joints() const
     {

@@ -13,14 +13,14 @@
 
 namespace fuga
 {
-  /** Everything that is known of the joints at one load time. */
+  /** The complete state of the joints at one load time. */
   struct JointState
   {
     /** Load time. */
     double t = 0.;
-    /** While bodies move: what of their present step of time is done, from 0 to 1. */
+    /** Part of the present time step that is done while bodies move, from 0 to 1. */
     double part_of_step = 0.;
-    /** The working scheme, per element. */
+    /** The working scheme: the state of each element. */
     std::vector<ContactState> states;
     /** Bar forces p [MN], tension positive. */
     Vector forces;
@@ -31,25 +31,28 @@ namespace fuga
     std::vector<TangentVector> slips;
     /** Rise of the lips by dilatancy [m]: they touch when the gap equals it. */
     Vector dilations;
-    /** What is left of each element's strength. */
+    /** Remaining strength of each element. */
     std::vector<Strength> strengths;
     /**
-     * Forces that bars have lost and still carry [MN], with their sign: a bond that has just broken
+     * Forces that bars have lost but still carry [MN], with their sign: a bond that has just broken
      * is unloaded at constant load, not at once.
      */
     Vector unreleased;
-    /** Where the water in each element comes from. This and the next three are empty without
+    /** The origin of the water in each element. This and the next three members are empty without
      * water. */
     std::vector<WaterAccess> access;
-    /** Forces ω [MN] with which water presses the two sides of each bar apart, beyond what acts in
-     * the closed joint; `forces` are those that the sides transmit. */
+    /** Forces ω [MN] with which water presses the two sides of each bar apart, in excess of the
+     * water pressure in the closed joint; `forces` are those that the sides transmit. */
     Vector water;
-    /** What the water must still grow by, at constant load, after a change of access [MN]. */
+    /** The forces by which the water still has to grow, at constant load, after a change of access
+     * [MN]. */
     Vector missing_water;
-    /** What isolated elements have kept, beyond what seepage would give them [MN]. */
+    /** The forces that isolated elements have kept, in excess of what seepage would give them
+     * [MN]. */
     Vector kept_water;
 
-    /** The load has to stand still until all this is given up. */
+    /** Return whether the load has to stand still until all unreleased forces and missing water are
+     * given up. */
     bool
     is_unsettled() const
     {
@@ -89,7 +92,7 @@ namespace fuga
     visit("kept_water", kept_water);
   }
 
-  /** Gives a state the water of another one, or takes its water if that has none. */
+  /** Give @p state the water of @p from, or remove its water if @p from has none. */
   inline void
   take_water(const JointState &from, JointState &state)
   {
@@ -99,7 +102,7 @@ namespace fuga
     state.kept_water    = from.kept_water;
   }
 
-  /** How a JointState changes per unit of the path parameter. */
+  /** The rates of a JointState per unit of the path parameter. */
   struct JointRates
   {
     Vector forces;
@@ -116,18 +119,19 @@ namespace fuga
   }
 
   /**
-   * What drives the joints along one segment: the rate Ṙ of the reactions of the stuck joint, to
-   * loads and water; the rate of the unreleased forces of broken bonds, which only fall in size;
-   * and that of the missing water. All per bar and unit of the path parameter; the last two are
-   * empty while loads change.
+   * The quantities that drive the joints along one segment: the rate Ṙ of the reactions of the
+   * stuck joint to loads and water; the rate of the unreleased forces of broken bonds, which only
+   * fall in size; and that of the missing water. All of them are given per bar and unit of the path
+   * parameter; the last two are empty while loads change.
    */
   struct Drive
   {
     Vector reactions;
     Vector release;
     Vector missing_water = {};
-    /** Rates at which a strength reduction takes the strength of each bar at its present pressure,
-     * ≤ 0: of f|N| + cA by tangential bars, of σ_t A by normal ones. Empty without reduction. */
+    /** Rates at which a strength reduction lowers the strength of each bar at its present
+     * pressure, ≤ 0: that of f|N| + cA for tangential bars, that of σ_t A for normal ones. Empty
+     * without reduction. */
     Vector strength = {};
   };
 } // namespace fuga

@@ -11,66 +11,70 @@
 namespace fuga
 {
   /**
-   * The factors a(t) of the load patterns, piecewise linear in the load time t = stage number +
-   * fraction done (stage numbers count from 0 here: the first stage is t ∈ [0, 1]). Loads begin
-   * from a(0), usually zero.
+   * The factors a(t) of the load patterns. They are piecewise linear in the load time t = stage
+   * number + fraction done (stage numbers count from 0 here: the first stage is t ∈ [0, 1]). Loads
+   * begin with a(0), which is usually zero.
    */
   class LoadHistory
   {
   public:
     /**
-     * @p corners increasing, first 0; @p factors one vector per corner, n_patterns long; @p shares
-     * of the strength that are left at the corners, ]0, 1], without them 1.
+     * Constructor. @p corners are increasing, and the first one is 0; @p factors contains one
+     * vector of length n_patterns per corner; @p shares are the shares of the strength that are
+     * left at the corners, in ]0, 1]. Without them the share is 1.
      */
     LoadHistory(std::vector<double> corners, std::vector<Vector> factors, Vector shares = {});
 
     unsigned int
     n_patterns() const;
 
-    /** The history up to one of its corners. */
+    /** Return the history up to one of its corners. */
     LoadHistory
     until(const double corner) const;
 
-    /** The same loads; behind the last corner but one the strength falls to a share at the end. */
+    /** Return a history with the same loads in which, after the last corner but one, the strength
+     * falls to a share at the end. */
     LoadHistory
     reducing_strength(const double share_at_end) const;
 
     double
     end() const;
 
-    /** The first corner behind @p t (the end for t ≥ end). */
+    /** Return the first corner after @p t (the end for t ≥ end). */
     double
     next_corner(const double t) const;
 
-    /** The last corner at or before @p t at which rates(t) begin to hold. */
+    /** Return the last corner at or before @p t at which rates(t) begin to hold. */
     double
     last_corner(const double t) const;
 
-    /** The same history with a corner at @p t, between 0 and its end. */
+    /** Return the same history with a corner at @p t, which lies between 0 and the end. */
     LoadHistory
     with_corner(const double t) const;
 
-    /** This history with two patterns more: one that is constant, and one that falls from 1 at load
-     *  time @p begin, a corner, to 0 at @p end, another one. */
+    /** Return this history with two more patterns: a constant one, and one that falls from 1 at
+     * load time @p begin to 0 at @p end, both of which are corners. */
     LoadHistory
     with_carried_loads(const double begin, const double end) const;
 
-    /** a(t). */
+    /** Return a(t). */
     Vector
     factors(const double t) const;
 
-    /** da/dt on the segment that begins at, or contains, @p t. */
+    /** Return da/dt on the segment that begins at, or contains, @p t. */
     Vector
     rates(const double t) const;
 
-    /** From @p begin to @p end, both corners, the water in joints does not follow their opening. */
+    /** Keep the water in joints from following their opening between @p begin and @p end, both of
+     * which are corners. */
     void
     keep_water_still(const double begin, const double end);
 
     bool
     water_stands_still(const double t) const;
 
-    /** Share of strength that a strength reduction leaves: linear between corners. */
+    /** Return the share of the strength that a strength reduction leaves; it is linear between
+     * corners. */
     double
     strength_share(const double t) const;
 

@@ -16,7 +16,7 @@ namespace fuga
   /** A vector in the tangent plane of an element, in the directions of its tangential bars. */
   using TangentVector = std::array<double, 2>;
 
-  /** a + factor b */
+  /** Return a + factor b. */
   inline TangentVector
   sum(const TangentVector &a, const double factor, const TangentVector &b)
   {
@@ -29,7 +29,7 @@ namespace fuga
     return a[0] * b[0] + a[1] * b[1];
   }
 
-  /** a turned by a right angle. */
+  /** Return a turned by a right angle. */
   inline TangentVector
   normal_to(const TangentVector &a)
   {
@@ -42,7 +42,7 @@ namespace fuga
     return std::hypot(a[0], a[1]);
   }
 
-  /** The unit vector along a; where a is zero, the first tangent. */
+  /** Return the unit vector along a; where a is zero, the first tangent. */
   inline TangentVector
   direction_of(const TangentVector &a)
   {
@@ -50,7 +50,7 @@ namespace fuga
     return size > 0. ? TangentVector{{a[0] / size, a[1] / size}} : TangentVector{{1., 0.}};
   }
 
-  /** The part of a bar vector that lies in the tangent plane of an element; where only one
+  /** Return the part of a bar vector that lies in the tangent plane of an element; where only one
    * tangential bar is free, the second component is zero. */
   inline TangentVector
   tangential(const ContactElement &element, const Vector &of_bars)
@@ -59,8 +59,8 @@ namespace fuga
              element.has_second_tangential_bar() ? of_bars[element.second_tangential_bar] : 0.}};
   }
 
-  /** The largest jump of all elements, across or along the joint, in whatever directions the
-   * tangents lie. */
+  /** Return the largest jump of all elements, across or along the joint, whatever the directions of
+   * the tangents are. */
   inline double
   largest_jump(const std::vector<ContactElement> &elements, const Vector &jumps)
   {

@@ -9,8 +9,8 @@
 
 namespace fuga
 {
-  /** Joints that have never carried anything: closed and bonded as far as their strength goes, or
-   *  open by their initial gaps. */
+  /** Return the state of joints that have never carried anything: closed and bonded as far as their
+   * strength permits, or open by their initial gaps. */
   JointState
   virgin_state(const std::vector<ContactElement> &elements,
                const std::size_t n_bars,

@@ -12,7 +12,7 @@
 
 namespace fuga
 {
-  /** Where the water in a contact element comes from. */
+  /** The origin of the water in a contact element. */
   enum class WaterAccess
   {
     /** It seeps through the closed joint. */
@@ -25,7 +25,7 @@ namespace fuga
     isolated
   };
 
-  /** The word used in every output. */
+  /** Return the word used in all output. */
   constexpr std::string_view
   access_name(const WaterAccess access)
   {
@@ -35,22 +35,22 @@ namespace fuga
                                                : "isolated";
   }
 
-  /** How water gets from one contact element to another. */
+  /** The connections by which water gets from one contact element to another. */
   struct WaterNetwork
   {
-    /** Of every element, those that open water would reach directly from it. */
+    /** For every element, the elements that open water would reach directly from it. */
     std::vector<std::vector<std::size_t>> neighbours;
-    /** Whether an element lies at an upstream (downstream) end, where the reservoir (the tailwater)
-     * reaches it. */
+    /** True for an element that lies at an upstream (downstream) end, where the reservoir (the
+     * tailwater) reaches it. */
     std::vector<bool> upstream, downstream;
-    /** Whether there is water in an element at all. */
+    /** True for an element with water in it. */
     std::vector<bool> wet;
   };
 
   /**
-   * What the contact layer knows of the water in joints (doc/theory.md, section 12): how it
-   * spreads, and the force ω with which it presses the two sides of every element apart, beyond
-   * what ContactSystem::load_patterns() contain. That part belongs to the joint without any open
+   * The water in joints as the contact layer knows it (doc/theory.md, section 12): how it spreads,
+   * and the force ω with which it presses the two sides of every element apart, in excess of what
+   * ContactSystem::load_patterns() contain. The latter part belongs to the joint without any open
    * element, for which ω = 0.
    */
   class WaterInJoints
@@ -61,13 +61,14 @@ namespace fuga
     virtual const WaterNetwork &
     network() const = 0;
 
-    /** ω [MN] of all bars, zero for tangential ones; linear in the load factors (or their rates).
-     */
+    /** Return ω [MN] of all bars, zero for tangential ones; linear in the load factors (or their
+     * rates). */
     virtual Vector
     forces(const std::vector<WaterAccess> &access, const Vector &factors) const = 0;
   };
 
-  /** The elements from which a chain of neighbours, all of them @p open, leads to one of @p ends. */
+  /** Return the elements from which a chain of neighbours, all of them @p open, leads to one of
+   * @p ends. */
   std::vector<bool>
   connected(const WaterNetwork &network,
             const std::vector<bool> &open,

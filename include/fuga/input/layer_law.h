@@ -11,30 +11,32 @@
 
 namespace fuga
 {
-  /** The directions in which a layer has a law each. */
+  /** The directions of a layer, each of which has its own law. */
   enum class LayerDirection
   {
     normal,
     shear
   };
 
-  /** The laws of one direction with their words in parameter files. */
+  /** Return the laws of one direction with their words in parameter files. */
   std::vector<std::pair<std::string, LayerLaw>>
   law_words(const LayerDirection direction);
 
-  /** The word of a law in parameter files. */
+  /** Return the word of a law in parameter files. */
   std::string
   law_word(const LayerLaw law);
 
-  /** Whether a law has a compliance at zero deformation as a parameter. */
+  /** Return whether a law has a compliance at zero deformation as a parameter. */
   bool
   has_compliance_entry(const LayerLaw law);
 
-  /** Whether this compliance must be above zero. */
+  /** Return whether this compliance must be above zero. */
   bool
   needs_compliance(const LayerLaw law);
 
-  /** The law itself. Nothing may be missing. @throws InputError for an expression. */
+  /**
+   * Create the law of @p joint; no parameter may be missing. @throws InputError for an expression.
+   */
   std::unique_ptr<ComplianceLaw>
   make_layer_law(const JointParameters &joint,
                  const LayerDirection direction,

@@ -18,47 +18,55 @@
 
 namespace fuga
 {
-  /** The curve of stress against deformation of a joint layer in one direction; see ComplianceLaw.
+  /**
+   * The curve of stress versus deformation of a joint layer in one direction, see ComplianceLaw.
    */
   enum class LayerLaw
   {
-    /** ρ = 0; also what a linear law with compliance 0 becomes. */
+    /** ρ = 0; a linear law with compliance 0 also becomes rigid. */
     rigid,
     linear,
-    /** Law (9) of the paper as a secant; needs the thickness of the layer, as the next one does. */
+    /**
+     * Law (9) of the paper as a secant stiffness; like the next law, it needs the thickness of the
+     * layer.
+     */
     cubic_root,
-    /** Law (9) as a tangent. */
+    /** Law (9) as a tangent stiffness. */
     cubic_root_tangent,
-    /** HyperbolicLaw, in the normal direction only. */
+    /** See HyperbolicLaw; only in the normal direction. */
     hyperbolic,
-    /** ExponentialLaw, in the normal direction only. */
+    /** See ExponentialLaw; only in the normal direction. */
     exponential,
-    /** PowerLaw. */
+    /** See PowerLaw. */
     power,
-    /** TabularLaw. */
+    /** See TabularLaw. */
     tabular,
-    /** ExpressionLaw. */
+    /** See ExpressionLaw. */
     expression
   };
 
-  /** What the curve of one direction has besides its compliance; 0 or empty = not given. */
+  /**
+   * The parameters of the curve of one direction besides its compliance; 0 or empty = not given.
+   */
   struct LayerCurve
   {
-    /** V_m of the hyperbolic law; the limit of an expression, which may do without [m]. */
+    /**
+     * V_m of the hyperbolic law, or the limit of an expression, for which it is not required [m].
+     */
     double closure_limit = 0.;
     /** A point of the exponential law (c0, p0) and of the power law (w_r, σ_r) [m, MPa]. */
     double reference_deformation = 0.;
     double reference_stress      = 0.;
-    /** m of the power law. */
+    /** Exponent m of the power law. */
     double exponent = 0.;
     std::vector<TabularLaw::Point> table;
     TableInterpolation interpolation = TableInterpolation::monotone_spline;
-    /** muParser expressions of w. */
+    /** Stress and its derivative as muParser expressions of w. */
     std::string stress_expression;
     std::string tangent_expression;
   };
 
-  /** How the shear stiffness of a joint grows, see ShearCoupling. */
+  /** Parameters of the growth of the shear stiffness of a joint, see ShearCoupling. */
   struct ShearGrowth
   {
     enum class Kind
@@ -69,35 +77,42 @@ namespace fuga
     };
 
     Kind kind = Kind::none;
-    /** w_c [m] or σ_r [MPa]. */
+    /** Scale of the growth: w_c [m] or σ_r [MPa]. */
     double scale    = 0.;
     double exponent = 1.;
   };
 
-  /** One joint: where it is in the mesh, its layer, its friction. */
+  /** One joint: its place in the mesh, its layer, its friction. */
   struct JointParameters
   {
     JointDefinition definition;
 
     LayerLaw normal_law = LayerLaw::linear;
     LayerLaw shear_law  = LayerLaw::linear;
-    /** ρn at zero deformation [m/MPa] of a linear, cubic root or hyperbolic law; 0 for all others.
+    /**
+     * Normal compliance ρn at zero deformation [m/MPa] of a linear, cubic root or hyperbolic law; 0
+     * for all others.
      */
     double normal_compliance = 0.;
-    /** ρt, likewise. A joint without friction and without a shear compliance is rigid here. */
+    /**
+     * Shear compliance ρt, likewise. The shear law of a joint without friction and without a shear
+     * compliance is rigid.
+     */
     double shear_compliance = 0.;
-    /** ζ0 [m]; 0 = not given. Positive for every cubic root law. */
+    /** Thickness ζ0 [m]; 0 = not given. It is positive for every cubic root law. */
     double thickness = 0.;
     LayerCurve normal_curve, shear_curve;
 
     ShearGrowth shear_growth;
     FrictionLaw friction;
-    /** muParser expression of x, y for the initial gap [m]. */
+    /** Initial gap [m], a muParser expression of x, y (, z). */
     std::string initial_gap = "0";
     /** file:line of the subsection, for messages. */
     std::string origin;
 
-    /** ζ0/ρn [MPa], what a user recognises a slip of units by; 0 if thickness or compliance is 0.
+    /**
+     * Return ζ0/ρn [MPa], by which a user recognises a wrong unit; 0 if thickness or compliance is
+     * 0.
      */
     double
     normal_layer_modulus() const
@@ -106,16 +121,17 @@ namespace fuga
     }
   };
 
-  /** How the equations of a nonlinear layer are solved. */
+  /** The method by which the equations of a nonlinear layer are solved. */
   enum class IterationKind
   {
     newton,
-    /** The paper's iteration with the stiffness at zero deformation; may diverge, see its limits.
+    /**
+     * The paper's iteration with the stiffness at zero deformation; it may diverge, see its limits.
      */
     constant_stiffness
   };
 
-  /** What happens where the joints can go on in several ways. */
+  /** The choice to be made if there are several continuations of the path. */
   enum class NonUniqueChoice
   {
     stop,
@@ -123,7 +139,7 @@ namespace fuga
     largest_dissipation
   };
 
-  /** What happens where the load cannot grow. */
+  /** The choice to be made if the load cannot grow. */
   enum class LimitLoadChoice
   {
     stop,
@@ -135,12 +151,12 @@ namespace fuga
 
   struct SolverSettings
   {
-    /** False: stage ends by implicit steps where possible. */
+    /** If false, the ends of stages are computed by implicit steps where possible. */
     bool follow_events           = true;
     NonUniqueChoice non_unique   = NonUniqueChoice::stop;
     bool follow_jumps            = false;
     LimitLoadChoice beyond_limit = LimitLoadChoice::stop;
-    /** By arc length until the largest jump has grown by this [m]; 0: by default. */
+    /** Growth of the largest jump up to which the arc-length method continues [m]; 0: default. */
     double beyond_jump              = 0.;
     IterationKind iteration         = IterationKind::newton;
     double iteration_tolerance      = 1e-12;
@@ -149,7 +165,7 @@ namespace fuga
     double certificate_bound = 1e-9;
   };
 
-  /** When fields (VTU files) are written. */
+  /** The times at which fields (VTU files) are written. */
   enum class FieldOutput
   {
     levels,
@@ -157,17 +173,17 @@ namespace fuga
     never
   };
 
-  /** When a checkpoint is written, see Checkpoint. */
+  /** The times at which a checkpoint is written, see Checkpoint. */
   enum class CheckpointOutput
   {
     levels,
-    /** Levels, and events as long as that costs next to nothing. */
+    /** At levels, and at events as long as this costs next to nothing. */
     events,
     every_event,
     never
   };
 
-  /** When the displacements of the monitors are written. */
+  /** The times at which the displacements of the monitors are written. */
   enum class MonitorOutput
   {
     levels,
@@ -175,7 +191,7 @@ namespace fuga
     events
   };
 
-  /** What gets a line on the screen. */
+  /** The amount of output on the screen. */
   enum class LogDetail
   {
     events,
@@ -183,21 +199,27 @@ namespace fuga
     quiet
   };
 
-  /** Of the accelerations of the monitors in stages with a duration. */
+  /**
+   * Settings of the response spectra of the accelerations of the monitors in stages with a
+   * duration.
+   */
   struct SpectrumSettings
   {
     bool wanted    = false;
     double damping = 0.05;
-    /** [s] */
+    /** Periods of the spectrum [s]. */
     std::vector<double> periods;
   };
 
   struct OutputSettings
   {
-    /** Never empty; relative names are relative to the current directory of the process. */
+    /**
+     * Directory of the results, never empty; relative names are relative to the current directory
+     * of the process.
+     */
     std::string directory;
     FieldOutput fields = FieldOutput::levels;
-    /** Time between those of bodies in motion [s]; 0: only at levels. */
+    /** Time between the fields of bodies in motion [s]; 0: only at levels. */
     double field_interval       = 0.;
     MonitorOutput monitors      = MonitorOutput::levels;
     CheckpointOutput checkpoint = CheckpointOutput::levels;
@@ -208,7 +230,7 @@ namespace fuga
     Units units;
   };
 
-  /** What section Target accuracy says. */
+  /** The contents of section Target accuracy. */
   struct AccuracyTarget
   {
     enum class Quantity
@@ -222,9 +244,12 @@ namespace fuga
     Quantity quantity = Quantity::none;
     /** Joints or monitors that count. */
     std::vector<unsigned int> items;
-    /** Of a resultant N, T, M, T2, M1, Mn, of a monitor x, y, z, as 0, 1, 2 ... */
+    /**
+     * Components that count, as 0, 1, 2 ...: N, T, M, T2, M1, Mn of a resultant, x, y, z of a
+     * monitor.
+     */
     std::vector<unsigned int> components;
-    /** Expression of the place: the pressure counts where it is not 0; empty: everywhere. */
+    /** Expression of the position: the pressure counts where it is not 0; empty: everywhere. */
     std::string where;
     double relative_error   = 0.01;
     double max_unknowns     = 1e6;
@@ -235,50 +260,60 @@ namespace fuga
 
   struct Parameters;
 
-  /** What a line of section Sweep varies. */
+  /** A quantity that a line of section Sweep varies. */
   struct SweptQuantity
   {
-    /** As written in the file, for the table. */
+    /** The name as written in the file, for the table. */
     std::string name;
-    /** Empty for words, ratios and texts. */
+    /** The unit; empty for words, ratios and texts. */
     std::string unit;
-    /** How the line is written today, after `set`, if it has an older form. */
+    /** The present form of the line, after `set`, if it was written in an older form. */
     std::string today;
   };
 
   /** One of the runs of a sweep. */
   struct Variant
   {
-    /** Values of what is varied, in the order of Parameters::swept. */
+    /** Values of the varied quantities, in the order of Parameters::swept. */
     std::vector<std::string> settings;
     /** All joints, as they are in this variant. */
     std::vector<JointParameters> joints;
-    /** DynamicsDefinition::ground. */
+    /** Motion of the ground, see DynamicsDefinition::ground. */
     std::array<GroundMotion, 3> ground;
-    /** Index into Parameters::condensations, for all else. */
+    /** Index into Parameters::condensations, for everything else. */
     std::size_t condensation = 0;
   };
 
-  /** Everything a parameter file says. */
+  /** The complete contents of a parameter file. */
   struct Parameters
   {
     std::string title;
-    /** As given on the command line. */
+    /** The name of the file as given on the command line. */
     std::string parameter_file;
-    /** Exists; its name is already resolved against the folder of the parameter file. */
+    /**
+     * The mesh file, which exists; its name is already resolved against the folder of the parameter
+     * file.
+     */
     std::string mesh_file;
 
-    /** The constants contain "pi" besides those of the user. */
+    /** The model, whose constants contain "pi" in addition to those of the user. */
     ModelDefinition model;
     std::vector<JointParameters> joints;
-    /** Of section Sweep, all empty without it. Variants with the same condensation follow one
-     * another, and among them those that differ in strength only. */
+    /**
+     * The contents of section Sweep, all empty without it. Variants with the same condensation
+     * follow one another, and so do, among them, those that differ only in strength.
+     */
     std::vector<SweptQuantity> swept;
     std::vector<Variant> variants;
-    /** What variants share that have the same mesh, bodies, supports, loads and settings. Their
-     * joints and the motion of the ground are those of the first of them. */
+    /**
+     * Parameters common to variants that have the same mesh, bodies, supports, loads and settings.
+     * The joints and the motion of the ground are those of the first of these variants.
+     */
     std::vector<std::shared_ptr<const Parameters>> condensations;
-    /** These are the parameters of variants. All else is then that of the first variant. */
+    /**
+     * Whether these are the parameters of variants; everything else is then that of the first
+     * variant.
+     */
     bool of_sweep = false;
     AccuracyTarget accuracy;
     SolverSettings solver;
@@ -289,7 +324,7 @@ namespace fuga
     std::vector<std::pair<std::string, std::string>> echo;
   };
 
-  /** Whether inertia acts in a stage, or may act beyond a limit load. */
+  /** Return whether inertia acts in a stage, or may act beyond a limit load. */
   inline bool
   may_move(const Parameters &parameters)
   {

@@ -8,8 +8,10 @@
 
 namespace fuga
 {
-  /** What of a problem needs the stiffness of the interface as a matrix ("... is", "... are");
-   * empty if nothing, so that the bodies may be eliminated matrix-free. */
+  /**
+   * Return what requires the stiffness of the interface of a problem as a matrix ("... is", "...
+   * are"); empty if nothing does, so that the bodies may be eliminated matrix-free.
+   */
   std::string
   what_needs_stiffness(const Parameters &parameters);
 } // namespace fuga

@@ -9,8 +9,10 @@
 
 namespace fuga
 {
-  /** Names of the units of a run, for the headers of the files; the program computes in any
-   * consistent ones. */
+  /**
+   * Names of the units of a run, for the headers of the files; the program computes in any
+   * consistent units.
+   */
   struct Units
   {
     std::string force  = "MN";
@@ -18,7 +20,7 @@ namespace fuga
     /** Whether the user named at least one of them, so that sizes of data can be judged. */
     bool named = false;
 
-    /** "MPa", "kPa" or "Pa" where that is the name, else force/length². */
+    /** Return "MPa", "kPa" or "Pa" if this is the name of the unit, otherwise force/length². */
     std::string
     stress() const;
     std::string
@@ -30,8 +32,10 @@ namespace fuga
     std::string
     volume() const;
 
-    /** Newtons in the unit of force, metres in that of length; nothing for units that are not
-     * known. */
+    /**
+     * Return the number of newtons in the unit of force, or of metres in that of length; nothing
+     * for unknown units.
+     */
     std::optional<double>
     newtons() const;
     std::optional<double>

@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  /** What a contact element does. The states of all elements together are the working scheme. */
+  /** The state of a contact element. The states of all elements together are the working scheme. */
   enum class ContactState
   {
     /** The lips are apart: N = T = 0, gap ≥ 0. */
@@ -27,7 +27,7 @@ namespace fuga
     return state == ContactState::slip_forward || state == ContactState::slip_backward;
   }
 
-  /** +1, -1, and 0 for a state without slip. */
+  /** Return +1 or -1, and 0 for a state without slip. */
   constexpr double
   slip_sign(const ContactState state)
   {
@@ -36,14 +36,14 @@ namespace fuga
                                                   : 0.;
   }
 
-  /** The word used in every output: open, stick or slip. */
+  /** Return the word used in every output: open, stick or slip. */
   constexpr std::string_view
   state_name(const ContactState state)
   {
     return state == ContactState::open ? "open" : state == ContactState::stick ? "stick" : "slip";
   }
 
-  /** The number used in every output: 0 open, 1 stick, 2 slip. */
+  /** Return the number used in every output: 0 open, 1 stick, 2 slip. */
   constexpr int
   state_code(const ContactState state)
   {

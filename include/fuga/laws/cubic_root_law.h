@@ -8,8 +8,10 @@
 
 namespace fuga
 {
-  /** What both readings of law (9) of the paper, C(u) = A/[ρ0 (1 - q)] with q = (w/ζ0)^{1/3},
-   * share. */
+  /**
+   * The common base of both readings of law (9) of the paper, C(u) = A/[ρ0 (1 - q)] with q =
+   * (w/ζ0)^{1/3}.
+   */
   class LawNine : public NonlinearLaw
   {
   public:
@@ -24,10 +26,10 @@ namespace fuga
     /** @p initial_compliance ρ0 > 0 [m/MPa], @p thickness ζ0 > 0 [m], the closure limit. */
     LawNine(const double initial_compliance, const double thickness);
 
-    /** q */
+    /** Return q. */
     double
     root(const double w) const;
-    /** C(u)/A = 1/[ρ0 (1 - q)] [MPa/m]. */
+    /** Return C(u)/A = 1/[ρ0 (1 - q)] [MPa/m]. */
     double
     stiffness(const double w) const;
 
@@ -36,8 +38,8 @@ namespace fuga
   };
 
   /**
-   * Law (9) as equations (5) and (6) of the paper use it: C is the secant stiffness, C(u) u the
-   * force of the layer. σ = w / [ρ0 (1 - q)],   dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
+   * Law (9) as equations (5) and (6) of the paper use it: C is the secant stiffness, C(u) u is the
+   * force of the layer. σ = w / [ρ0 (1 - q)], dσ/dw = (1 - 2q/3) / [ρ0 (1 - q)²].
    */
   class CubicRootLaw : public LawNine
   {
@@ -59,8 +61,8 @@ namespace fuga
   };
 
   /**
-   * The other reading of law (9): C(u) as the tangent stiffness of the layer, as a step-by-step
-   * analysis would take it.
+   * The other reading of law (9): C(u) is the tangent stiffness of the layer, as in a step-by-step
+   * analysis.
    *     dσ/dw = 1 / [ρ0 (1 - q)],   σ = (3 ζ0/ρ0) [-ln(1 - q) - q - q²/2].
    * It is softer than the secant reading, and its stress grows only like a logarithm near the
    * limit.

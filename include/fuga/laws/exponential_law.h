@@ -10,8 +10,8 @@
 namespace fuga
 {
   /**
-   * The exponential contact pressure of CalculiX: p = p0 exp(-β g) with β = ln(100)/c0, nothing
-   * beyond the clearance c0. Contact begins there, so the closure is w = c0 - g and
+   * The exponential contact pressure of CalculiX: p = p0 exp(-β g) with β = ln(100)/c0, zero beyond
+   * the clearance c0. Contact begins there, so the closure is w = c0 - g and
    *     σ = p0 exp(-β (c0 - w)),   dσ/dw = β σ.
    * The jump of p0/100 at w = 0 is replaced: up to w = c0/20 a cubic leads from the origin to the
    * curve and meets it with equal value, slope and curvature. From there on the formula is exact.

@@ -9,48 +9,48 @@
 namespace fuga
 {
   /**
-   * What a closed joint can carry: Coulomb's law with a bond,
+   * The strength of a closed joint: Coulomb's law with a bond,
    *
    *     |T| ≤ f|N| + c A,   N ≤ σ_t A       while the bond holds,
    *     |T| ≤ f_r|N|,       N ≤ 0           after it broke,
    *
-   * and what sliding does to its lips: they rise by tan ψ per slip until they have risen by the
+   * and its dilatancy: sliding lips rise by tan ψ per unit of slip until they have risen by the
    * limit.
    */
   struct FrictionLaw
   {
-    /** When a bond breaks for good; it always does where the lips part. */
+    /** The event at which a bond breaks for good; it always does where the lips part. */
     enum class BondLoss
     {
       opening,
-      /** Brittle: at the first slip as well. */
+      /** Brittle: the bond also breaks at the first slip. */
       slip
     };
 
-    /** f ≥ 0. */
+    /** Coefficient of friction f ≥ 0. */
     double coefficient = 0.;
-    /** c ≥ 0 [MPa]. */
+    /** Cohesion c ≥ 0 [MPa]. */
     double cohesion = 0.;
-    /** σ_t ≥ 0 [MPa], at most c/f: the tip of Coulomb's cone. */
+    /** Tensile strength σ_t ≥ 0 [MPa], at most c/f: the tip of Coulomb's cone. */
     double tensile_strength = 0.;
     BondLoss bond_loss      = BondLoss::opening;
-    /** f - f_r ≥ 0, lost at the first slip. */
+    /** Friction f - f_r ≥ 0 that is lost at the first slip. */
     double friction_loss = 0.;
-    /** tan ψ, 0 ≤ tan ψ ≤ f_r. */
+    /** Tangent of the dilatancy angle, 0 ≤ tan ψ ≤ f_r. */
     double dilatancy = 0.;
     /** Largest rise of the lips [m]. */
     double dilation_limit = std::numeric_limits<double>::infinity();
-    /** f, c and σ_t are divided by the factor of a strength reduction. */
+    /** If true, f, c and σ_t are divided by the factor of a strength reduction. */
     bool reduced = false;
 
-    /** No shear can ever be carried: the tangential bars need not exist. */
+    /** Return whether no shear can ever be carried, so that the tangential bars need not exist. */
     bool
     is_frictionless() const
     {
       return coefficient == 0. && cohesion == 0.;
     }
 
-    /** The law of Coulomb alone: nothing of it depends on what happened before. */
+    /** Return whether this is Coulomb's law alone, which does not depend on the history. */
     bool
     is_plain() const
     {
@@ -58,25 +58,27 @@ namespace fuga
     }
   };
 
-  /** f_r. */
+  /** Return f_r. */
   inline double
   residual_friction(const FrictionLaw &law)
   {
     return law.coefficient - law.friction_loss;
   }
 
-  /** What is left of it in one element, and what a path changes. */
+  /** The remaining strength of one element, which changes along a path. */
   struct Strength
   {
-    /** f, or f_r. */
+    /** Coefficient of friction: f, or f_r. */
     double friction = 0.;
-    /** c A, or 0 [MN]. */
+    /** Force of cohesion: c A, or 0 [MN]. */
     double cohesion = 0.;
-    /** σ_t A, or 0 [MN]. */
+    /** Tensile force: σ_t A, or 0 [MN]. */
     double tension = 0.;
-    /** tan ψ, or 0 when the lips have risen to the limit. */
+    /** Dilatancy: tan ψ, or 0 after the lips have risen to the limit. */
     double dilatancy = 0.;
-    /** 1/F: share of the strength that a strength reduction leaves; contained in f, cA and σ_t A.
+    /**
+     * Share 1/F of the strength that a strength reduction leaves; already contained in f, cA and
+     * σ_t A.
      */
     double share = 1.;
 
@@ -86,7 +88,7 @@ namespace fuga
       return cohesion > 0. || tension > 0.;
     }
 
-    /** Coulomb's cone is more than the line T = 0. */
+    /** Return whether Coulomb's cone is more than the line T = 0. */
     bool
     resists_shear() const
     {
@@ -101,7 +103,7 @@ namespace fuga
     }
   };
 
-  /** What is left of a strength is reduced to a share of what the law says. */
+  /** Reduce the remaining strength to a share of the one given by the law. */
   inline void
   reduce(Strength &strength, const FrictionLaw &law, const double area, const double share)
   {
@@ -115,7 +117,7 @@ namespace fuga
     strength.share = share;
   }
 
-  /** The strength of an element of the given area before anything happened. */
+  /** Return the initial strength of an element of the given area. */
   inline Strength
   virgin_strength(const FrictionLaw &law, const double area)
   {

@@ -10,27 +10,29 @@
 
 namespace fuga
 {
-  /** A property that a law does not have. */
+  /** A required property that a law does not have. */
   struct LawProblem
   {
-    /** Deformation where it fails. */
+    /** Deformation where the property fails. */
     double deformation = 0.;
-    /** What fails there, with numbers. */
+    /** Description of the failure, with numbers. */
     std::string text;
   };
 
   /**
-   * What the path and the judge rely on: σ(0) = 0, a finite positive tangent that is the derivative
-   * of the stress, no jumps, secant = σ/w, dE/dw = σ, an inverse that gives the deformation back,
-   * and stresses without bound before a deformation limit. Tested at some hundred deformations up
-   * to the one that @p largest_stress > 0 causes, or to the last point of the law's own data.
+   * Check the properties on which the path and the judge rely: σ(0) = 0, a finite positive tangent
+   * that is the derivative of the stress, no jumps, secant = σ/w, dE/dw = σ, an inverse that
+   * returns the deformation, and stresses without bound before a deformation limit. They are tested
+   * at some hundred deformations up to the one that @p largest_stress > 0 causes, or to the last
+   * point of the law's own data.
    */
   std::optional<LawProblem>
   check_law(const ComplianceLaw &law, const double largest_stress);
 
   /**
-   * A deformation up to which the curve is worth looking at: nine tenths of the limit, else beyond
-   * the law's own data, else that of @p typical_stress.
+   * Return a deformation up to which the curve is worth looking at: nine tenths of the limit if
+   * there is one, otherwise somewhat beyond the law's own data, otherwise the deformation at
+   * @p typical_stress.
    */
   double
   range_of_interest(const ComplianceLaw &law, const double typical_stress);

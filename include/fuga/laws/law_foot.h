@@ -26,7 +26,7 @@ namespace fuga
             const double curvature,
             const double initial_slope);
 
-    /** The initial slope a of the cubic. */
+    /** Return the initial slope a of the cubic. */
     static double
     cubic_slope(const double slope, const double curvature);
 
@@ -37,9 +37,9 @@ namespace fuga
     double
     energy(const double w) const;
 
-    /** w1. */
+    /** Length w1 of the foot. */
     const double length;
-    /** σ1. */
+    /** Stress σ1 at the end of the foot. */
     const double end_stress;
 
   private:

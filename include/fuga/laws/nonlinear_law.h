@@ -8,14 +8,14 @@
 
 namespace fuga
 {
-  /** What all laws have in common whose stress is a curve σ(w) with a finite tangent at w = 0. */
+  /** Base class of all laws whose stress is a curve σ(w) with a finite tangent at w = 0. */
   class NonlinearLaw : public ComplianceLaw
   {
   public:
     ComplianceKind
     kind() const override;
 
-    /** 1/σ'(0). */
+    /** Return 1/σ'(0). */
     double
     initial_compliance() const override;
 
@@ -23,14 +23,17 @@ namespace fuga
     secant(const double w) const override;
 
   protected:
-    /** What reference_compliance() is of a law with this secant compliance at the deformation it is
-     * made for: the geometric mean with the initial one, or this itself if it is smaller. */
+    /**
+     * Return the reference_compliance() of a law with this secant compliance at the deformation it
+     * is made for: the geometric mean with the initial compliance, or the given value itself if it
+     * is smaller.
+     */
     double
     compliance_towards(const double secant_compliance) const;
 
     /**
-     * The deformation in [@p lower, @p upper] whose stress is @p sigma, by Newton's method within a
-     * bracket that shrinks: exact up to rounding wherever the stress is monotone.
+     * Return the deformation in [@p lower, @p upper] whose stress is @p sigma, by Newton's method
+     * within a shrinking bracket: exact up to rounding wherever the stress is monotone.
      */
     double
     deformation_between(const double sigma, double lower, double upper) const;

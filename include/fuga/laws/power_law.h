@@ -13,7 +13,7 @@ namespace fuga
    * σ = σ_r (w/w_r)^m. The power itself has the tangent 0 (m > 1) or ∞ (m < 1) at w = 0. Up to
    *     w1 = w_r max(10^{-3/|m-1|}, 10⁻³ (m > 1) or 10⁻⁶ (m ≤ 1))
    * a polynomial leads from the origin to the curve and meets it with equal value, slope and
-   * curvature. So the first stiffness is within a factor of some thousand of σ_r/w_r.
+   * curvature. Thus the initial stiffness is within a factor of some thousand of σ_r/w_r.
    */
   class PowerLaw : public NonlinearLaw
   {

@@ -9,9 +9,9 @@
 namespace fuga
 {
   /**
-   * A layer whose shear stiffness k_t = 1/ρt grows as it closes, the last demand of the paper. A
-   * shear stiffness that simply followed the closure would create energy on closed loops, so both
-   * stresses derive from one potential (doc/theory.md, section 7):
+   * A layer whose shear stiffness k_t = 1/ρt grows as it closes, the last requirement of the paper.
+   * A shear stiffness that simply followed the closure would create energy on closed loops;
+   * therefore both stresses are derived from one potential (doc/theory.md, section 7):
    *
    *     closure:    ρt(w) = ρt0 (1 - w/w_c)^m,     ψ(w,e)  = ψ_n(w) + e²/(2ρt),
    *                 σ = ∂ψ/∂w = σ_n(w) + ½k_t'(w)e²,   τ = ∂ψ/∂e = k_t(w) e,
@@ -19,7 +19,7 @@ namespace fuga
    *                 w = ∂ψ* /∂σ = w_n(σ) + ½ρt'(σ)τ²,  e = ∂ψ* /∂τ = ρt(σ)τ,
    *
    * with w the closure, e the elastic shear jump. For 0 < m ≤ 1 both potentials are convex: the
-   * layer is stable whatever its state. The price of the potential is that shear widens the layer.
+   * layer is stable in every state. The price of the potential is that shear widens the layer.
    */
   class ShearCoupling
   {
@@ -38,8 +38,8 @@ namespace fuga
     };
 
     /**
-     * @p normal_law σ_n, not rigid; lives longer than this object. @p compliance ρt0 > 0 [m/MPa].
-     * @p scale w_c [m] or σ_r [MPa]. @p exponent m.
+     * @p normal_law σ_n is not rigid and has to outlive this object; @p compliance is ρt0 > 0
+     * [m/MPa], @p scale is w_c [m] or σ_r [MPa], @p exponent is m.
      */
     ShearCoupling(const Kind kind,
                   const ComplianceLaw &normal_law,
@@ -47,7 +47,7 @@ namespace fuga
                   const double scale,
                   const double exponent);
 
-    /** σ and τ at closure w (below zero: the layer under tension) and elastic shear jump e. */
+    /** Return σ and τ at closure w (negative: layer under tension) and elastic shear jump e. */
     Response
     response(const double w, const double e) const;
 
@@ -57,19 +57,19 @@ namespace fuga
       double closure = 0., shear = 0.;
     };
 
-    /** The deformation that belongs to both stresses, the inverse of response(). */
+    /** Return the deformation that belongs to both stresses, the inverse of response(). */
     Deformation
     deformation(const double sigma, const double tau) const;
 
-    /** The elastic shear jump that belongs to closure w and shear stress τ. */
+    /** Return the elastic shear jump that belongs to closure w and shear stress τ. */
     double
     shear_deformation(const double w, const double tau) const;
 
-    /** Energy stored per area, ψ [MPa m]. */
+    /** Return the energy stored per area, ψ [MPa m]. */
     double
     energy(const double w, const double e) const;
 
-    /** Closure that no finite stress reaches [m]. */
+    /** Return the closure that no finite stress reaches [m]. */
     double
     closure_limit() const;
 

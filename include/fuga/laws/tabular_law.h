@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  /** How the points of a table are joined. */
+  /** The way in which the points of a table are connected. */
   enum class TableInterpolation
   {
     /**
@@ -24,7 +24,10 @@ namespace fuga
     piecewise_linear
   };
 
-  /** A measured curve: points (w, σ) from (0, 0) on; behind the last one a line with its slope. */
+  /**
+   * A measured curve: points (w, σ) starting at (0, 0), continued beyond the last one by a line
+   * with the slope there.
+   */
   class TabularLaw : public NonlinearLaw
   {
   public:
@@ -35,7 +38,10 @@ namespace fuga
       double stress      = 0.;
     };
 
-    /** @p table at least two points, the first one (0, 0), both columns strictly increasing. */
+    /**
+     * @p table contains at least two points, the first one (0, 0), with both columns strictly
+     * increasing.
+     */
     TabularLaw(const std::vector<Point> &table, const TableInterpolation interpolation);
 
     double
@@ -58,7 +64,7 @@ namespace fuga
     description() const override;
 
   private:
-    /** From begin on σ = y + (w - begin) (d + (w - begin) (c + (w - begin) b)). */
+    /** For w ≥ begin, σ = y + (w - begin) (d + (w - begin) (c + (w - begin) b)). */
     struct Piece
     {
       double begin, y, d, c, b;
@@ -78,7 +84,7 @@ namespace fuga
     const TableInterpolation interpolation;
     const std::size_t n_points;
     const Point last;
-    /** The last one is the continuation. */
+    /** The pieces of the curve; the last one is the continuation. */
     std::vector<Piece> pieces;
   };
 } // namespace fuga

@@ -13,15 +13,18 @@
 namespace fuga
 {
   /**
-   * Which cells meet at which face. A half-face is a face as seen from one of its cells, numbered
-   * cell * n_faces + face within the cell. All cells have one shape.
+   * Table of the cells that meet at every face. A half-face is a face as seen from one of its
+   * cells, numbered cell * n_faces + face within the cell. All cells have the same shape.
    */
   class FaceTable
   {
   public:
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-    /** @throws InputError if more than two cells, or two that overlap, share a face. */
+    /**
+     * Build the table. @throws InputError if more than two cells, or two that overlap, share a
+     * face.
+     */
     FaceTable(const JointedMesh &mesh, const std::string &file_name);
 
     unsigned int
@@ -30,25 +33,25 @@ namespace fuga
     unsigned int
     cell(const unsigned int half_face) const;
 
-    /** Number of the half-face within its cell. */
+    /** Return the number of the half-face within its cell. */
     unsigned int
     local_face(const unsigned int half_face) const;
 
-    /** The same face seen from the other cell; none on the boundary. */
+    /** Return the same face seen from the other cell; none on the boundary. */
     unsigned int
     neighbour(const unsigned int half_face) const;
 
-    /** A half-face with these vertices in any order; none if no cell has such a face. */
+    /** Return a half-face with these vertices in any order; none if no cell has such a face. */
     unsigned int
     find(const std::array<unsigned int, 4> &vertices) const;
 
-    /** Do two lists of the same vertices go round in the same direction? */
+    /** Return whether two lists of the same vertices have the same orientation. */
     bool
     same_direction(const std::array<unsigned int, 4> &a,
                    const std::array<unsigned int, 4> &b) const;
 
   private:
-    /** Half-faces are found by their smallest vertex and then by the others, sorted. */
+    /** Half-faces are looked up by their smallest vertex and then by the others, sorted. */
     struct Entry
     {
       std::array<unsigned int, 3> others;

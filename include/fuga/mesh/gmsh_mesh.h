@@ -25,19 +25,19 @@ namespace fuga
     hexahedron
   };
 
-  /** Number of vertices of a shape. */
+  /** Return the number of vertices of a shape. */
   unsigned int
   n_vertices(const CellShape shape);
 
-  /** Dimension of a shape: 0 point, 1 line, 2 triangle ... */
+  /** Return the dimension of a shape: 0 point, 1 line, 2 triangle ... */
   unsigned int
   dimension(const CellShape shape);
 
-  /** Number of faces of a cell of this shape. */
+  /** Return the number of faces of a cell of this shape. */
   unsigned int
   n_faces(const CellShape shape);
 
-  /** Shape of the faces of a cell of this shape. */
+  /** Return the shape of the faces of a cell of this shape. */
   CellShape
   face_shape(const CellShape shape);
 
@@ -51,9 +51,9 @@ namespace fuga
   };
 
   /**
-   * What a Gmsh file says, but for what no computation needs: vertices of no cell, faces and points
-   * in no physical group, and entities of other dimensions are left out; vertices are numbered from
-   * 0.
+   * The contents of a Gmsh file without the parts that no computation needs: vertices of no cell,
+   * faces and points in no physical group, and entities of other dimensions are left out; vertices
+   * are numbered from 0.
    */
   struct GmshMesh
   {
@@ -71,7 +71,7 @@ namespace fuga
   };
 
   /**
-   * Reads a Gmsh .msh file, version 2.2 or 4.1, ASCII, first-order elements.
+   * Read a Gmsh .msh file, version 2.2 or 4.1, ASCII, with first-order elements.
    * @throws InputError naming file and line, what is wrong and what to do: missing or unreadable
    * file, binary or other versions, second-order elements, unknown element types, vertex numbers
    * that do not exist, coordinates that are not finite, elements in more than one physical group,
@@ -81,7 +81,7 @@ namespace fuga
   GmshMesh
   read_gmsh_mesh(const std::string &file_name);
 
-  /** The same for a text in memory; @p file_name is only spoken of. */
+  /** Parse such a file from a text in memory; @p file_name is only used in messages. */
   GmshMesh
   parse_gmsh_mesh(const std::string_view text, const std::string &file_name);
 } // namespace fuga

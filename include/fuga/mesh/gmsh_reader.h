@@ -20,18 +20,23 @@ namespace fuga
 {
   /** Largest number of a node or an element. */
   constexpr std::int64_t largest_tag = std::numeric_limits<std::int64_t>::max();
-  /** Largest physical tag; one less than what fits so that a sign may be taken off. */
+  /**
+   * Largest physical tag; one less in magnitude than the smallest int, so that a sign may be
+   * removed.
+   */
   constexpr std::int64_t largest_group = std::numeric_limits<int>::max();
   /** Remedy for a damaged file. */
   constexpr const char *write_again = "write the mesh file again";
 
-  /** From the node numbers of a file, which may have gaps and any order, to 0, 1, 2 ... */
+  /** Map from the node numbers of a file, which may have gaps and any order, to 0, 1, 2 ... */
   class NodeNumbers
   {
   public:
     static constexpr unsigned int unknown = static_cast<unsigned int>(-1);
 
-    /** Position in @p tags of the second occurrence of a tag, or unknown if all differ. */
+    /**
+     * Return the position in @p tags of the second occurrence of a tag, or unknown if all differ.
+     */
     unsigned int
     build(const std::vector<std::int64_t> &tags);
 
@@ -39,21 +44,21 @@ namespace fuga
     find(const std::int64_t tag) const;
 
   private:
-    /** A table if the tags are dense, else sorted pairs: a lying tag must not cost memory. */
+    /** A table if the tags are dense, otherwise sorted pairs: a wrong tag must not cost memory. */
     std::vector<unsigned int> table;
     std::vector<std::pair<std::int64_t, unsigned int>> sorted;
   };
 
-  /** An element as it stands in the file. */
+  /** An element as given in the file. */
   struct GmshRecord
   {
     MeshEntity entity;
     unsigned int line = 0;
-    /** Elementary entity (curve, surface ...) it belongs to. */
+    /** Elementary entity (curve, surface ...) to which it belongs. */
     std::int64_t geometry = 0;
   };
 
-  /** Everything of use in the file, before it is known which dimension is the highest. */
+  /** All useful contents of the file, before it is known which dimension is the highest. */
   struct GmshContents
   {
     struct Name
@@ -65,7 +70,7 @@ namespace fuga
     std::vector<std::array<double, 3>> nodes;
     std::array<std::vector<GmshRecord>, 4> elements;
     std::map<std::pair<unsigned int, int>, Name> names;
-    /** By dimension: the first element block in more than one physical group (line 0: none). */
+    /** The first element block in more than one physical group, by dimension (line 0: none). */
     std::array<std::pair<unsigned int, std::string>, 4> overlaps;
   };
 
@@ -107,7 +112,7 @@ namespace fuga
     read_elements_2();
     void
     read_elements_4();
-    /** Returns the number of elements. */
+    /** Read a block of elements and return their number. */
     std::int64_t
     read_element_block();
     void
@@ -132,7 +137,7 @@ namespace fuga
     bool have_entities = false;
   };
 
-  /** Checks the contents of a file as a whole and makes the mesh of them. */
+  /** Check the contents of a file as a whole and make a mesh of them. */
   GmshMesh
   assemble_gmsh_mesh(const GmshContents &contents,
                      const TextScanner &scanner,

@@ -11,16 +11,18 @@
 
 namespace fuga
 {
-  /** What became of the vertices on opened joints. */
+  /** The result of splitting the vertices on opened joints. */
   struct SplitVertices
   {
-    /** By vertex of the closed mesh: into how many it was split; 1 is a tip. */
+    /** Number of copies into which each vertex of the closed mesh was split; 1 is a tip. */
     std::map<unsigned int, unsigned int> n_copies;
-    /** By new vertex: the vertex of the closed mesh. */
+    /** The vertex of the closed mesh from which each new vertex originates. */
     std::map<unsigned int, unsigned int> originals;
   };
 
-  /** One line for the log: what was opened, or which lips were found, and where the normal points.
+  /**
+   * Return one line for the log: what was opened, or which lips were found, and the direction of
+   * the normal.
    */
   std::string
   describe_joint(const JointedMesh &mesh,

@@ -13,10 +13,10 @@
 
 namespace fuga
 {
-  /** What the named groups of faces turned out to be. */
+  /** The faces of the mesh to which the named groups were resolved. */
   struct ResolvedFaces
   {
-    /** A face inside the mesh along which a joint opens it: its two half-faces. */
+    /** A face inside the mesh along which a joint opens it, given by its two half-faces. */
     struct Opening
     {
       unsigned int plus  = 0;
@@ -30,7 +30,7 @@ namespace fuga
       unsigned int group = 0;
     };
 
-    /** By joint; empty if its mesh is already open. */
+    /** The openings of each joint; empty if its mesh is already open. */
     std::vector<std::vector<Opening>> openings;
     std::vector<Outer> outer;
     /** Groups on the outer boundary, in the order of their tags. */
@@ -38,8 +38,8 @@ namespace fuga
   };
 
   /**
-   * Finds the faces of every named group and checks the joints against them: nothing is left to be
-   * guessed when the mesh is opened. All complaints are InputErrors.
+   * Finds the faces of every named group and checks the joints against them, so that nothing has to
+   * be guessed when the mesh is opened. All complaints are InputErrors.
    */
   class JointResolver
   {
@@ -56,7 +56,7 @@ namespace fuga
     struct Group
     {
       std::string name;
-      /** Half-faces (one of two for an inner face) and the vertices as they are drawn. */
+      /** Half-faces (one of two for an inner face) and their vertices as they are drawn. */
       std::vector<unsigned int> half_faces;
       std::vector<std::array<unsigned int, 4>> drawn;
       /** Joint that opens along the group, or FaceTable::none. */
@@ -71,7 +71,7 @@ namespace fuga
     check_names_differ() const;
     void
     check_body(const JointDefinition &definition, const std::string &body) const;
-    /** Finds the faces that joint @p j opens, or that are its lips. */
+    /** Find the faces that joint @p j opens, or that are its lips. */
     void
     claim(const unsigned int j, std::vector<ResolvedFaces::Opening> &openings);
 

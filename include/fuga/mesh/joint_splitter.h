@@ -9,12 +9,13 @@
 namespace fuga
 {
   /**
-   * How a joint is found in the mesh. Exactly one of two ways:
-   *  - `line` (a named line or surface inside a conforming mesh) with the two bodies that meet
-   * there; the splitter opens the mesh along it. The same body on both sides is allowed (a crack):
-   * the plus side is then the left of the line as it is drawn in the mesh.
-   *  - `plus_lip` and `minus_lip`, named boundary groups of a mesh that is already open;
-   *    an empty minus_lip with `against_rigid` set means a rigid, fixed obstacle.
+   * Defines a joint in the mesh, in exactly one of two ways:
+   * - `line` (a named line or surface inside a conforming mesh) with the two bodies that meet
+   *   there; the splitter opens the mesh along it. The same body on both sides is allowed (a
+   *   crack): the plus side is then the left of the line as it is drawn in the mesh.
+   * - `plus_lip` and `minus_lip`, named boundary groups of a mesh that is already open; an empty
+   *   minus_lip with `against_rigid` set means a rigid, fixed obstacle.
+   *
    * The normal points from the minus to the plus side. `line` with `against_rigid` is not allowed.
    *
    * Neighbouring faces that meet at more than `corner_angle` degrees belong to different straight
@@ -32,7 +33,10 @@ namespace fuga
     double corner_angle = 30.;
   };
 
-  /** The mesh as the bodies need it: open along every joint, with groups resolved to numbers. */
+  /**
+   * The mesh in the form that the bodies need: open along every joint, with groups resolved to
+   * numbers.
+   */
   struct JointedMesh
   {
     static constexpr unsigned int no_label = static_cast<unsigned int>(-1);
@@ -45,9 +49,11 @@ namespace fuga
       unsigned int body = 0;
     };
 
-    /** A boundary face with its label. Every face of the boundary of the open mesh that has a
-     * group, and both lips of every joint, occur exactly once. The vertices go round
-     * counter-clockwise seen from outside; in 2D the body is to the left. */
+    /**
+     * A boundary face with its label. Every face of the boundary of the open mesh that has a group,
+     * and both lips of every joint, occur exactly once. The vertices are ordered counter-clockwise
+     * seen from outside; in 2D the body is to the left.
+     */
     struct Face
     {
       CellShape shape = CellShape::line;
@@ -83,20 +89,22 @@ namespace fuga
     /** Names of boundary groups; the lips of a split joint J are called "J+" and "J-". */
     std::vector<std::string> label_names;
     std::vector<Joint> joints;
-    /** What was split, one line per joint, for the log: faces, length, vertices doubled, tips
-     * inside a body, branches, orientation. */
+    /**
+     * Description of the splitting for the log, one line per joint: faces, length, vertices
+     * doubled, tips inside a body, branches, orientation.
+     */
     std::vector<std::string> report;
   };
 
   /**
-   * Opens @p mesh along the joints and resolves all names. Bodies are the physical groups of the
+   * Open @p mesh along the joints and resolve all names. Bodies are the physical groups of the
    * cells. A vertex of a joint line is replaced by as many copies as there are groups of cells
    * around it that are still connected through faces which are not on a joint; a tip inside a body
-   * therefore stays one vertex, T and X junctions come out right.
+   * therefore stays one vertex, and T and X junctions are treated correctly.
    * @throws InputError naming the group, the joint, coordinates and the remedy: unknown names (with
    * the names that exist), a line that is not between the two bodies, a line on the outer boundary,
-   * lips that touch no cell, that lie inside the mesh, a face in two joints, faces in no cell, an
-   * inner line group that no joint uses, unused vertices are dropped silently.
+   * lips that touch no cell or lie inside the mesh, a face in two joints, faces in no cell, an
+   * inner line group that no joint uses. Unused vertices are dropped silently.
    */
   JointedMesh
   split_joints(const GmshMesh &mesh, const std::vector<JointDefinition> &joints);

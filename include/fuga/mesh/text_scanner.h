@@ -11,8 +11,8 @@
 namespace fuga
 {
   /**
-   * Walks over a text in memory line by line and, within a line, token by token (blanks, tabs and
-   * carriage returns separate). Every complaint is an InputError that begins with FILE:LINE.
+   * Scans a text in memory line by line and, within a line, token by token (separated by blanks,
+   * tabs and carriage returns). Every complaint is an InputError that begins with FILE:LINE.
    * Nothing is copied; the text must outlive the scanner.
    */
   class TextScanner
@@ -20,47 +20,52 @@ namespace fuga
   public:
     TextScanner(const std::string &name, const std::string_view whole_text);
 
-    /** Goes to the next line that is not blank; false at the end of the text. */
+    /** Go to the next line that is not blank; return false at the end of the text. */
     bool
     next_line();
 
-    /** The same, but the end of the text is an error: @p section was not finished. */
+    /**
+     * Go to the next line that is not blank; the end of the text is an error: @p section was not
+     * finished.
+     */
     void
     require_line(const std::string_view section);
 
-    /** The current line without blanks at either end. */
+    /** Return the current line without blanks at either end. */
     std::string_view
     line() const;
 
     unsigned int
     line_number() const;
 
-    /** The next token of the current line; empty if there is none. */
+    /** Return the next token of the current line; empty if there is none. */
     std::string_view
     token();
 
-    /** The next token as an integer in [@p smallest, @p largest]; @p what names it in the complaint.
+    /**
+     * Return the next token as an integer in [@p smallest, @p largest]; @p what names it in
+     * complaints.
      */
     std::int64_t
     integer(const char *what, const std::int64_t smallest, const std::int64_t largest);
 
-    /** The next token as a finite number no larger than any length that makes sense. */
+    /** Return the next token as a finite number no larger than any reasonable length. */
     double
     coordinate(const char *what);
 
-    /** Complains if the current line goes on. */
+    /** Complain if the current line goes on. */
     void
     require_end_of_line(const char *what);
 
-    /** Throws an InputError for the current line. */
+    /** Throw an InputError for the current line. */
     [[noreturn]] void
     fail(const std::string &message) const;
 
-    /** The same for an earlier line. */
+    /** Throw an InputError for an earlier line. */
     [[noreturn]] void
     fail_at(const unsigned int line_of_text, const std::string &message) const;
 
-    /** A piece of the text made fit for a message: short, printable, in quotes. */
+    /** Return a piece of the text made fit for a message: short, printable, in quotes. */
     static std::string
     quote(const std::string_view piece);
 

@@ -14,16 +14,22 @@ namespace fuga
   /**
    * Estimates the relative error of the quantity that Parameters::accuracy names, from runs on a
    * mesh and on the same mesh refined once more (doc/theory.md, section 14). Mean squares of the
-   * pressure are over the area of the elements that count.
+   * pressure are computed over the area of the elements that count.
    */
   template <int dim>
   class AccuracyEstimate
   {
   public:
-    /** @throws InputError if no contact element lies where the pressure counts. */
+    /**
+     * Compute the estimate. @throws InputError if no contact element lies where the pressure
+     * counts.
+     */
     AccuracyEstimate(const TrialRun<dim> &coarse, const TrialRun<dim> &fine);
 
-    /** Of the whole run; not a number if the quantity is zero at all levels. */
+    /**
+     * Return the relative error of the whole run; not a number if the quantity is zero at all
+     * levels.
+     */
     double
     relative_error() const
     {
@@ -31,7 +37,10 @@ namespace fuga
     }
 
   private:
-    /** An element, and those of the fine system whose pressures make up the one at its place. */
+    /**
+     * An element, and the elements of the fine system whose pressures determine the pressure at its
+     * place.
+     */
     struct Place
     {
       std::size_t element;
@@ -45,7 +54,10 @@ namespace fuga
     };
 
     using Level = typename TrialRun<dim>::Level;
-    /** What a face of a joint was divided into, by its cell and its number on it. */
+    /**
+     * The fine faces into which a face of a joint was divided, by its cell and its number on this
+     * cell.
+     */
     using FineFaces =
       std::map<std::pair<unsigned int, unsigned int>, std::vector<const JointFace *>>;
 

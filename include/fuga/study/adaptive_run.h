@@ -12,28 +12,29 @@
 namespace fuga
 {
   /**
-   * Finds the mesh for section Target accuracy, and runs the simulation on it. In every round the
+   * Finds the mesh for section Target accuracy and runs the simulation on it. In every round the
    * mesh is compared with the same one refined once more; if the estimated error is too large, the
-   * cells that hold most of the energy of the difference are refined, meshes of triangles as a
-   * whole.
+   * cells that hold most of the energy of the difference are refined; meshes of triangles are
+   * refined as a whole.
    */
   template <int dim>
   class AdaptiveRun
   {
   public:
-    /** @p first_model: with the mesh of the file. */
+    /** @p first_model is the model with the mesh of the file. */
     explicit AdaptiveRun(std::unique_ptr<const Model<dim>> first_model);
 
-    /** @throws InputError, NumericalFailure */
+    /** Find the mesh and run the simulation. @throws InputError, NumericalFailure */
     ExitCode
     run();
 
   private:
     void
     begin_output() const;
-    /** Estimates the error on the mesh of the model. Returns whether the mesh can be refined, and
-     * has the
-     *  definition of the refined one in @p next then. */
+    /**
+     * Estimate the error on the mesh of the model. Return whether the mesh can be refined; in this
+     * case @p next is the definition of the refined model.
+     */
     bool
     do_round(ModelDefinition &next);
     void

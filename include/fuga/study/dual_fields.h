@@ -8,17 +8,20 @@
 
 namespace fuga
 {
-  /** By contact element, whether its pressure counts for the target accuracy. @throws InputError
-   * for an expression without value. */
+  /**
+   * Return, for each contact element, whether its pressure counts for the target accuracy. @throws
+   * InputError for an expression without value.
+   */
   template <int dim>
   std::vector<bool>
   counting_elements(const Model<dim> &model);
 
   /**
-   * Displacements that say where an error of the mesh matters for the quantity of the target
-   * accuracy, with the joints as they are at @p level: by Maxwell's theorem those that a force at the
-   * monitor causes; or a jump of the joint on which its bar forces do the work that is wanted, N,
-   * T, M, or, for the pressure, ∫p². One per number. (doc/theory.md, section 14)
+   * Return displacements that show where an error of the mesh matters for the quantity of the
+   * target accuracy, with the joints as they are at @p level: by Maxwell's theorem those caused by
+   * a force at the monitor; or those caused by a jump of the joint on which its bar forces do the
+   * work that is wanted, N, T, M, or, for the pressure, ∫p². There is one displacement per number.
+   * (doc/theory.md, section 14)
    * @throws NumericalFailure
    */
   template <int dim>

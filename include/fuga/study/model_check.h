@@ -8,17 +8,17 @@
 
 namespace fuga
 {
-  /** What a check of the input found. */
+  /** The result of a check of the input. */
   struct CheckedModel
   {
-    /** What the model adds up to, for every phase of construction: ModelEcho. */
+    /** Totals of the model for every phase of construction, see ModelEcho. */
     std::vector<std::string> echo;
-    /** model_warnings() of all phases. */
+    /** The model_warnings() of all phases. */
     std::vector<std::string> warnings;
   };
 
   /**
-   * Reads the mesh and checks the whole input, of all phases of construction, without computing
+   * Read the mesh and check the whole input, of all phases of construction, without computing
    * anything. @throws InputError
    */
   template <int dim>

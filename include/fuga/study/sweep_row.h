@@ -15,11 +15,11 @@
 
 namespace fuga
 {
-  /** What a sweep finds for one variant. */
+  /** The results of a sweep for one variant. */
   struct SweepRow
   {
     std::size_t number = 0;
-    /** The values varied, as many as there are settings. */
+    /** The varied values, as many as there are settings. */
     std::vector<std::string> settings;
     std::string verdict;
     DrivingQuantity drive;
@@ -27,19 +27,19 @@ namespace fuga
     std::string motion;
     PathResult path;
     std::vector<JointResultant> resultants;
-    /** By monitor. */
+    /** The displacement of each monitor. */
     std::vector<std::array<double, 3>> displacements;
-    /** Load times; not a number if there was none. */
+    /** Load times of the first opening and the first slip; not a number if there was none. */
     double first_opening = std::numeric_limits<double>::quiet_NaN();
     double first_slip    = std::numeric_limits<double>::quiet_NaN();
     /** Largest gap of any element in a dynamic stage, by joint [length]. */
     std::vector<double> largest_openings;
-    /** Of the last dynamic stage, at its end. */
+    /** The energies of the last dynamic stage, at its end. */
     MotionLedger motion_energies;
     std::size_t n_iterations = 0;
     double certificate       = 0.;
     double seconds           = 0.;
-    /** That of a run of the variant alone. */
+    /** The exit code of a run of the variant alone. */
     ExitCode exit_code = ExitCode::done;
     /** Reason of a numerical failure. */
     std::string message;
@@ -47,7 +47,9 @@ namespace fuga
     std::vector<std::string> warnings;
   };
 
-  /** The columns of sweep.csv: doc/sweeps.md. @p model: of any of the variants. */
+  /**
+   * Return the columns of sweep.csv, see doc/sweeps.md. @p model is that of any of the variants.
+   */
   template <int dim>
   Columns<SweepRow>
   sweep_columns(const Model<dim> &model, const Parameters &parameters);

@@ -11,7 +11,7 @@
 
 namespace fuga
 {
-  /** A run of a model that writes nothing and keeps what its load levels were like. */
+  /** A run of a model that writes nothing and keeps the results at its load levels. */
   template <int dim>
   class TrialRun : private PathObserver
   {
@@ -25,7 +25,8 @@ namespace fuga
       Vector x, a;
     };
 
-    /** Follows the loads to their end, or as far as it goes. @throws InputError, NumericalFailure
+    /**
+     * Follow the loads to their end, or as far as possible. @throws InputError, NumericalFailure
      */
     explicit TrialRun(const Model<dim> &model);
 
@@ -35,25 +36,28 @@ namespace fuga
       return its_model;
     }
 
-    /** Those that were reached; then the last state, if the run ended between levels. */
+    /**
+     * Return the levels that were reached, followed by the last state if the run ended between
+     * levels.
+     */
     const std::vector<Level> &
     levels() const
     {
       return all_levels;
     }
 
-    /** Whether the run ended between levels. */
+    /** Return whether the run ended between levels. */
     bool
     ended_early() const
     {
       return all_levels.size() > n_reached;
     }
 
-    /** The displacement at a level, but for rigid motions. */
+    /** Return the displacement at a level up to rigid motions. */
     dealii::Vector<double>
     deformation(const Level &level) const;
 
-    /** Of a bar [length/force], where it has no load. */
+    /** Return the compliance of a bar in the unloaded state [length/force]. */
     double
     compliance(const unsigned int bar) const
     {
@@ -81,7 +85,10 @@ namespace fuga
     std::size_t n_reached = 0;
   };
 
-  /** The levels that both runs reached; and how they ended, if one of them or both ended early. */
+  /**
+   * Return the levels that both runs reached, and their last states if one of them or both ended
+   * early.
+   */
   template <int dim>
   std::vector<
     std::pair<const typename TrialRun<dim>::Level *, const typename TrialRun<dim>::Level *>>

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numeric>
 
-// Error-free products take one instruction more where the processor multiplies and adds with one
-// rounding (on x86-64 all but the oldest); the functions below are then compiled for it, whatever
-// the rest of the program is compiled for.
+// Error-free products take one more instruction where the processor multiplies and adds with a
+// single rounding (on x86-64 all but the oldest); the functions below are then compiled for it,
+// whatever the rest of the program is compiled for.
 #if defined(__x86_64__) && defined(__GNUC__)
 #  define FUGA_FUSED __attribute__((target("avx2,fma")))
 #else
@@ -32,9 +32,9 @@ namespace fuga
 #endif
     }
 
-    /** high + low += (a + a_low) x for n numbers, each operation without an error but those on
-     * low (Dekker's and Knuth's transformations): twice the digits of double, and, unlike long
-     * double, several numbers at a time. */
+    /** Compute high + low += (a + a_low) x for n numbers, with every operation except for those on
+     * low free of errors (Dekker's and Knuth's transformations). This gives twice the digits of
+     * double, and, unlike long double, several numbers at a time. */
     FUGA_FUSED void
     add_scaled_in_pairs(const std::size_t n,
                         const double a,

@@ -5,8 +5,8 @@
 
 #include <dlfcn.h>
 
-// BLAS is whatever Debian's alternatives point to; OpenBLAS is told by its own functions, if they
-// are there.
+// BLAS is whatever Debian's alternatives point to; OpenBLAS is controlled by its own functions, if
+// they are available.
 namespace fuga::blas
 {
   int

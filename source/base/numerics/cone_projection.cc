@@ -43,7 +43,7 @@ namespace fuga
 
   namespace
   {
-    /** Singular values and rows below this are zero. */
+    /** Singular values and rows below this value count as zero. */
     constexpr double negligible = 1e-7;
 
     DenseMatrix
@@ -59,7 +59,7 @@ namespace fuga
       return result;
     }
 
-    /** Rows of C, of size one, without those that are zero; as columns. */
+    /** Return the rows of C, scaled to size one and without those that are zero, as columns. */
     DenseMatrix
     unit_normals(const DenseMatrix &C)
     {
@@ -82,7 +82,7 @@ namespace fuga
       return result;
     }
 
-    /** The multipliers s of the given normals that make |q + N s| smallest. */
+    /** Return the multipliers s of the given normals that minimise |q + N s|. */
     Vector
     least_squares(const DenseMatrix &normals,
                   const std::vector<std::size_t> &active,
@@ -112,8 +112,8 @@ namespace fuga
       return s;
     }
 
-    /** Lawson and Hanson's method for the multipliers of the cone's faces: μ ≥ 0, |q + N μ|
-     * smallest. What is left of q is its projection. */
+    /** Project q by Lawson and Hanson's method for the multipliers of the faces of the cone: μ ≥ 0,
+     * |q + N μ| smallest. The remainder of q is its projection. */
     Vector
     project(const DenseMatrix &normals, const Vector &q)
     {

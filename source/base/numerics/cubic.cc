@@ -11,8 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** ∫ f(x) dx over [0, 1] by Gauss's rule with three points, exact for polynomials of degree
-     * five. */
+    /** Return ∫ f(x) dx over [0, 1] by Gauss's rule with three points, which is exact for
+     * polynomials of degree five. */
     template <typename Function>
     double
     integral(const Function &f)
@@ -45,14 +45,15 @@ namespace fuga
     return c1 + x * (2. * c2 + x * 3. * c3);
   }
 
-  // The x with zero slope and positive curvature; 1 if it is not inside.
+  // The minimiser has zero slope and positive curvature; it is 1 if it does not lie inside.
   double
   CubicOnUnitInterval::inner_minimiser() const
   {
     const double discriminant = c2 * c2 - 3. * c1 * c3;
     if (discriminant <= 0.)
       return 1.;
-    // The root of c1 + 2 c2 x + 3 c3 x² with positive second derivative, without cancellation.
+    // This is the root of c1 + 2 c2 x + 3 c3 x² with positive second derivative, without
+    // cancellation.
     const double root = std::sqrt(discriminant);
     const double x    = c2 > 0. ? -c1 / (c2 + root) : (root - c2) / (3. * c3);
     return x > 0. && x < 1. ? x : 1.;
@@ -64,8 +65,8 @@ namespace fuga
     return std::min({value(0.), value(inner_minimiser()), value(1.)});
   }
 
-  // Up to its inner minimum the cubic falls through zero at most once: bisection with secants, as
-  // safe as it is short.
+  // Up to its inner minimum the cubic falls through zero at most once. Bisection combined with
+  // secants is safe and short.
   double
   CubicOnUnitInterval::first_descending_root() const
   {

@@ -16,7 +16,7 @@ namespace fuga
   {
     using blas::to_int;
 
-    // BLAS wants a leading dimension of at least one, also for empty matrices.
+    // BLAS requires a leading dimension of at least one, also for empty matrices.
     int
     leading(const DenseMatrix &A)
     {
@@ -220,7 +220,7 @@ namespace fuga
       LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', n, factors.data(), leading(factors), norm, &rcond);
   }
 
-  // A matrix with a row or column of zeros stays as it is: no scale makes it regular.
+  // A matrix with a row or column of zeros stays unchanged: no scale makes it regular.
   void
   LuFactors::equilibrate()
   {
@@ -280,7 +280,8 @@ namespace fuga
       for (std::size_t i = 0; i < B.n_rows(); ++i)
         B(i, j) *= row_scale[i];
     count_solution(factors, B.n_columns());
-    // Not the one that looks through all factors for NaN first: that would cost half a solution.
+    // The variant that first looks through all factors for NaN is avoided, because it would cost
+    // half a solution.
     expect_success(LAPACKE_dgetrs_work(LAPACK_COL_MAJOR,
                                        'N',
                                        to_int(factors.n_rows()),

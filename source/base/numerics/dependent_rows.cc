@@ -6,8 +6,9 @@
 
 namespace fuga
 {
-  // With A = U Σ Vᵀ a combination vanishes if it is orthogonal to the columns u = A v / σ of U with
-  // σ > 0; the unit vector of a row that has no share in any lies among these columns.
+  // With A = U Σ Vᵀ, a combination vanishes if it is orthogonal to the columns u = A v / σ of U
+  // with σ > 0; the unit vector of a row that has no share in any such combination lies in the span
+  // of these columns.
   std::vector<bool>
   dependent_rows(const DenseMatrix &A)
   {

@@ -70,7 +70,8 @@ namespace fuga
                          pairs.vectors.column(n - 1 - k));
     }
 
-    /** A vector that is orthogonal to no eigenvector: parts of multiples of the golden ratio. */
+    /** Return a vector that is orthogonal to no eigenvector: the fractional parts of multiples of
+     * the golden ratio. */
     Vector
     without_symmetry(const std::size_t n)
     {

@@ -12,17 +12,18 @@ namespace fuga
 {
   namespace
   {
-    /** Entries of the tableau that count as zero, relative to the largest of their row and to one.
-     */
+    /** Entries of the tableau below this value count as zero, relative to the largest of their row
+     * and to one. */
     constexpr double zero_entry = 1e-9;
-    /** Values that do, relative to the largest of q; of w also relative to its noise. */
+    /** Values that count as zero, relative to the largest of q; those of w also relative to its
+     * noise. */
     constexpr double zero_value = 1e-11, zero_of_noise = 1e-2;
-    /** Reciprocal condition below which a basis is none. */
+    /** Reciprocal condition number below which a basis counts as singular. */
     constexpr double singular = 1e-14;
-    /** What is uncertain of the entries of M, which come out of a linear solution. */
+    /** Relative uncertainty of the entries of M, which result from a linear solution. */
     constexpr double rounding_of_matrix = 1e-12;
 
-    /** The search below one division, and all it knows. Variables are w_0..w_n-1, z_0..z_n-1. */
+    /** The search below one division, with all its data. Variables are w_0..w_n-1, z_0..z_n-1. */
     class Search
     {
     public:
@@ -55,7 +56,7 @@ namespace fuga
       }
 
     private:
-      /** The basis w. */
+      /** Begin with the basis w. */
       void
       begin()
       {
@@ -69,7 +70,7 @@ namespace fuga
         is_fresh = true;
       }
 
-      /** Searches the part that is given by the variables held at zero. */
+      /** Search the part that is given by the variables held at zero. */
       SearchEnd
       divide()
       {
@@ -86,7 +87,7 @@ namespace fuga
             result.z.assign(x.begin() + static_cast<std::ptrdiff_t>(n), x.end());
             return SearchEnd::found;
           }
-        // Any basis is a beginning for any part: nothing but the division is taken back.
+        // Any basis is a valid beginning for any part, so only the division is undone.
         const std::size_t first = x[worst] < x[n + worst] ? worst : n + worst;
         SearchEnd end           = SearchEnd::none;
         for (const std::size_t held : {first, first == worst ? n + worst : worst})
@@ -103,9 +104,9 @@ namespace fuga
       }
 
       /**
-       * The simplex method without an objective: a basic variable that is not admissible leaves for
-       * one that moves it. The worst and the largest entry at first; by lowest indices, which is
-       * finite, where that takes long.
+       * Apply the simplex method without an objective: a basic variable that is not admissible
+       * leaves for one that moves it. Choose the worst one and the largest entry at first; choose
+       * by lowest indices, which is finite, where that takes long.
        */
       SearchEnd
       relax()
@@ -175,7 +176,7 @@ namespace fuga
         return column;
       }
 
-      // Row: basic = Σ entries × others + value, solved for the variable that enters.
+      // Solve a row, basic = Σ entries × others + value, for the variable that enters.
       void
       pivot(const std::size_t row, const std::size_t column)
       {
@@ -196,8 +197,8 @@ namespace fuga
         is_fresh = false;
       }
 
-      /** The tableau of the present basis without the rounding of the pivots that led to it; if
-       * these have made it a singular one, that of the first. */
+      /** Compute the tableau of the present basis without the rounding errors of the pivots that
+       * led to it; if these have made the basis singular, compute that of the first one. */
       void
       refresh()
       {
@@ -225,7 +226,7 @@ namespace fuga
         is_fresh = true;
       }
 
-      /** The column of a variable in w - M z = q. */
+      /** Set @p column to the column of a variable in w - M z = q. */
       void
       take_column(const std::size_t variable, double *column) const
       {
@@ -242,9 +243,10 @@ namespace fuga
         return x;
       }
 
-      /** Whether the row of a basic variable that nothing moves rules the part out. Basic unknowns
-       * have no factor in it, and any noise of theirs would grow with them beyond bounds: a little
-       * of their own rows gives them factors that are larger than it. */
+      /** Return whether the row of a basic variable that nothing moves rules the part out. Basic
+       * unknowns have no factor in it, and any noise of theirs would grow with them beyond bounds:
+       * adding a small multiple of their own rows gives them factors that are larger than the
+       * noise. */
       bool
       is_proof(const std::size_t row) const
       {
@@ -259,7 +261,7 @@ namespace fuga
         return rules_out(multipliers(of_rows), noise_of_unknowns);
       }
 
-      /** The y of a sum of rows of the tableau. */
+      /** Return the multipliers y of a sum of rows of the tableau. */
       Vector
       multipliers(const Vector &of_rows) const
       {
@@ -276,8 +278,8 @@ namespace fuga
         return y;
       }
 
-      /** Whether y is a proof. What a large unknown may take from the left by its noise it adds
-       * itself, if it has a factor. */
+      /** Return whether y is a proof. The amount by which a large unknown may reduce the left side
+       * due to its noise is compensated by the unknown itself, if it has a factor. */
       bool
       rules_out(const Vector &y, Vector &noise_of_unknowns) const
       {
@@ -317,7 +319,7 @@ namespace fuga
       /** Variables of the rows and of the columns. */
       std::vector<std::size_t> basic, other;
       std::vector<bool> is_zero;
-      /** What of each variable is none. */
+      /** Value below which each variable counts as zero. */
       Vector zero;
       LcpSearch result;
     };

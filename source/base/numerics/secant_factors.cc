@@ -40,7 +40,7 @@ namespace fuga
     return result;
   }
 
-  // A step that has gained nearly nothing tells that the factors are of no use.
+  // A step that has gained almost nothing shows that the factors are of no use.
   Vector
   SecantFactors::solve(const Vector &residual, const Vector &last_step)
   {

@@ -141,7 +141,7 @@ namespace fuga
 
   namespace
   {
-    /** (w A)⁺ w of a dense block. */
+    /** Return (w A)⁺ w of a dense block. */
     DenseMatrix
     weighted_inverse(DenseMatrix A, const Vector &weights)
     {

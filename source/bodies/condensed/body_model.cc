@@ -248,8 +248,8 @@ namespace fuga
     timer.restart();
     Vector terms;
     const Vector by_nodes = space->by_nodes(u), elastic = bodies->forces(by_nodes, by_nodes, terms);
-    // The rounding of a jump moves both lips against each other. It is that of a sum over all bars,
-    // of the size of the motion.
+    // The rounding error of a jump moves both lips against each other. It is that of a sum over all
+    // bars, and proportional to the size of the motion.
     if (motion.size() > 0)
       {
         const double sum_length = 0.25 * static_cast<double>(bars->bars().size());
@@ -293,7 +293,8 @@ namespace fuga
             double &plus = terms[bar.plus_node * dim + c], &minus = terms[bar.minus_node * dim + c];
             plus = minus = std::max(plus, minus);
           }
-    // Rounding knows no axes: what it does along one it does across, by the balance of moments.
+    // Rounding knows no axes: its effect along one axis appears across it as well, by the balance
+    // of moments.
     for (std::size_t node = 0; node < space->n_nodes(); ++node)
       {
         double *const of_node = terms.data() + node * dim;

@@ -16,12 +16,13 @@
 #include <limits>
 #include <random>
 
-// How the inner unknowns of the bodies are eliminated.
+// The elimination of the inner unknowns of the bodies.
 namespace fuga
 {
   namespace
   {
-    /** Diagonal of K: the stiffness of one coordinate if nothing else moves [MN/m]. */
+    /** Return the diagonal of K, i.e. the stiffness of each coordinate if nothing else moves
+     * [MN/m]. */
     Vector
     diagonal_of(const SymmetricTriplets &matrix)
     {
@@ -33,8 +34,9 @@ namespace fuga
       return result;
     }
 
-    /** The ratio of entries of the diagonal is the least that the condition number of K can be. Of
-     * random scenes with a smaller one than this none lacks 1e-11 of S. */
+    /** Return whether S may lack digits. The ratio of entries of the diagonal is a lower bound of
+     * the condition number of K. Among random scenes with a smaller ratio than this, none lacks
+     * 1e-11 of S. */
     bool
     may_lack_digits(const Vector &diagonal)
     {
@@ -99,7 +101,7 @@ namespace fuga
   }
 
 
-  // The analysis for the direct solver, which costs little, says what a factorisation would take.
+  // The analysis for the direct solver is cheap and tells how much a factorisation would cost.
   template <int dim>
   void
   CondensedOperator<dim>::choose_solver(SymmetricTriplets &matrix)
@@ -152,10 +154,11 @@ namespace fuga
   }
 
 
-  // The order of elimination heeds fill, not pivots: where stiff bodies meet soft ones, or cells
-  // are long and almost incompressible, S may lose half of its digits. Displacements are refined,
-  // and one set of jumps, drawn at random, tells. They have rounding errors of their own, where
-  // cells are small beside the bodies: what is not symmetric of the forces that they cause.
+  // The order of elimination minimises fill and does not consider pivots: where stiff bodies meet
+  // soft ones, or cells are long and almost incompressible, S may lose half of its digits.
+  // Displacements are refined, and one randomly drawn set of jumps shows the loss. The
+  // displacements have rounding errors of their own where cells are small compared with the bodies;
+  // these errors appear as the part of the resulting forces that is not symmetric.
   template <int dim>
   void
   CondensedOperator<dim>::check_stiffness()
@@ -219,8 +222,9 @@ namespace fuga
   }
 
 
-  // A jump that the bodies follow without deformation meets no resistance; what elimination leaves
-  // of the stiffness of its lip is rounding, and no later step could tell it from a soft body.
+  // A jump that the bodies follow without deformation meets no resistance. What elimination leaves
+  // of the stiffness of its lip is rounding, which no later step could distinguish from a soft
+  // body.
   template <int dim>
   void
   CondensedOperator<dim>::remove_rounding()

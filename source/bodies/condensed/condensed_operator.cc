@@ -19,8 +19,8 @@ namespace fuga
 {
   namespace
   {
-    /** What the bars of single elements add to S, Bᵀ C B, by blocks of coordinates that elements
-     * have in common. */
+    /** Return the contribution of the bars of single elements to S, Bᵀ C B, by blocks of
+     * coordinates that elements have in common. */
     std::vector<BlockOfCoordinates>
     blocks_of_bars(const std::vector<ContactElement> &elements,
                    const std::vector<ElementStiffness> &stiffness,
@@ -119,8 +119,8 @@ namespace fuga
   }
 
 
-  // Condensing what the bonded structure leaves out of balance instead of the load itself keeps
-  // rounding errors out of F that would grow with the model.
+  // Condensing the imbalance of the bonded structure instead of the load itself keeps rounding
+  // errors that would grow with the model out of F.
   template <int dim>
   DenseMatrix
   CondensedOperator<dim>::loads_out_of_balance(const std::vector<LoadPattern> &patterns) const
@@ -128,7 +128,7 @@ namespace fuga
     const auto &coordinates = model.interface_coordinates();
     DenseMatrix result(coordinates.size(), patterns.size());
     if (coordinates.n_interface() == 0)
-      return result; // recover() does all that is to be done
+      return result; // recover() does everything that remains to be done
     const Vector no_coordinates(coordinates.size(), 0.);
     for (std::size_t first = 0; first < patterns.size(); first += at_once)
       {
@@ -179,9 +179,9 @@ namespace fuga
   }
 
 
-  // The second solution refines. Without it the lips of S0 (129 elements, 81 000 unknowns) lack
-  // 1.3e-10 of the largest force, though no unknown inside lacks 1e-12; with it, nothing but
-  // rounding.
+  // The second solution is a refinement. Without it the lips of S0 (129 elements, 81 000 unknowns)
+  // lack 1.3e-10 of the largest force, though no unknown inside lacks 1e-12; with it, the error is
+  // rounding only.
   template <int dim>
   void
   CondensedOperator<dim>::add_bonded_response(const Vector &loads, Vector &u) const
@@ -244,8 +244,8 @@ namespace fuga
   }
 
 
-  // Not left to the iterations, whose errors the condition of the eliminated part magnifies:
-  // motions of the bodies meet no resistance.
+  // This is not left to the iterations, whose errors the condition number of the eliminated part
+  // magnifies: motions of the bodies meet no resistance.
   template <int dim>
   void
   CondensedOperator<dim>::refine(TangentSolver::Solution &solution) const
@@ -281,7 +281,7 @@ namespace fuga
   }
 
 
-  // The smallest coordinates b/|b|² that move a bar with the row b of B by one.
+  // The smallest coordinates that move a bar with the row b of B by one are b/|b|².
   template <int dim>
   Vector
   CondensedOperator<dim>::stiffness_of_lips() const

@@ -15,7 +15,8 @@ namespace fuga
 {
   namespace
   {
-    /** One part of all patterns as columns of a matrix; an empty matrix if no pattern has it. */
+    /** Return one part of all patterns as columns of a matrix; an empty matrix if no pattern has
+     * it. */
     DenseMatrix
     columns_of(const std::vector<LoadPattern> &patterns, const Vector LoadPattern::*part)
     {
@@ -195,9 +196,9 @@ namespace fuga
   }
 
 
-  // With w the bonded response to the force q and g the prescribed displacements of a pattern,
-  // Maxwell's theorem gives q·u = w·P + (q - K w)·g of the bonded structure; what the interface
-  // coordinates add is the work of the condensed force on them.
+  // Let w be the bonded response to the force q, and g the prescribed displacements of a pattern.
+  // Then Maxwell's theorem gives q·u = w·P + (q - K w)·g of the bonded structure; the interface
+  // coordinates add the work of the condensed force on them.
   template <int dim>
   LinearResponse
   CondensedSystem<dim>::response(const Vector &force) const

@@ -38,7 +38,7 @@ namespace fuga
     if (!is_first)
       {
         add_multiple(-1., history.factors(begin), factors);
-        // What is out of balance when the phase begins (CarriedLoads::released) moves at once.
+        // The imbalance at the beginning of the phase (CarriedLoads::released) moves at once.
         factors.back() = -1.;
       }
     return factors;

@@ -11,7 +11,7 @@ namespace fuga
 {
   namespace
   {
-    /** Nodes where those of quadrilaterals and hexahedra are. */
+    /** Return polynomials whose nodes are those of quadrilaterals and hexahedra. */
     std::vector<dealii::Polynomials::Polynomial<double>>
     polynomials_of(const unsigned int degree)
     {
@@ -50,7 +50,7 @@ namespace fuga
   }
 
 
-  // Masses as in lumped_mass().
+  // Masses are the same as in lumped_mass().
   template <int dim>
   void
   FreeColumn<dim>::assemble()

@@ -49,7 +49,8 @@ namespace fuga
   }
 
 
-  // A column has strains along the vertical v only: t_c = λ n_c u_v' across, t_v = μ n_c u_c'.
+  // A column has strains along the vertical v only: t_c = λ n_c u_v' across it, t_v = μ n_c u_c'
+  // along it.
   template <int dim>
   void
   FreeField<dim>::add_tractions(const typename Discretization<dim>::BoundaryFace &face,

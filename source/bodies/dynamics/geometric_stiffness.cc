@@ -9,7 +9,7 @@ namespace fuga
 {
   namespace
   {
-    /** Stresses of one cell after the other. */
+    /** Computes the stresses of one cell after the other. */
     template <int dim>
     class CellStresses
     {
@@ -58,7 +58,7 @@ namespace fuga
       const PlaneAssumption assumption;
       const TemperatureField<dim> &temperature;
       const bool is_axisymmetric;
-      /** By body: its material, and the displacement that strains it, by nodes. */
+      /** The material of each body, and the displacement that strains the body, by nodes. */
       std::vector<const Material *> materials;
       std::vector<Vector> straining;
     };

@@ -18,19 +18,20 @@ namespace fuga
 {
   namespace
   {
-    /** Places on a side that differ by less are the same, relative to the length of a face. */
+    /** Places on a side that differ by less than this, relative to the length of a face, are the
+     * same. */
     constexpr double same_place = 1e-6;
 
     /** Density, λ and μ. */
     using Ground = std::array<double, 3>;
 
-    /** Faces of one kind of ground, one above the other. */
+    /** Faces of the same kind of ground, one above the other. */
     struct Layer
     {
       Ground ground;
       Heights heights;
       std::vector<Heights> faces;
-      /** One of those that consist of it. */
+      /** One of the bodies that consist of this ground. */
       unsigned int body = 0;
     };
 
@@ -76,8 +77,8 @@ namespace fuga
         .normal(space.reference_element().face(face.number).points.front());
     }
 
-    /** Area of the faces over that of the rectangle around them; without the extent across a plane.
-     */
+    /** Return the area of the faces divided by that of the rectangle around them, without the
+     * extent across a plane. */
     template <int dim>
     double
     share_of_rectangle(const Discretization<dim> &space,
@@ -114,7 +115,7 @@ namespace fuga
         }
     }
 
-    /** From below; ground of one kind is one layer where its faces meet. */
+    /** Return the layers from below; ground of one kind is one layer where its faces meet. */
     template <int dim>
     std::vector<Layer>
     layers_of(const BodyModel<dim> &model, const SideOfGround<dim> &side)
@@ -150,7 +151,7 @@ namespace fuga
       return layers;
     }
 
-    /** From below: the rows in which the faces stand, or as many equal ones. */
+    /** Return, from below, the rows in which the faces stand, or as many equal ones. */
     std::vector<Heights>
     rows_of(const Layer &layer)
     {

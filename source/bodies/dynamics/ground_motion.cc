@@ -10,8 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** ∫ v w dt of two motions whose velocities are quadratic between their samples: exact by
-     * Gauss' rule with three points. */
+    /** Return ∫ v w dt of two motions whose velocities are quadratic between their samples; Gauss'
+     * rule with three points is exact for it. */
     double
     product_of_velocities(const GroundMotion &v_motion, const GroundMotion &w_motion)
     {

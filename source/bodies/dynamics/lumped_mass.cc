@@ -31,7 +31,8 @@ namespace fuga
       return result;
     }
 
-    /** What of the mass of a cell each of its nodes gets; all sum up to 1. */
+    /** Compute the share of the mass of a cell that each of its nodes gets; all shares sum up to
+     * 1. */
     template <int dim>
     void
     shares_of_nodes(const CellValues<dim> &values,
@@ -57,7 +58,7 @@ namespace fuga
         share /= sum;
     }
 
-    /** Mass, and its first and second moments about the first of its nodes, of a piece of mesh. */
+    /** Mass of a piece of mesh, and its first and second moments about the first of its nodes. */
     template <int dim>
     struct PieceMass
     {
@@ -77,7 +78,7 @@ namespace fuga
         second += share * dealii::symmetrize(dealii::outer_product(radius, radius));
       }
 
-      /** The smallest of the moments of inertia about axes through the centre [MN m s²]. */
+      /** Return the smallest of the moments of inertia about axes through the centre [MN m s²]. */
       double
       smallest_moment() const
       {
@@ -89,7 +90,7 @@ namespace fuga
       }
     };
 
-    /** Masses of the nodes, without what water adds, and of the pieces of mesh. */
+    /** Masses of the nodes, without the added mass of water, and of the pieces of mesh. */
     template <int dim>
     struct NodeMasses
     {
@@ -127,9 +128,9 @@ namespace fuga
       return result;
     }
 
-    /** Lips keep their mass whose piece could turn without inertia, because its nodes with mass
-     * would lie in one point, or in space on a line. Pieces that meet in a hinge turn apart.
-     * Returns whether there are such lips. */
+    /** Let lips keep their mass if their piece could otherwise turn without inertia, because its
+     * nodes with mass would lie in one point, or in space on a line. Pieces that meet in a hinge
+     * turn independently. Return whether there are such lips. */
     template <int dim>
     bool
     keep_moments(const Discretization<dim> &space,
@@ -156,7 +157,7 @@ namespace fuga
       return is_kept;
     }
 
-    /** The mass m of water along the normal n at a node: m n_c² along the axis c. */
+    /** Add the mass m of water along the normal n at a node: m n_c² along the axis c. */
     template <int dim>
     void
     add_water(const BodyModel<dim> &model, const AddedMass &added, Vector &mass)

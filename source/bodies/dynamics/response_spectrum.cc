@@ -11,7 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** Parts of a period within which displacement and velocity have one extremum at most. */
+    /** Number of parts of a period, in each of which displacement and velocity have at most one
+     * extremum. */
     constexpr double parts_of_period = 20.;
 
     struct Oscillator
@@ -32,8 +33,9 @@ namespace fuga
     };
 
     /**
-     * The exact motion for the ground acceleration a + s τ: u'' + 2ξω u' + ω² u = -a - s τ has the
-     * solution -(a + s τ)/ω² + 2ξ s/ω³ + exp(-ξωτ) (A cos ω_d τ + B sin ω_d τ).
+     * The exact motion under the ground acceleration a + s τ: the equation u'' + 2ξω u' + ω²
+     * u = -a - s τ has the solution -(a + s τ)/ω² + 2ξ s/ω³ + exp(-ξωτ) (A cos ω_d τ + B sin ω_d
+     * τ).
      */
     class Step
     {
@@ -72,7 +74,7 @@ namespace fuga
       double a, s, A, B;
     };
 
-    /** Where a function that has different signs at the ends of [0, length] is zero. */
+    /** Return the zero of a function that has different signs at the ends of [0, length]. */
     template <typename Function>
     double
     root(const Function &function, const double length)
@@ -84,7 +86,7 @@ namespace fuga
       return high;
     }
 
-    /** Goes @p length seconds on and keeps the maxima. */
+    /** Advance by @p length seconds and update the maxima. */
     void
     advance(const Step &step, const double length, Motion &motion, SpectralResponse &largest)
     {
@@ -118,7 +120,8 @@ namespace fuga
           for (double k = 0.; k < n; ++k)
             advance(Step(oscillator, motion, a[i] + k * h * rate, rate), h, motion, largest);
         }
-      // Behind the record a free vibration: no later period has a larger motion than the first one.
+      // After the record follows a free vibration, in which no later period has a larger motion
+      // than the first one.
       for (double k = 0.; k < parts_of_period; ++k)
         advance(Step(oscillator, motion, 0., 0.), period / parts_of_period, motion, largest);
       largest.pseudo_acceleration = oscillator.omega * oscillator.omega * largest.displacement;

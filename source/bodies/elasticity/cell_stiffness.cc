@@ -32,7 +32,7 @@ namespace fuga
   }
 
 
-  // Any rotation near that of the cell serves, but what it does has to be taken out to the last
+  // Any rotation near that of the cell is suitable, but its effect has to be removed to the last
   // digit of u.
   template <int dim>
   void

@@ -137,7 +137,7 @@ namespace fuga
     std::vector<Term> terms;
     for (const std::size_t cell : cells)
       {
-        // Cᵀ K C on the coordinates that occur in this cell.
+        // Assemble Cᵀ K C on the coordinates that occur in this cell.
         std::vector<unsigned int> used;
         std::vector<Vector> factors; // of every coordinate, by local degree of freedom
         for (std::size_t i = 0; i < n_local; ++i)

@@ -20,7 +20,7 @@ namespace fuga
                              thermal_modulus(material, assumption) * thermal_strain;
     StressState<dim> stress;
     stress.in_plane = isotropic * dealii::unit_symmetric_tensor<dim>() + 2. * lame.mu * strain;
-    if constexpr (dim == 3) // there is nothing across
+    if constexpr (dim == 3) // there is no direction across
       return stress;
     switch (assumption)
       {

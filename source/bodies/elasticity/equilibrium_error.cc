@@ -26,7 +26,8 @@ namespace fuga
     if (largest == 0.)
       return error;
     // The displacements of a body that moves far on a soft joint leave K u uncertain by their last
-    // digits; only what exceeds that is an error. The resultants below know no K.
+    // digits; only the part that exceeds this uncertainty is an error. The resultants below do not
+    // depend on K.
     const double rounding = 4. * std::numeric_limits<double>::epsilon();
     for (std::size_t i = 0; i < elastic.size(); ++i)
       if (!fixed[i])

@@ -14,7 +14,8 @@ namespace fuga
   {
   }
 
-  // Gram and Schmidt: motions of one piece are all but orthogonal, and those of others are far.
+  // The Gram-Schmidt method is sufficient: motions of one piece are almost orthogonal, and those of
+  // other pieces are far away.
   template <int dim>
   std::vector<FreeMotions::Motion>
   FreeMotions::orthonormal(const RigidPieces<dim> &pieces, const Vector &weights)
@@ -99,8 +100,8 @@ namespace fuga
     return u;
   }
 
-  // What is nearer loses three digits of its deformation by the removal in double precision, 1e-13
-  // of the elastic forces: less than a step leaves out of balance.
+  // Bodies that are nearer lose up to three digits of their deformation by the removal in double
+  // precision, 1e-13 of the elastic forces: less than the imbalance that a step leaves.
   Vector
   FreeMotions::deformation_of_far(const Vector &u) const
   {

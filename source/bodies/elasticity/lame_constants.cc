@@ -18,7 +18,8 @@ namespace fuga
   }
 
 
-  // What is held across the plane presses too: 3λ + 2μ of space. In plane stress the plane alone.
+  // A material that is held across the plane presses there as well: 3λ + 2μ as in space. In plane
+  // stress only the plane itself counts.
   double
   thermal_modulus(const Material &material, const PlaneAssumption assumption)
   {

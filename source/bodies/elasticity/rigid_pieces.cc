@@ -14,7 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** Squares of singular values below this part of the largest one count as zero. */
+    /** Squares of singular values below this share of the largest one count as zero. */
     constexpr double null_tolerance = 1e-12;
 
     void
@@ -25,7 +25,7 @@ namespace fuga
           gram(a.first, b.first) += a.second * b.second;
     }
 
-    /** Null vectors of a positive semidefinite matrix, as columns. */
+    /** Return the null vectors of a positive semidefinite matrix, as columns. */
     DenseMatrix
     null_vectors(DenseMatrix gram)
     {
@@ -126,8 +126,8 @@ namespace fuga
   }
 
 
-  // The null space of what is held, in shifts and the rotation times the size of the group: three
-  // unit motions where nothing is.
+  // The free motions form the null space of the held components, in shifts and the rotation times
+  // the size of the group; they are the three unit motions if no component is held.
   template <int dim>
   void
   RigidPieces<dim>::find_free_motions(const std::vector<bool> &fixed)

@@ -14,8 +14,8 @@ namespace fuga
 {
   namespace
   {
-    /** Without what is only rounding beside @p size, and of a direction and its opposite the one whose
-     * last component that is not 0 is positive. */
+    /** Return @p x without components that are only rounding relative to @p size; of a direction
+     * and its opposite, return the one whose last nonzero component is positive. */
     template <int dim>
     dealii::Tensor<1, dim>
     clean(dealii::Tensor<1, dim> x, const double size, const bool is_direction = false)
@@ -67,7 +67,7 @@ namespace fuga
   std::string
   RigidPieces<dim>::describe(const DenseMatrix &free, const unsigned int piece) const
   {
-    // Orthonormal basis of the motions of this piece: shifts first, then what is left.
+    // This is an orthonormal basis of the motions of this piece: shifts first, then the others.
     std::vector<Motion> span, found;
     const auto reduce = [](Motion v, const std::vector<Motion> &basis) {
       for (const auto &b : basis)

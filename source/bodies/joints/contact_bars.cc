@@ -15,10 +15,10 @@ namespace fuga
 {
   namespace
   {
-    /** A support counts as aligned with the frame of a joint up to this sine. */
+    /** Sine of the angle up to which a support counts as aligned with the frame of a joint. */
     constexpr double alignment_tolerance = 1e-10;
 
-    /** How many nodes every node faces: more than one where joints cross or touch. */
+    /** Return how many nodes each node faces: more than one where joints cross or touch. */
     template <int dim>
     std::map<unsigned int, std::size_t>
     count_partners(const std::vector<NodePair<dim>> &pairs)
@@ -65,7 +65,8 @@ namespace fuga
             ++left_out[pair.joint];
             continue;
           }
-        // Where joints cross, the jumps of all bars determine the motion: none may be missing.
+        // Where joints cross, the jumps of all bars determine the motion, so that none may be
+        // missing.
         const bool crossing =
           n_partners.at(pair.plus_node) > 1 || n_partners.at(pair.minus_node) > 1;
         add_element(i, count[pair.joint]++, jump, !frictionless[pair.joint] || crossing);
@@ -115,7 +116,8 @@ namespace fuga
         "xyz"[held.front()],
         text_of(pair.normal)));
     jump.n_free_tangents = dim - 1 - static_cast<unsigned int>(held.size());
-    // A joint along a held axis has that axis as a tangent: it is the second one, or becomes it.
+    // A joint along a held axis has that axis as a tangent; it is the second tangent, or becomes
+    // it.
     if constexpr (dim == 3)
       if (jump.n_free_tangents == 1 &&
           std::abs(jump.tangents[0][held.front()]) > alignment_tolerance)

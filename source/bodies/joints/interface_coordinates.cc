@@ -22,7 +22,7 @@ namespace fuga
   }
 
 
-  // A held node that hangs takes only what supports prescribe for its masters.
+  // A held node that hangs takes only the displacements that supports prescribe for its masters.
   template <int dim>
   void
   InterfaceCoordinates<dim>::hang_nodes(const HangingNodes<dim> &hanging,
@@ -39,7 +39,7 @@ namespace fuga
   }
 
 
-  // Degrees of freedom, slides, interface coordinates.
+  // The numbers are those of degrees of freedom, slides, and interface coordinates, in this order.
   template <int dim>
   void
   InterfaceCoordinates<dim>::number(const std::vector<bool> &fixed,

@@ -11,10 +11,10 @@ namespace fuga
 {
   namespace
   {
-    /** Of a unit vector, what counts as a direction of its own. */
+    /** Length of the remainder of a unit vector that counts as a direction of its own. */
     constexpr double smallest_rest = 1e-10;
 
-    /** What differs from a whole number by rounding is one. */
+    /** Return a cosine, rounded to a whole number if it differs from one only by rounding. */
     double
     without_rounding(const double cosine)
     {
@@ -23,7 +23,7 @@ namespace fuga
       return std::abs(cosine - whole) < rounding ? whole : cosine;
     }
 
-    /** Elements that share nodes, in the order of their first elements. */
+    /** Return the sets of elements that share nodes, in the order of their first elements. */
     template <int dim>
     std::vector<std::vector<unsigned int>>
     find_clusters(const ContactBars<dim> &bars)
@@ -82,7 +82,7 @@ namespace fuga
   }
 
 
-  // Two nodes: the softer one moves, or the one that is not held.
+  // Of two nodes the softer one moves, or the one that is not held.
   template <int dim>
   void
   InterfaceRows<dim>::add_pair(const Cluster &cluster)
@@ -109,8 +109,8 @@ namespace fuga
   }
 
 
-  // First the bars of the first element; at a corner what those of the others add to them; last,
-  // where there is no bar, slides.
+  // The frame consists first of the bars of the first element, at a corner also of the directions
+  // that those of the others add, and last, where there is no bar, of slides.
   template <int dim>
   auto
   InterfaceRows<dim>::frame_of_jumps(const Cluster &cluster) -> std::vector<LocalDirection>
@@ -196,8 +196,8 @@ namespace fuga
   }
 
 
-  // Any number of nodes: offsets from one of them, a held or else the stiffest one, direction by
-  // direction.
+  // A junction has any number of nodes. They get offsets from one of them, a held or else the
+  // stiffest one, direction by direction.
   template <int dim>
   void
   InterfaceRows<dim>::add_junction(const Cluster &cluster)

@@ -15,7 +15,8 @@ namespace fuga
 {
   namespace
   {
-    /** So that equal angles of a regular polygon are on one side of the limit [degrees]. */
+    /** Tolerance which ensures that equal angles of a regular polygon are on one side of the limit
+     * [degrees]. */
     constexpr double rounding_of_angles = 1e-6;
   } // namespace
 
@@ -51,7 +52,7 @@ namespace fuga
   std::vector<std::string>
   corner_report(const std::vector<NodePair<dim>> &pairs, const JointedMesh &mesh)
   {
-    // The second part of a node pair tells a corner once.
+    // The second part of a node pair would report a corner twice.
     std::vector<std::vector<dealii::Point<dim>>> places(mesh.joints.size());
     for (const auto &pair : pairs)
       if (pair.part == 1 && pair.masters.empty())

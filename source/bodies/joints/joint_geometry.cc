@@ -73,10 +73,10 @@ namespace fuga
   }
 
 
-  // In axisymmetry the integral is exact as well: positive at every node but the one on the axis,
-  // where it vanishes for degrees above 1 (Gauss-Lobatto's rule integrates N r exactly). Density is
-  // relative to the first point, so that on a face of constant density equal nodes have equal
-  // areas.
+  // In axisymmetry the integral is exact as well: it is positive at every node except for the one
+  // on the axis, where it vanishes for degrees above 1 (Gauss-Lobatto's rule integrates N r
+  // exactly). Density is relative to the first point, so that equal nodes have equal areas on a
+  // face of constant density.
   template <int dim>
   Vector
   JointGeometry<dim>::node_areas(const MatchedFace<dim> &face) const
@@ -145,7 +145,7 @@ namespace fuga
   void
   JointGeometry<dim>::finish_normal(NodePair<dim> &pair) const
   {
-    // On the axis the mirror image of the line counts too.
+    // On the axis the mirror image of the line counts as well.
     if (discretization.is_on_axis(pair.plus_node))
       pair.normal[0] = 0.;
     if (pair.normal.norm() < 1e-3 * pair.area)
@@ -181,9 +181,9 @@ namespace fuga
   }
 
 
-  // With δ_h = Σ w_k δ_k the work of a pressure on the jump of a hanging pair is one on its
+  // With δ_h = Σ w_k δ_k, the work of a pressure on the jump of a hanging pair is work on its
   // masters: areas, and normals weighted by them, become integrals of the shape functions of the
-  // space with its constraints.
+  // constrained space.
   template <int dim>
   void
   JointGeometry<dim>::move_to_masters(const double corner_angle, KnownPairs &known)
@@ -207,8 +207,9 @@ namespace fuga
   }
 
 
-  // Lips are refined alike (mesh_refinement): a node hangs together with the one it faces, and
-  // their masters face each other. One that only a cell beside the joint has becomes a pair here.
+  // Lips are refined alike (mesh_refinement): a node hangs together with the one that it faces, and
+  // their masters face each other. Masters that only a cell beside the joint has become a pair
+  // here.
   template <int dim>
   void
   JointGeometry<dim>::find_masters(const KnownPair &hanging_pair,

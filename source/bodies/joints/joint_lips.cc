@@ -35,8 +35,8 @@ namespace fuga
     }
 
 
-    /** Whether it has bodies on both sides. A joint is built as a whole, so that the areas of its
-     * elements and what they have felt remain. */
+    /** Return whether a joint has bodies on both sides. A joint is built as a whole, so that the
+     * areas and histories of its elements remain. */
     template <int dim>
     bool
     is_there(const Discretization<dim> &discretization, const JointedMesh::Joint &joint)
@@ -84,7 +84,7 @@ namespace fuga
     }
 
 
-    /** Sorts the faces along the joint and turns their nodes into the direction of the walk. */
+    /** Sort the faces along the joint and turn their nodes into the direction of the walk. */
     template <int dim>
     std::vector<MatchedFace<dim>>
     walk(const Discretization<dim> &discretization, const std::vector<MatchedFace<dim>> &faces)

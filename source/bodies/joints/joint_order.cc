@@ -13,10 +13,11 @@ namespace fuga
 {
   namespace
   {
-    /** Ends of faces that are closer, relative to the length of a face, are one place. */
+    /** Ends of faces that are closer than this, relative to the length of a face, are one place. */
     constexpr double joined_share = 1e-5;
 
-    /** Faces as edges of a graph whose nodes are places; removes edges as they are walked. */
+    /** Represents faces as edges of a graph whose nodes are places; edges are removed as they are
+     * walked. */
     template <int dim>
     class Walker
     {
@@ -42,7 +43,7 @@ namespace fuga
         walked.assign(edges.size(), false);
       }
 
-      /** Edge numbers in walking order, and whether each is walked backwards. */
+      /** Return edge numbers in walking order, and whether each is walked backwards. */
       std::vector<std::pair<unsigned int, bool>>
       walk()
       {
@@ -71,7 +72,7 @@ namespace fuga
         return PointMatcher<dim>::not_found;
       }
 
-      /** The first free end; in a closed line the first place. */
+      /** Return the first free end; in a closed line, the first place. */
       unsigned int
       start() const
       {
@@ -110,7 +111,8 @@ namespace fuga
       double extent = 0.;
     };
 
-    /** By centers; coordinates that differ by less than a millionth of the joint are equal. */
+    /** Order faces by their centers; coordinates that differ by less than a millionth of the joint
+     * are equal. */
     std::vector<std::pair<unsigned int, bool>>
     order_of_centers(const std::vector<std::vector<dealii::Point<3>>> &faces)
     {

@@ -14,7 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** Heights that differ by less are the same, relative to the length of the face. */
+    /** Heights that differ by less than this, relative to the length of the face, are the same. */
     constexpr double height_tolerance = 1e-9;
 
     /** The part of a face below the level, from its higher to its lower end. */
@@ -22,7 +22,7 @@ namespace fuga
     {
       /** Positions in units of the face, from its first corner. */
       double begin = 0., end = 1.;
-      /** Square roots of the depths there. */
+      /** Square roots of the depths at these positions. */
       double root_begin = 0., root_end = 0.;
     };
 
@@ -64,8 +64,8 @@ namespace fuga
         for (const double height : y)
           depths.push_back(level - height);
         // With z = √d linear in the parameter τ, and degree p of the shape functions, the integrand
-        // is a polynomial in τ of degree 2p + 3, and 2p + 5 with a radius (or, of a face that is no
-        // parallelogram, the density of its area) as factor.
+        // is a polynomial in τ of degree 2p + 3; its degree is 2p + 5 if a radius (or, for a face
+        // that is not a parallelogram, the density of its area) is a factor.
         const unsigned int n_points = space.reference_element().scalar_element().degree + 3;
         const dealii::QGauss<1> rule(n_points);
         for (const auto &line : map.lines({depths}, n_points))

@@ -11,7 +11,7 @@ namespace fuga
 {
   namespace
   {
-    /** Part of a way that counts as its end. */
+    /** Share of a way that counts as its end. */
     constexpr double at_end = 1e-9;
 
     void
@@ -46,7 +46,7 @@ namespace fuga
     for (std::size_t k = 0; k < n; ++k)
       positions.push_back(bars.pair_of_element(k).position);
 
-    // Where joints cross or meet, and at their corners, several elements lie at one place.
+    // Several elements lie at one place where joints cross or meet, and at their corners.
     double size = 0.;
     for (const auto &position : positions)
       size = std::max(size, position.distance(positions.front()));
@@ -73,8 +73,8 @@ namespace fuga
   }
 
 
-  // An end without an element (where supports hold both sides, say) is that of the elements next to
-  // it.
+  // An end without an element (where supports hold both sides, for example) is that of the elements
+  // next to it.
   template <int dim>
   void
   JointWaterModel<dim>::connect(const UpliftAssembly<dim> &assembly)
@@ -143,7 +143,7 @@ namespace fuga
         known.access = access;
         known.columns.assign(patterns.size(), Vector());
       }
-    // Patterns of one load together: they share what is known of its lines.
+    // Patterns of one load are assembled together, since they share the data of its lines.
     for (std::size_t i = 0; i < assemblies.size(); ++i)
       {
         std::vector<std::size_t> wanted;

@@ -19,7 +19,7 @@ namespace fuga
 {
   namespace
   {
-    /** The expressions with their defaults; checks their number. */
+    /** Return the expressions with their defaults, and check their number. */
     std::vector<std::string>
     checked_expressions(const LoadDefinition &load, const unsigned int dim)
     {
@@ -95,7 +95,7 @@ namespace fuga
                              selection(mesh.label_names, load.targets),
                              pattern.forces);
           break;
-        case LoadKind::uplift: // UpliftAssembly
+        case LoadKind::uplift: // handled by UpliftAssembly
           break;
         case LoadKind::pressure:
         case LoadKind::traction:
@@ -109,7 +109,7 @@ namespace fuga
           set_displacement(load, field, pattern.prescribed);
           break;
         case LoadKind::imposed_gap:
-          break; // no force, and of the joints nothing is known here
+          break; // no force, and joints are not known here
       }
     return pattern;
   }

@@ -175,8 +175,8 @@ namespace fuga
   }
 
 
-  // Between corners the integrand is a polynomial: degree p of the shape function, one of the
-  // pressure, one of a radius or of the density of the area.
+  // Between corners the integrand is a polynomial; its degree consists of the degree p of the shape
+  // function, one of the pressure, and one of a radius or of the density of the area.
   template <int dim>
   auto
   UpliftAssembly<dim>::points_between(const Line &line, const double begin, const double end) const
@@ -311,7 +311,7 @@ namespace fuga
   }
 
 
-  // Water presses the plus side along the normal: as a bar force -u A does.
+  // Water presses the plus side along the normal, as a bar force -u A does.
   template <int dim>
   LoadPattern
   UpliftAssembly<dim>::assemble(const WaterLevels &levels) const

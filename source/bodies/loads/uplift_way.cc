@@ -16,7 +16,7 @@ namespace fuga
 {
   namespace
   {
-    /** Part of the size of a way that counts as no distance. */
+    /** Share of the size of a way that counts as no distance. */
     constexpr double same_place = 1e-6;
   } // namespace
 
@@ -35,7 +35,7 @@ namespace fuga
           all_faces.push_back({&face, 0, {}, {}});
           corners.push_back(FaceMap<dim>(discretization, face.boundary).corners());
         }
-    // Copies of one node lie at one place: it is known by the first corner there.
+    // Copies of one node lie at one place, which is identified by the first corner there.
     std::vector<dealii::Point<dim>> points;
     double size = 0.;
     for (const auto &of_face : corners)
@@ -104,7 +104,7 @@ namespace fuga
   }
 
 
-  // The chain of faces is walked from the end that lies against the direction of flow.
+  // The chain of faces is walked beginning at the end that lies against the direction of flow.
   template <int dim>
   void
   UpliftWay<dim>::measure_chain(const std::size_t way,
@@ -202,7 +202,7 @@ namespace fuga
   }
 
 
-  // The pressure at an end of the joint is that of one depth.
+  // The pressure at an end of the joint must be that of one depth.
   template <int dim>
   void
   UpliftWay<dim>::require_level_end(const std::size_t way,

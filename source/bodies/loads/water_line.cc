@@ -11,10 +11,10 @@ namespace fuga
   {
     using Profile = std::vector<std::array<double, 2>>;
 
-    /** Gaps shorter than this part of the way are none. */
+    /** Gaps shorter than this share of the way are ignored. */
     constexpr double shortest_gap = 1e-9;
 
-    /** φ(s), linear between its points and constant outside. */
+    /** Return φ(s), which is linear between its points and constant outside. */
     double
     share_of_head(const Profile &profile, const double s)
     {
@@ -40,7 +40,7 @@ namespace fuga
     find_gaps();
   }
 
-  // Where reaches of both kinds overlap the water is that of the reservoir.
+  // Where reaches of both kinds overlap, the water is that of the reservoir.
   void
   WaterLine::unite_reaches()
   {

@@ -37,7 +37,8 @@ namespace fuga
               begin.until_rest};
     }
 
-    /** Where an equilibrium was lost the ground stands still, and supports hold. */
+    /** Return the dynamics in effect. Where an equilibrium was lost the ground stands still, and
+     * supports hold. */
     DynamicsDefinition
     acting_in(DynamicsDefinition dynamics, const ConstructionState &begin)
     {
@@ -51,7 +52,7 @@ namespace fuga
       return dynamics;
     }
 
-    /** The ratio ζ = α/2ω + βω/2 at both frequencies. */
+    /** Compute the damping from the ratio ζ = α/2ω + βω/2 at both frequencies. */
     RayleighDamping
     damping_of(const DynamicsDefinition &dynamics)
     {
@@ -196,8 +197,9 @@ namespace fuga
   }
 
 
-  // The unknown counts from the head start û instead of Δū: a long way has its own digits then, and
-  // does not take those of what deforms the bodies. The push grows by (K + a1 C + a0 M) (Δū - û).
+  // The unknown is measured from the head start û instead of Δū: a long way then has its own
+  // digits, and does not take away those of the displacements that deform the bodies. The push
+  // grows by (K + a1 C + a0 M) (Δū - û).
   template <int dim>
   MovingBodies::Step
   BodiesInMotion<dim>::begin_step(const unsigned int rung)
@@ -288,7 +290,7 @@ namespace fuga
 
 
   // Where a body falls freely inertia leaves nothing of the forces, and where it rests they have
-  // not changed: those of the joints have the digits of what they carried before.
+  // not changed: the forces of the joints have only the digits of what they carried before.
   template <int dim>
   EquilibriumError
   BodiesInMotion<dim>::equilibrium_error(const Vector &p) const

@@ -17,11 +17,11 @@ namespace fuga
 {
   namespace
   {
-    /** What is smaller than this part of the largest eigenvalue is rounding of zero. */
+    /** Eigenvalues below this share of the largest one are zero up to rounding. */
     constexpr double digits = 1e-12;
 
-    /** M^½ K⁻¹ M^½ of the bonded bodies, on the degrees of freedom that have mass. Its eigenvalues
-     * are 1/ω². */
+    /** The flexibility M^½ K⁻¹ M^½ of the bonded bodies on the degrees of freedom that have mass.
+     * Its eigenvalues are 1/ω². */
     template <int dim>
     class BondedFlexibility
     {
@@ -48,7 +48,7 @@ namespace fuga
         return model.discretization().n_dofs();
       }
 
-      /** K⁻¹ M^½ by nodes, of columns. */
+      /** Return K⁻¹ M^½ applied to @p columns, by nodes. */
       DenseMatrix
       displacements(const DenseMatrix &columns) const
       {
@@ -60,7 +60,7 @@ namespace fuga
         return u;
       }
 
-      /** M^½ of fields by nodes. */
+      /** Return M^½ applied to fields by nodes. */
       DenseMatrix
       weighted(const DenseMatrix &fields) const
       {
@@ -87,8 +87,8 @@ namespace fuga
       return result;
     }
 
-    /** Calls action(first, end) for pieces of the columns: one pass over the factors serves
-     * several. */
+    /** Call action(first, end) for groups of columns, since one pass over the factors can serve
+     * several columns. */
     template <typename Action>
     void
     by_pieces(const std::size_t n_columns, const Action &action)
@@ -98,7 +98,8 @@ namespace fuga
         action(first, std::min(first + at_once, n_columns));
     }
 
-    /** Those with values of at least @p smallest, or the first one where @p one is wanted. */
+    /** Return the pairs with values of at least @p smallest, or only the first one where @p one is
+     * wanted. */
     Eigenpairs
     at_least(const double smallest, Eigenpairs pairs, const bool one)
     {
@@ -140,8 +141,8 @@ namespace fuga
       return eigenpairs(std::move(matrix));
     }
 
-    /** By Lanczos iterations, each on what the one before has left, until that has nothing any
-     * more: an iteration from one vector may miss modes of the same frequency. */
+    /** Find the pairs by Lanczos iterations, each applied to what the one before has left, until
+     * nothing remains: an iteration from one vector may miss modes of the same frequency. */
     template <int dim>
     Eigenpairs
     pairs_from(const double smallest, const BondedFlexibility<dim> &flexibility)
@@ -180,7 +181,7 @@ namespace fuga
         }
     }
 
-    /** Φ by nodes: also where there is no mass. */
+    /** Return Φ by nodes, including those without mass. */
     template <int dim>
     DenseMatrix
     shapes_of(const Eigenpairs &modes, const BondedFlexibility<dim> &flexibility)
@@ -197,7 +198,7 @@ namespace fuga
       return result;
     }
 
-    /** L: what the modes leave out of balance at the lips is the inertia of these. */
+    /** Return L: the imbalance that the modes leave at the lips is their inertia. */
     template <int dim>
     DenseMatrix
     coupling_of(const CondensedSystem<dim> &model, const ModalBasis &basis)
@@ -218,7 +219,7 @@ namespace fuga
       return L;
     }
 
-    /** M^½ (Ψ - ΦL). */
+    /** Return M^½ (Ψ - ΦL). */
     template <int dim>
     DenseMatrix
     static_less_modes(const CondensedSystem<dim> &model,
@@ -250,7 +251,7 @@ namespace fuga
       return result;
     }
 
-    /** Finds R, and its axes. */
+    /** Find R and its axes. */
     void
     diagonalise(const DenseMatrix &rest, ModalBasis &basis)
     {

@@ -12,7 +12,7 @@ namespace fuga
 {
   namespace
   {
-    /** The last @p n entries, or those before them. */
+    /** Return the last @p n entries; the next function returns those before them. */
     Vector
     last(const std::size_t n, const Vector &all)
     {
@@ -276,8 +276,8 @@ namespace fuga
   }
 
 
-  // The jump at a lip moves a node by what the bonded bodies leave out of balance there under a
-  // unit force on the node (Maxwell and Betti).
+  // The jump at a lip moves a node by the imbalance that a unit force on the node causes there in
+  // the bonded bodies (Maxwell and Betti).
   template <int dim>
   void
   ModalCoordinates<dim>::watch(const std::vector<unsigned int> &dofs)
@@ -324,7 +324,7 @@ namespace fuga
   }
 
 
-  // Forces of bars that are those on the coordinates are found in the range of B.
+  // Bar forces that are equivalent to those on the coordinates are found in the range of B.
   template <int dim>
   EquilibriumError
   ModalCoordinates<dim>::equilibrium_error(const MotionState &state,

@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** With a matrix by nodes, of the own cells. */
+    /** Return the product of u with a matrix by nodes, of the cells of this process. */
     Vector
     product(const dealii::SparseMatrix<double> &matrix, const Vector &u)
     {
@@ -106,8 +106,8 @@ namespace fuga
   }
 
 
-  // Of K only the geometric part feels rigid motions. That saves a product, the dearest part of a
-  // step.
+  // Only the geometric part of K feels rigid motions. This saves a product, the most expensive part
+  // of a step.
   template <int dim>
   Vector
   NodalCoordinates<dim>::resistance(const Vector &u, const Vector &v) const

@@ -7,7 +7,7 @@ namespace fuga
 {
   namespace
   {
-    /** One triangle of the products of the terms of two degrees of freedom. */
+    /** Add one triangle of the products of the terms of two degrees of freedom. */
     template <typename Terms>
     void
     add_products(const Terms &rows,

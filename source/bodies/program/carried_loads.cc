@@ -14,9 +14,9 @@ namespace fuga
 {
   namespace
   {
-    /** Below this share of the largest, forces and displacements are rounding errors; and forces
-     * below the other one of the products that they are sums of, which are large where bodies have
-     * moved far. */
+    /** Forces and displacements below the first share of the largest are rounding errors, and so
+     * are forces below the second share of the products that they are sums of, which are large
+     * where bodies have moved far. */
     constexpr double rounding = 1e-12, rounding_of_terms = 4e-15;
 
     std::vector<bool>
@@ -32,7 +32,7 @@ namespace fuga
       return built;
     }
 
-    /** Displacement that the patterns prescribe at the held degrees of freedom. */
+    /** Return the displacements that the patterns prescribe at the held degrees of freedom. */
     Vector
     prescribed(const std::vector<LoadPattern> &patterns, const Vector &factors, const std::size_t n)
     {
@@ -42,8 +42,8 @@ namespace fuga
       return result;
     }
 
-    /** Support displacements beyond those of the loads: of nodes that were held when they had moved
-     *  already. Empty if there are none. */
+    /** Return the support displacements beyond those of the loads: those of nodes that were held
+     * when they had already moved. Return an empty vector if there are none. */
     Vector
     further_displacements(const Vector &u, const Vector &of_loads, const std::vector<bool> &fixed)
     {
@@ -75,7 +75,7 @@ namespace fuga
     const Discretization<dim> &space = system.discretization();
     const JointedMesh &mesh          = system.jointed_mesh();
     const ElasticBodies<dim> bodies(space, mesh, model);
-    // Supports that a dynamic stage releases go on to carry what they have carried.
+    // Supports that a dynamic stage releases continue to carry what they have carried.
     const std::vector<bool> supported = find_fixed_dofs(space, mesh, model);
     const Vector u                    = space.by_nodes(state.displacement);
 

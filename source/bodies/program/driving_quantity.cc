@@ -12,8 +12,8 @@ namespace fuga
 {
   namespace
   {
-    /** Fractions of a stage at which a course is looked at: irregular, so that no usual periodic
-     * function seems to stand still. */
+    /** Fractions of a stage at which a course is sampled; they are irregular, so that no common
+     * periodic function appears to be constant. */
     constexpr double sampled_fractions[] = {0., 0.1931, 0.4391, 0.6877, 0.8123, 1.};
 
     template <typename Course>
@@ -33,7 +33,7 @@ namespace fuga
       const double largest = stage.largest_factor;
       if (stage.purpose == StagePurpose::load_factor)
         return [=](const double t) { return 1. + (largest - 1.) * (t - begin); };
-      // The share of strength that is left is linear in t.
+      // The remaining share of strength is linear in t.
       return [=](const double t) { return 1. / (1. + (1. / largest - 1.) * (t - begin)); };
     }
   } // namespace

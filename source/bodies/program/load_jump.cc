@@ -13,14 +13,14 @@ namespace fuga
 {
   namespace
   {
-    /** Which levels make a load more than nothing; of a depth pressure always the first one. */
+    /** The levels that make a load nonzero; for a depth pressure always the first one. */
     struct ActingLevels
     {
       bool level     = true;
       bool tailwater = false;
     };
 
-    // One of both waters alone, the other one far below everything.
+    // Each of the two waters is considered alone, with the other one far below everything.
     template <int dim>
     ActingLevels
     acting_levels(const ModelDefinition &model,
@@ -59,7 +59,7 @@ namespace fuga
       return text;
     }
 
-    /** Why a load with a level is not zero at load time @p t. */
+    /** Return why a load with a level is not zero at load time @p t. */
     std::string
     cause(const LoadDefinition &load,
           const std::map<std::string, double> &constants,

@@ -12,11 +12,11 @@ namespace fuga
 {
   namespace
   {
-    /** Knots that are closer than this part of a stage are one. */
+    /** Knots that are closer than this share of a stage are one. */
     constexpr double knot_tolerance = 1e-9;
 
-    /** Where the level is @p wanted between two times, at one of which it is lower and at the other
-     *  one higher. */
+    /** Return the time at which the level is @p wanted, between two times at one of which it is
+     * lower and at the other one higher. */
     double
     crossing(const LevelHistory &level, const double wanted, double t0, double t1)
     {
@@ -26,7 +26,8 @@ namespace fuga
       return rising ? t1 : t0;
     }
 
-    /** The load is linear in t between two times between which the level is. */
+    /** Return whether the load is linear in t between two times between which the level is
+     * linear. */
     bool
     is_linear(const DepthPressure &depth,
               const FactorCourse course,
@@ -74,7 +75,8 @@ namespace fuga
     const LevelHistory level(definition, load, model.constants);
     const bool linear = level.is_piecewise_linear(begin, begin + 1.);
 
-    // Pieces on which the level is linear, or else so short that it passes a kink once at most.
+    // On each of these pieces the level is linear, or the piece is so short that it passes a kink
+    // once at most.
     std::vector<double> times = {begin};
     if (linear)
       for (const double t : level.corners(begin, begin + 1.))

@@ -10,7 +10,7 @@ namespace fuga
 {
   namespace
   {
-    /** Sum of what a pattern does, without signs. */
+    /** Return the sum of the effects of a pattern, without signs. */
     double
     size_of(const LoadPattern &pattern)
     {
@@ -22,7 +22,7 @@ namespace fuga
       return sum;
     }
 
-    /** Size of the difference of a pattern to the mean of two others. */
+    /** Return the size of the difference between a pattern and the mean of two others. */
     double
     distance_to_mean(LoadPattern middle, const LoadPattern &a, const LoadPattern &b)
     {
@@ -69,7 +69,8 @@ namespace fuga
   }
 
 
-  // The same pattern at the next corner makes the hat wider, and none is needed for nothing.
+  // A pattern that is the same at the next corner widens the hat function; a zero pattern needs
+  // none.
   template <int dim>
   void
   LoadPatterns<dim>::add_changing(const unsigned int load)

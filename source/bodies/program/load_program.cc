@@ -87,7 +87,7 @@ namespace fuga
             continue;
           if (stage.is_dynamic())
             {
-              // Inertia lets a load come at once: its phase begins with it.
+              // With inertia a load may come at once: its phase begins with it.
               if (begins_phase)
                 factors.values.back()[history.load] = begin;
               continue;
@@ -112,7 +112,7 @@ namespace fuga
         }
     }
 
-    // The loads that grow do so from what they are; all others stand still.
+    // The loads that are increased grow from their present values; all others stay constant.
     void
     add_search_for_safety(const ModelDefinition &model,
                           const std::size_t number,
@@ -155,7 +155,8 @@ namespace fuga
       return factors;
     }
 
-    /** These factors, with the stages in which water in joints does not follow their opening. */
+    /** Return a history of these factors, including the stages in which water in joints does not
+     * follow their opening. */
     LoadHistory
     history_of(const ModelDefinition &model,
                const std::vector<double> &corners,

@@ -10,7 +10,7 @@ namespace fuga
 {
   namespace
   {
-    /** Below this share of all the forces a sum is rounding. */
+    /** Share of all the forces below which a sum is rounding. */
     constexpr double zero_share = 1e-11;
   } // namespace
 

@@ -12,7 +12,7 @@ namespace fuga
 {
   namespace
   {
-    /** What the work of a force on the displacement follows from. */
+    /** Return the linear response from which the work of a force on the displacement follows. */
     template <int dim>
     LinearResponse
     response(const CondensedSystem<dim> &system, const Vector &force, const Monitor::Source source)
@@ -22,8 +22,9 @@ namespace fuga
       return {force, Vector(system.load_patterns().n_columns(), 0.)};
     }
 
-    /** The response of what strains a body: without the shape in which it is free of stress, which
-     * is in force with the carried load, the last but one of the patterns. */
+    /** Return the response of the displacement that strains a body: without the shape in which it
+     * is free of stress, which acts together with the carried load, the last but one of the
+     * patterns. */
     template <int dim>
     LinearResponse
     straining(const CondensedSystem<dim> &system,

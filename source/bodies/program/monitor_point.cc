@@ -132,7 +132,7 @@ namespace fuga
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
       {
         const double share = element.shape_value(i, in_reference_cell);
-        // On a face or at a corner the other nodes have no share but rounding.
+        // On a face or at a corner the share of the other nodes is only rounding.
         if (std::abs(share) > 10. * inside_tolerance)
           result.push_back({discretization.cell_nodes(cell)[i], share});
       }

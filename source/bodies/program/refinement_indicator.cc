@@ -48,7 +48,7 @@ namespace fuga
     const Vector energies = fine.cell_energies(difference);
     Vector result(parents.n_cells(), 0.);
     for (std::size_t cell = 0; cell < children.n_cells(); ++cell)
-      // Where only rigid motions differ, rounding may have either sign.
+      // Where only rigid motions differ, the rounding error may have either sign.
       result[cell / n_children] += std::max(0., energies[cell]);
     return result;
   }

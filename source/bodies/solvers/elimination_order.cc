@@ -13,7 +13,7 @@ namespace fuga
 {
   namespace
   {
-    /** Lists of different lengths, one after the other. */
+    /** Lists of different lengths, stored one after the other. */
     struct Lists
     {
       std::vector<unsigned int> start = {0}, entries;
@@ -25,7 +25,7 @@ namespace fuga
       }
     };
 
-    /** For each of @p n numbers the lists in which it occurs. */
+    /** Return for each of @p n numbers the lists in which it occurs. */
     Lists
     transposed(const Lists &lists, const std::size_t n)
     {
@@ -68,9 +68,10 @@ namespace fuga
   } // namespace
 
 
-  // The seed is fixed: every run has the same order. METIS_NodeND() catches SIGTERM meanwhile and
-  // leaves by longjmp(), wherever it is (in malloc(), or with a pointer freed but not forgotten).
-  // What ParMETIS calls for its last levels orders a graph alike and does not.
+  // The seed is fixed so that every run has the same order. METIS_NodeND() catches SIGTERM while it
+  // runs and leaves by longjmp(), wherever it is (in malloc(), or with a pointer freed but not
+  // reset). The function that ParMETIS calls for its last levels computes the same order and does
+  // not do this.
   std::vector<int>
   nested_dissection(Graph graph)
   {
@@ -82,7 +83,7 @@ namespace fuga
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_SEED]  = 1;
     const idx_t n_processes     = 1;
-    idx_t size_of_separators[1] = {0}; // 2 n_processes - 1, of what processes would share
+    idx_t size_of_separators[1] = {0}; // 2 n_processes - 1 entries, for what processes would share
     if (METIS_NodeNDP(static_cast<idx_t>(node_at.size()),
                       graph.start.data(),
                       graph.neighbours.data(),

@@ -32,7 +32,7 @@ namespace fuga
 
   IterativeSolver::IterativeSolver(NodalBlocks nodal_blocks) : blocks(std::move(nodal_blocks))
   {
-    processes::fortran_communicator(); // starts MPI, which Trilinos wants
+    processes::fortran_communicator(); // starts MPI, which Trilinos requires
   }
 
 
@@ -112,10 +112,10 @@ namespace fuga
   }
 
 
-  // Conjugate gradients for some columns side by side: one pass over the matrix serves all of them.
-  // (Belos::PseudoBlockCGSolMgr does the same, but took 4 to 7 per cent more time.) A norm is the
-  // same on all processes: MPI_Allreduce adds the parts of two in either order, and the sum of two
-  // commutes.
+  // Conjugate gradients are applied to several columns side by side: one pass over the matrix
+  // serves all of them. (Belos::PseudoBlockCGSolMgr does the same, but took 4 to 7 per cent more
+  // time.) A norm is the same on all processes: MPI_Allreduce adds the parts of two in either
+  // order, and the sum of two commutes.
   void
   IterativeSolver::solve_columns(DenseMatrix &loads, DenseMatrix &solutions, const double tolerance)
   {

@@ -18,13 +18,14 @@ namespace fuga
   namespace
   {
     constexpr unsigned int max_bar_iterations = 3000, basis_size = 200;
-    /** What the rest of the bodies leaves of the stiffness of a lip that moves alone, at the
-     * wavelengths of the mesh; only the number of iterations depends on it. */
+    /** Share of the stiffness of a lip that moves alone which the rest of the bodies leaves, at the
+     * wavelengths of the mesh; it affects only the number of iterations. */
     constexpr double share_of_lip = 0.5;
-    /** Of a product with S, which equilibrium is judged by and nothing refines. */
+    /** Tolerance of a product with S, by which equilibrium is judged and which nothing refines. */
     constexpr double tolerance_of_products = 1e-12;
 
-    /** The own rows of K_ii; behind them, on the first process, the kept unknowns. */
+    /** The rows of K_ii that this process owns, followed on the first process by the kept
+     * unknowns. */
     using Work = dealii::LinearAlgebra::distributed::Vector<double>;
 
     Work
@@ -44,7 +45,7 @@ namespace fuga
       return {View, map, const_cast<double *>(x.begin())};
     }
 
-    /** The kept unknowns of x, on all processes. */
+    /** Return the kept unknowns of x, on all processes. */
     Vector
     kept_part(const Work &x, const std::size_t n_interior, const std::size_t n_kept)
     {
@@ -55,7 +56,7 @@ namespace fuga
       return result;
     }
 
-    /** y_c += C x_c. */
+    /** Compute y_c += C x_c. */
     void
     add_blocks(const std::vector<BlockOfCoordinates> &C, const double *x, double *y)
     {
@@ -65,7 +66,7 @@ namespace fuga
             y[block.coordinates[i]] += block.stiffness(i, j) * x[block.coordinates[j]];
     }
 
-    /** [K_ii K_ic; K_ci K_cc + C]. */
+    /** The matrix [K_ii K_ic; K_ci K_cc + C]. */
     struct BodiesWithBars
     {
       const NodalMatrix &K;
@@ -91,11 +92,12 @@ namespace fuga
       }
     };
 
-    /** First K_ii by one cycle of multigrid, then every block of coordinates for itself. */
+    /** Applies first one cycle of multigrid to K_ii, then the inverse of every block of
+     * coordinates. */
     struct BlockPreconditioner
     {
       const Epetra_Map &map;
-      /** None if there is nothing to eliminate. */
+      /** A nullptr if there is nothing to eliminate. */
       const ML_Epetra::MultiLevelPreconditioner *multigrid;
       const Compressed &coupling;
       const std::vector<BlockOfCoordinates> inverses;
@@ -120,7 +122,8 @@ namespace fuga
       }
     };
 
-    /** Of the bars with what the rest of the bodies leaves of the stiffness of their lips. */
+    /** Return the inverses of the blocks of the bars, including the share of the stiffness of their
+     * lips that the rest of the bodies leaves. */
     std::vector<BlockOfCoordinates>
     inverses_of_blocks(std::vector<BlockOfCoordinates> blocks, const Compressed &kept)
     {
@@ -129,7 +132,7 @@ namespace fuga
       for (std::size_t k = 0; k < blocks.size(); ++k)
         for (std::size_t i = 0; i < blocks[k].coordinates.size(); ++i)
           place[static_cast<std::size_t>(blocks[k].coordinates[i])] = {k, i};
-      // Entry (i, j) of a block lies under its coordinate i, at place j.
+      // Entry (i, j) of a block is stored under its coordinate i, at place j.
       std::vector<std::size_t> start = {0};
       for (std::size_t i = 0; i < n; ++i)
         start.push_back(start.back() + blocks[place[i].first].coordinates.size());

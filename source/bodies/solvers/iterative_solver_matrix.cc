@@ -12,13 +12,13 @@ namespace fuga
 {
   namespace
   {
-    /** A value for a process that owns its row: of K_ii, or in columns behind it of K_ic. */
+    /** A value for the process that owns its row, in K_ii or, in the columns after it, in K_ic. */
     struct Contribution
     {
       int row, column;
       double value;
 
-      /** For deal.II, which sends them. */
+      /** Serialize the object for deal.II, which sends it. */
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
@@ -30,8 +30,8 @@ namespace fuga
     using Contributions = std::vector<Contribution>;
 
 
-    /** Calls @p eliminated(row, column, value) for the entries of K_ii, of both triangles, and of K_ic,
-     * and @p kept(row, column, value) for those of K_cc. */
+    /** Call @p eliminated(row, column, value) for the entries of K_ii, of both triangles, and of
+     * K_ic, and @p kept(row, column, value) for those of K_cc. */
     template <typename Eliminated, typename Kept>
     void
     for_each_entry(const SymmetricTriplets &matrix,
@@ -63,7 +63,7 @@ namespace fuga
     }
 
 
-    /** What the cells of others contribute to the own rows. */
+    /** Return the contributions of the cells of other processes to the rows of this process. */
     Contributions
     exchange(const SymmetricTriplets &matrix, const NodalBlocks &blocks, const MPI_Comm comm)
     {
@@ -89,7 +89,7 @@ namespace fuga
     }
 
 
-    /** Numbers columns as Trilinos does: the own rows, then those of others. */
+    /** Number columns as Trilinos does: first the rows of this process, then those of others. */
     Epetra_Map
     map_of_columns(const Epetra_Map &map, Compressed &rows)
     {
@@ -113,7 +113,7 @@ namespace fuga
     }
 
 
-    /** A matrix of Trilinos from rows in which indices, of @p columns, may repeat; rows without
+    /** Return a Trilinos matrix from rows in which indices, of @p columns, may repeat; rows without
      * entries get @p diagonal. */
     std::unique_ptr<NodalMatrix>
     epetra_matrix(const Epetra_Map &map,
@@ -169,8 +169,8 @@ namespace fuga
   } // namespace
 
 
-  // The triplets are given up before the matrix of Trilinos is made: at no time are there three
-  // copies.
+  // The triplets are released before the matrix of Trilinos is created, so that there are never
+  // three copies.
   void
   IterativeSolver::split(SymmetricTriplets &matrix)
   {

@@ -12,7 +12,7 @@ namespace fuga
 {
   namespace
   {
-    /** Displacement of a point in one rigid motion: shifts first, then rotations. */
+    /** Return the displacement of a point in one rigid motion: shifts first, then rotations. */
     template <int dim>
     dealii::Tensor<1, dim>
     rigid_motion(const unsigned int number, const dealii::Tensor<1, dim> &arm)
@@ -102,8 +102,8 @@ namespace fuga
     blocks.block_size = dim;
     blocks.rows.assign(owners.size(), none);
     blocks.rigid_motions = DenseMatrix(static_cast<std::size_t>(blocks.n_own_rows()), n_motions);
-    // Components keep their place; sliding along a joint, which is nobody's component and rests in
-    // a rigid motion, takes what is left.
+    // Components keep their place. Sliding along a joint, which belongs to no component and is zero
+    // in a rigid motion, takes the remaining places.
     std::vector<bool> is_taken(static_cast<std::size_t>(blocks.n_rows()), false);
     for (unsigned int node = 0; node < space.n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)

@@ -61,7 +61,7 @@ namespace fuga
   }
 
 
-  // Of the four numbers that are read at a time, a column of a block has the first two or three.
+  // Four numbers are read at a time, of which the first two or three belong to a column of a block.
   // The sums of single columns do not wait for each other.
   template <unsigned int b>
   void

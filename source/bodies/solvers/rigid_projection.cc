@@ -47,7 +47,7 @@ namespace fuga
 
   namespace
   {
-    /** x -= A Bᵀ x. */
+    /** Compute x -= A Bᵀ x. */
     void
     take_out(const DenseMatrix &A, const DenseMatrix &B, Vector &x)
     {

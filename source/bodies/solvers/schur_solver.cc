@@ -32,7 +32,7 @@ namespace fuga
     DMUMPS_STRUC_C data{};
     std::vector<int> kept, ordering;
 
-    /** MUMPS' ICNTL, counted from 1 as its manual does. */
+    /** Return an entry of MUMPS' ICNTL, counted from 1 as in its manual. */
     int &
     control(const int i)
     {
@@ -45,7 +45,7 @@ namespace fuga
       return data.infog[i - 1];
     }
 
-    /** Size of the factor; millions of entries are negative numbers. */
+    /** Return the size of the factor; a negative number stands for millions of entries. */
     double
     factor_megabytes() const
     {

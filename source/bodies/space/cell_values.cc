@@ -32,7 +32,8 @@ namespace fuga
         for (unsigned int v = 0; v < corners.size(); ++v)
           {
             tables[q].corner_values.push_back(shape.d_linear_shape_function(rule.point(q), v));
-            // Linear in every coordinate; deal.II 9.4 gives no gradients on a tetrahedron.
+            // The function is linear in every coordinate; deal.II 9.4 provides no gradients on a
+            // tetrahedron.
             dealii::Tensor<1, dim> gradient;
             for (unsigned int c = 0; c < dim; ++c)
               {
@@ -72,7 +73,7 @@ namespace fuga
   {
     if (edges.empty() || (discretization.is_axisymmetric() && corners[0][0] != radius))
       return false;
-    // Coordinates carry rounding errors; a stiffness that is off by so little does no harm.
+    // Coordinates carry rounding errors; an error of this size in a stiffness does no harm.
     const double tolerance = 1e-13 * edges[1].norm();
     for (std::size_t v = 1; v < corners.size(); ++v)
       for (unsigned int c = 0; c < dim; ++c)

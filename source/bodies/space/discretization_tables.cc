@@ -23,12 +23,12 @@ namespace fuga
     {
       dealii::CellId id;
       unsigned int body = 0, owner = 0;
-      /** In the tables, or no_cell. */
+      /** Number in the tables, or no_cell. */
       unsigned int number = no_cell;
     };
 
     std::vector<Cell> cells;
-    /** By cell and node deal.II's number of the first degree of freedom. */
+    /** deal.II's number of the first degree of freedom, by cell and node. */
     std::vector<unsigned int> dofs;
     /** The cells, sorted by id. */
     std::vector<unsigned int> order;
@@ -47,7 +47,7 @@ namespace fuga
 
   namespace
   {
-    /** A node of this process, its vertex of the coarse mesh if it is one, and where it lies. */
+    /** A node of this process, its vertex of the coarse mesh if it is one, and its position. */
     template <int dim>
     struct Place
     {
@@ -56,7 +56,7 @@ namespace fuga
     };
 
 
-    /** deal.II's local numbers of the first degree of freedom of the nodes of a cell. */
+    /** Return deal.II's local numbers of the first degree of freedom of the nodes of a cell. */
     template <int dim>
     std::vector<unsigned int>
     first_dofs(const dealii::FiniteElement<dim, dim> &element)
@@ -114,7 +114,7 @@ namespace fuga
     const auto before = [&cells = gathered.cells](const unsigned int a, const unsigned int b) {
       return cells[a].id < cells[b].id;
     };
-    // One process has them sorted, but for local refinement.
+    // A single process has them sorted already, except after local refinement.
     if (!std::is_sorted(gathered.order.begin(), gathered.order.end(), before))
       std::sort(gathered.order.begin(), gathered.order.end(), before);
     for (const unsigned int k : gathered.order)

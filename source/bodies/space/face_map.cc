@@ -12,13 +12,14 @@ namespace fuga
 {
   namespace
   {
-    /** Corners of a face between which a line moves: from (a0, b0) to (a1, b1). */
+    /** Corners of a face between which a line moves, from (a0, b0) to (a1, b1). */
     struct Rails
     {
       unsigned int a0, a1, b0, b1;
     };
 
-    /** Those along which a function changes least, and along the lines most. */
+    /** Return the rails along which a function changes least, and along whose lines it changes
+     * most. */
     Rails
     choose_rails(const Vector &values)
     {
@@ -49,7 +50,8 @@ namespace fuga
   dealii::Point<dim>
   FaceMap<dim>::point(const FacePoint &at) const
   {
-    // From the first corner, so that a face far from the origin keeps its digits.
+    // The point is computed relative to the first corner, so that a face far from the origin keeps
+    // its digits.
     const auto shares         = space.reference_element().corner_values(face.number, at);
     dealii::Point<dim> result = its_corners[0];
     for (std::size_t v = 1; v < shares.size(); ++v)

@@ -15,15 +15,16 @@ namespace fuga
 {
   namespace
   {
-    /** u of one degree of freedom is the sum of these. */
+    /** A term of the sum that gives u of one degree of freedom. */
     struct Term
     {
       unsigned int dof, master;
       double weight;
     };
 
-    /** In the first direction. A process knows what hangs on its cells and their neighbours;
-     * whether the masters hang themselves is known when all are together. */
+    /** Return the terms in the first direction. A process knows which nodes hang on its cells and
+     * their neighbours; whether the masters themselves hang is known only when all terms are
+     * collected. */
     template <int dim>
     std::vector<Term>
     terms_of_all_processes(const dealii::DoFHandler<dim, dim> &dofs,
@@ -49,7 +50,7 @@ namespace fuga
                                   const std::vector<unsigned int> &node_of_dof,
                                   const unsigned int n_nodes)
   {
-    dealii::AffineConstraints<double> constraints; // which take what several processes know once
+    dealii::AffineConstraints<double> constraints; // these merge terms that several processes have
     for (const Term &term : terms_of_all_processes(dofs, node_of_dof, n_nodes))
       {
         constraints.add_line(term.dof);

@@ -18,7 +18,8 @@ namespace fuga
   {
     using Marks = std::set<dealii::CellId>;
 
-    /** A face of a lip, with its cell; what it is half of, if its cell was refined. */
+    /** A face of a lip, with its cell, and with the center of the face that it is half of, if its
+     * cell was refined. */
     template <int dim>
     struct LipFace
     {
@@ -33,7 +34,7 @@ namespace fuga
     template <int dim>
     using Lip = std::vector<LipFace<dim>>;
 
-    /** By label. */
+    /** The lips by label. */
     template <int dim>
     using Lips = std::map<unsigned int, Lip<dim>>;
 
@@ -77,7 +78,7 @@ namespace fuga
     }
 
 
-    /** Calls @p action(cell, face number) for all faces on lips that deal.II has on this process. */
+    /** Call @p action(cell, face number) for all faces on lips that deal.II has on this process. */
     template <int dim, typename Action>
     void
     for_each_lip_face(const dealii::Triangulation<dim> &mesh,
@@ -109,8 +110,8 @@ namespace fuga
     }
 
 
-    /** Marks of one lip where the other one is finer: lips were alike before, so that a face has no
-     *  partner if either it or its partner has been divided since. */
+    /** Mark the faces of one lip where the other one is finer. Lips were alike before, so that a
+     * face has no partner only if either it or its partner has been divided since. */
     template <int dim>
     void
     mark_coarser(const Lip<dim> &finer, const Lip<dim> &lip, Marks &marks)
@@ -143,7 +144,8 @@ namespace fuga
     }
 
 
-    /** By vertex of this process the lips it belongs to, whoever owns their cells. */
+    /** Return for each vertex of this process the labels of the lips that it belongs to, whoever
+     * owns their cells. */
     std::multimap<unsigned int, unsigned int>
     labels_of_vertices(const dealii::Triangulation<3> &mesh, const JointedMesh &jointed)
     {
@@ -175,7 +177,7 @@ namespace fuga
     }
 
 
-    /** Those of one lip. */
+    /** The hanging vertices of one lip. */
     class HangingVertices
     {
     public:
@@ -190,7 +192,7 @@ namespace fuga
         return matcher.find(position, tolerance) != PointMatcher<3>::not_found;
       }
 
-      /** Marks all cells on whose edges the vertex at this place hangs. */
+      /** Mark all cells on whose edges the vertex at this position hangs. */
       void
       mark(const dealii::Point<3> &position, const double tolerance, Marks &marks) const
       {
@@ -224,8 +226,8 @@ namespace fuga
     };
 
 
-    /** Marks the cells whose undivided edges let a vertex of one lip hang and not the one that it
-     *  faces: cells beside the joint, or at its end. Lips are alike. */
+    /** Mark the cells whose undivided edges let a vertex of one lip hang and not the one that it
+     * faces: cells beside the joint, or at its end. Lips are alike. */
     Marks
     unlike_edges(const dealii::Triangulation<3> &mesh, Lips<3> &lips, const JointedMesh &jointed)
     {
@@ -249,7 +251,7 @@ namespace fuga
     }
 
 
-    /** Refines the cells with marks, and neighbours until levels differ by one at most. */
+    /** Refine the marked cells, and neighbours until levels differ by one at most. */
     template <int dim>
     void
     refine(dealii::Triangulation<dim> &mesh, const Marks &marks)
@@ -275,8 +277,8 @@ namespace fuga
   } // namespace
 
 
-  // The cells that are refined are the smallest set that has the marked ones and all that have to
-  // follow: any order leads there.
+  // The refined cells are the smallest set that contains the marked cells and all that have to
+  // follow, so the order does not matter.
   template <int dim>
   void
   refine_marked_cells(dealii::Triangulation<dim> &mesh,

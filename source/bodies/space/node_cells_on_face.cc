@@ -9,7 +9,7 @@ namespace fuga
 {
   namespace
   {
-    /** 0, the sums of the weights of Gauss and Lobatto's rule, 1. */
+    /** Return 0, the sums of the weights of Gauss and Lobatto's rule, and 1. */
     std::vector<double>
     ends_of_parts(const unsigned int degree)
     {

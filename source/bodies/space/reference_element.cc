@@ -24,7 +24,7 @@ namespace fuga
     make_element(const dealii::ReferenceCell &shape, const unsigned int degree)
     {
       // The integral of a quadratic function over the face of a tetrahedron vanishes at the
-      // corners: no area for their contact elements.
+      // corners, which leaves no area for their contact elements.
       const unsigned int largest = shape.is_hyper_cube() ? 8 : dim == 2 ? 2 : 1;
       if (degree < 1 || degree > largest)
         {
@@ -120,7 +120,7 @@ namespace fuga
   }
 
 
-  // A node is on a face if the corners of the face make up its place.
+  // A node is on a face if the corners of the face alone determine its place.
   template <int dim>
   void
   ReferenceElement<dim>::find_face_nodes(const unsigned int number)

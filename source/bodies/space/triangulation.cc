@@ -21,8 +21,8 @@ namespace fuga
 {
   namespace
   {
-    /** Six times the volume of a tetrahedron; for a hexahedron that of four corners around its
-     *  first one, which for its orientation is enough. */
+    /** Return six times the volume of a tetrahedron; for a hexahedron that of four corners around
+     * its first one, which is sufficient to determine its orientation. */
     double
     signed_volume(const JointedMesh &jointed, const JointedMesh::Cell &cell)
     {
@@ -54,8 +54,8 @@ namespace fuga
       return twice / 2.;
     }
 
-    /** Right-handed corners in the order deal.II wants them: of every bottom and top
-     *  counter-clockwise in the file, and by coordinates there. */
+    /** Return right-handed corners in the order that deal.II requires: in the file those of every
+     * bottom and top are counter-clockwise, in deal.II they are ordered by coordinates. */
     template <int dim>
     dealii::CellData<dim>
     cell_data(const JointedMesh &jointed, const JointedMesh::Cell &cell)
@@ -85,8 +85,7 @@ namespace fuga
       return data;
     }
 
-    /** Boundary id 0 is what deal.II gives to faces that are not listed: labels are shifted by one.
-     */
+    /** deal.II assigns boundary id 0 to faces that are not listed, so labels are shifted by one. */
     template <int structdim>
     dealii::CellData<structdim>
     face_data(const JointedMesh::Face &face)
@@ -100,7 +99,7 @@ namespace fuga
       return data;
     }
 
-    /** Makes r = 0 exact where it is meant. */
+    /** Set r = 0 exactly where it is meant. */
     template <int dim>
     void
     put_on_axis(std::vector<dealii::Point<dim>> &vertices)
@@ -128,7 +127,7 @@ namespace fuga
     }
 
 
-    /** Once; silent, or p4est tells what it does. */
+    /** Start p4est once; it is silent, as it would otherwise report what it does. */
     void
     start_p4est(const MPI_Comm communicator)
     {
@@ -139,9 +138,9 @@ namespace fuga
     }
 
 
-    /** p4est balances across corners too, and so does the plain mesh. A coarse mesh p4est would
-     * keep whole on every process, and with it what it needs to know of its cells: twice the
-     * memory. */
+    /** p4est balances across corners as well, and so does the plain mesh. p4est would keep a coarse
+     * mesh as a whole on every process, together with its own data of the cells, which takes twice
+     * the memory. */
     template <int dim>
     std::unique_ptr<dealii::Triangulation<dim>>
     make_empty_triangulation(const bool hypercubes, const ModelDefinition &model)

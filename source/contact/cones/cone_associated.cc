@@ -10,7 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** Programs before the search is given up; Newton is tried after 1, 2, 4, 8 ... of them. */
+    /** Number of programs before the search is given up; Newton's method is tried after 1, 2, 4, 8
+     * ... of them. */
     constexpr unsigned int n_programs = 256;
 
     bool
@@ -47,8 +48,9 @@ namespace fuga
   }
 
   // If faces that slip by γ parted by f γ, friction would be associated and the rates the minimum
-  // of a convex program. With De Saxcé's change of variables, z = v + f s n for a given s, they
-  // are, and they satisfy eq. 31 if s = |v_t|: a fixed point that repetition approaches.
+  // of a convex program. With De Saxcé's change of variables, z = v + f s n for a given s, friction
+  // becomes associated, and the rates satisfy eq. 31 if s = |v_t|. This is a fixed point, which is
+  // approached by repetition.
   ConeRateProblem::Outcome
   ConeRateProblem::approach_by_associated_slip(ConeContinuation &result)
   {

@@ -12,7 +12,8 @@ namespace fuga
 {
   namespace
   {
-    /** Takes out of the columns of @p A, and of @p b, what lies along the columns of @p free. */
+    /** Remove from the columns of @p A, and from @p b, the part that lies along the columns of
+     * @p free. */
     void
     project_out(DenseMatrix free, DenseMatrix &A, Vector &b)
     {
@@ -42,8 +43,8 @@ namespace fuga
     }
 
     /**
-     * The answers as the columns of G and their coefficients' cones: the functionals on the forces,
-     * P, say what of the load r an answer (v, q) meets,
+     * The answers as columns of G, with the cones of their coefficients. The functionals P of the
+     * forces give the part of the load r that an answer (v, q) meets,
      *
      *     Pᵀr - ρ̇ = Pᵀ W v + (Pᵀ q - ρ̇).
      */
@@ -88,7 +89,7 @@ namespace fuga
         add_force(pressure_and_shear, 1. / answer.friction);
       }
 
-      /** What of the load is farthest from all answers. */
+      /** Return the part of the load that is farthest from all answers. */
       std::optional<Vector>
       rest() const
       {
@@ -123,7 +124,7 @@ namespace fuga
       }
 
     private:
-      /** Up to three entries of a vector of all rows. */
+      /** Up to three entries of a vector that contains all rows. */
       struct Triple
       {
         std::size_t row, n_rows;
@@ -210,14 +211,14 @@ namespace fuga
       const DenseMatrix &W;
       const Vector &r, &diagonal;
       std::vector<Triple> functionals, motions, free_motions;
-      /** Functional and entry of the columns of forces. */
+      /** Functional and entry of each column of forces. */
       std::vector<std::pair<std::size_t, double>> forces;
       std::vector<ConeBlock> force_blocks;
     };
   } // namespace
 
-  // What of the load the nearest answer leaves is normal to the cone of all answers: none of them
-  // works on it as the load does.
+  // The part of the load that the nearest answer leaves is normal to the cone of all answers: none
+  // of them works on it as the load does.
   std::optional<Vector>
   find_barrier(const DenseMatrix &W,
                const Vector &r,

@@ -8,17 +8,17 @@
 #include <cmath>
 #include <random>
 
-// Is the solution of the rate problem the only one, and which others are there?
+// Determines whether the solution of the rate problem is the only one, and which others exist.
 namespace fuga
 {
   namespace
   {
-    /** Combinations of states that are tried at most where directions of slip have to be solved
-     * for. */
+    /** Largest number of combinations of states that are tried where directions of slip have to be
+     * solved for. */
     constexpr double most_with_directions = 512.;
-    /** Directions in which Newton's method begins at the apex. */
+    /** Number of directions in which Newton's method begins at the apex. */
     constexpr int n_directions = 8;
-    /** First guesses at random; few where each costs much. */
+    /** Number of random first guesses; few where each of them is expensive. */
     constexpr unsigned int n_random_guesses = 64, n_costly_guesses = 6;
     constexpr std::size_t costly_rows = 100;
   } // namespace
@@ -89,7 +89,7 @@ namespace fuga
     candidate.slip = candidate.strength = 0.;
   }
 
-  // The present states, with directions of slip at the apex solved for.
+  // The present states are tested, with directions of slip at the apex solved for.
   bool
   ConeRateProblem::is_solution(ConeContinuation &result)
   {
@@ -107,7 +107,7 @@ namespace fuga
     return false;
   }
 
-  // Calls note() at every solution until it returns true.
+  // Call note() at every solution until it returns true.
   void
   ConeRateProblem::try_all(ConeContinuation &result, const std::function<bool()> &note)
   {
@@ -119,7 +119,7 @@ namespace fuga
     });
   }
 
-  // Newton's method from all stuck, from all slipping, at random.
+  // Newton's method begins from all stuck, from all slipping, and from random states.
   void
   ConeRateProblem::try_guesses(ConeContinuation &result, const std::function<bool()> &note)
   {

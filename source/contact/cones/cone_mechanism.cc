@@ -14,7 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** Power of loads, relative to the sizes of its terms, that is none. */
+    /** Share of the sizes of its terms below which the power of loads counts as zero. */
     constexpr double no_power = 1e-10;
 
     Drive
@@ -26,9 +26,10 @@ namespace fuga
     }
   } // namespace
 
-  // A scheme without resistance, or what every sweep adds to the rates that grow beyond bounds. It
-  // is a mechanism if the load drives it, nothing resists and no closed element would penetrate or
-  // slip against its force; anything else only shows that no solution was found.
+  // The motion is that of a scheme without resistance, or the change that every sweep adds to rates
+  // that grow beyond bounds. It is a mechanism if the load drives it, nothing resists and no closed
+  // element would penetrate or slip against its force; anything else only shows that no solution
+  // was found.
   void
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
@@ -47,7 +48,8 @@ namespace fuga
       }
   }
 
-  // What a broken bond gives up, and water that comes in, are not known to those who judge it.
+  // The forces that a broken bond releases, and water that comes in, are not known to those who
+  // judge the barrier.
   std::optional<JointRates>
   ConeRateProblem::find_barrier(WorkingScheme &background, const Drive &drive) const
   {
@@ -77,9 +79,9 @@ namespace fuga
   }
 
   // Where elements slip apart on both sides of an axis, their friction is in balance, and all of
-  // them may be carried along as well until the first comes to rest. Nothing tells how far; there
-  // the rates are determined again. Returns false if the loads drive the motion, or nothing ends
-  // it.
+  // them may also be carried along until the first one comes to rest. Nothing determines how far;
+  // there the rates are determined again. Return false if the loads drive the motion, or nothing
+  // ends it.
   bool
   ConeRateProblem::end_idle_motion()
   {
@@ -99,7 +101,7 @@ namespace fuga
         const double rate = open
                               ? free_motion[candidate.row]
                               : dot(candidate.direction, tangential_rows(candidate, free_motion));
-        // Of equal ones, but for rounding, the first.
+        // Among candidates that are equal up to rounding, the first one is taken.
         if (std::abs(rate) > no_rate && left < 0.999999 * std::abs(rate) * shortest)
           {
             shortest = left / std::abs(rate);

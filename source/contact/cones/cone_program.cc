@@ -12,7 +12,7 @@ namespace fuga
 {
   namespace
   {
-    /** A block's part of a vector, zeros behind its size. */
+    /** The part of a vector that belongs to a block, with zeros beyond the size of the block. */
     using Triple = std::array<double, 3>;
 
     Triple
@@ -29,7 +29,7 @@ namespace fuga
       return std::hypot(a[1], a[2]);
     }
 
-    /** a₀² - a₁² - a₂², positive inside the cone. */
+    /** Return a₀² - a₁² - a₂², which is positive inside the cone. */
     double
     determinant(const Triple &a)
     {
@@ -42,14 +42,14 @@ namespace fuga
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-    /** Jordan's product. */
+    /** Return Jordan's product a∘b. */
     Triple
     product(const Triple &a, const Triple &b)
     {
       return {{dot(a, b), a[0] * b[1] + b[0] * a[1], a[0] * b[2] + b[0] * a[2]}};
     }
 
-    /** x of a∘x = b. */
+    /** Return the x with a∘x = b. */
     Triple
     quotient(const Triple &b, const Triple &a)
     {
@@ -57,7 +57,8 @@ namespace fuga
       return {{x0, (b[1] - x0 * a[1]) / a[0], (b[2] - x0 * a[2]) / a[0]}};
     }
 
-    /** The share of d, at most 1, after which x leaves the cone: a root of c + 2 b τ + a τ². */
+    /** Return the share of d, at most 1, after which x leaves the cone: a root of c + 2 b τ + a
+     * τ². */
     double
     way_out(const Triple &x, const Triple &d)
     {
@@ -100,7 +101,8 @@ namespace fuga
         A(i, j) *= scale[i] * scale[j];
   }
 
-  /** Nesterov and Todd's T = Tᵀ of a block, T y = T⁻¹ x: θ times a hyperbolic turn by w. */
+  /** Nesterov and Todd's scaling T = Tᵀ of a block, T y = T⁻¹ x: θ times a hyperbolic rotation by
+   * w. */
   struct ConeProgram::Scaling
   {
     double theta;
@@ -138,7 +140,7 @@ namespace fuga
     }
   };
 
-  /** Forces x and rates y inside the cones, and the error ρ = A y - b - x of the forces. */
+  /** Forces x and rates y inside the cones, with the error ρ = A y - b - x of the forces. */
   struct ConeProgram::Iterate
   {
     const ConeProgram &program;
@@ -159,7 +161,7 @@ namespace fuga
       add(-1., x, rho);
     }
 
-    /** x·y of a block. */
+    /** Return the mean of x·y over the blocks. */
     double
     mean_product() const
     {
@@ -193,7 +195,8 @@ namespace fuga
       add(way, dy, y);
     }
 
-    // Of force and rate one is inside its cone, or both are on the surface: the larger one decides.
+    // Return the place of a block. Either force or rate is inside its cone, or both are on the
+    // surface: the larger one decides.
     Place
     place(const ConeBlock &block) const
     {
@@ -209,7 +212,7 @@ namespace fuga
    *
    *     (T⁻¹A + T) Δy = c - T⁻¹ρ,   Δx = A Δy + ρ,   λ∘c = μ e - λ∘λ - (T⁻¹Δx)∘(T Δy)
    *
-   * with the last product from the step before. In this form x·y falls to rounding; with
+   * where the last product is that of the step before. In this form x·y decreases to rounding; with
    * (A + T²) Δy it stays a thousand times larger.
    */
   class ConeProgram::NewtonStep
@@ -283,8 +286,8 @@ namespace fuga
   ConeProgram::solve(const Vector &r) const
   {
     constexpr unsigned int max_iterations = 100;
-    // x·y of a block, for forces of at most one: where the method stops, and where its standstill
-    // is rounding.
+    // Values of x·y of a block, for forces of at most one: at the first one the method stops, and
+    // below the second one its stagnation is due to rounding.
     constexpr double tolerance = 1e-14, accepted = 1e-10;
     constexpr double unbounded = 1e9, share_of_way = 0.99, no_way = 1e-10;
     Vector b(scale.size());

@@ -11,7 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** Sweeps of Gauss-Seidel before Newton is tried again, and again. */
+    /** Numbers of Gauss-Seidel sweeps before Newton's method is tried again, for the first and the
+     * second time. */
     constexpr std::array<unsigned int, 2> n_sweeps = {{400, 4000}};
   } // namespace
 
@@ -173,7 +174,7 @@ namespace fuga
             if (!regular && !end_idle_motion())
               return Outcome::singular;
           }
-        free_motion.clear(); // of a scheme that the next one replaces
+        free_motion.clear(); // that of a scheme that the next one replaces
       }
     return Outcome::cycled;
   }

@@ -11,14 +11,14 @@ namespace fuga
 {
   namespace
   {
-    /** A contact of three bars by itself: q = r - W v. */
+    /** A single contact of three bars: q = r - W v. */
     struct LocalProblem
     {
       double friction;
       std::array<double, 3> r;
       double W[3][3];
 
-      /** Slip that keeps the force on the cone at the angle φ of the direction. */
+      /** Return the slip that keeps the force on the cone, at the angle φ of the direction. */
       double
       slip(const TangentVector &e) const
       {
@@ -35,7 +35,8 @@ namespace fuga
         return r[i] - xi * (W[i][1] * e[0] + W[i][2] * e[1]);
       }
 
-      /** Force across the direction; zero where the slip is parallel to the force. */
+      /** Return the force across the direction; it is zero where the slip is parallel to the
+       * force. */
       double
       defect(const double phi) const
       {
@@ -52,7 +53,7 @@ namespace fuga
         return xi >= 0. && force(0, e, xi) <= 0.;
       }
 
-      /** v for open lips. */
+      /** Return v for open lips. */
       std::array<double, 3>
       open() const
       {
@@ -71,7 +72,7 @@ namespace fuga
         constexpr int n_angles = 48;
         const double first     = std::atan2(r[2], r[1]);
         const double step      = 2. * std::acos(-1.) / n_angles;
-        // Outwards from the direction of the force without slip.
+        // The angles go outwards from the direction of the force without slip.
         for (int i = 0; i < n_angles; ++i)
           {
             const double a = first + (i % 2 == 0 ? 1. : -1.) * (i / 2 + (i % 2)) * step;
@@ -113,7 +114,8 @@ namespace fuga
     blas::axpy(q.size(), -change, W.column(row), q.data());
   }
 
-  // Kept above rounding: where an element carries a mechanism by itself nothing resists.
+  // The stiffness is kept above rounding, because nothing resists where an element carries a
+  // mechanism by itself.
   double
   ConeRateProblem::own_stiffness(const std::size_t row) const
   {
@@ -131,7 +133,7 @@ namespace fuga
         change_rate(n, std::max(0., v[n] + q[n] / own_stiffness(n)) - v[n]);
         return;
       }
-    // A second tangent that is not free: a row of its own without force.
+    // A second tangent that is not free gets a row of its own without force.
     LocalProblem local       = {f, {{0., 0., 0.}}, {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
     const std::size_t n_rows = candidate.n_tangents + 1;
     for (std::size_t i = 0; i < n_rows; ++i)
@@ -155,7 +157,7 @@ namespace fuga
       change_rate(n + i, rates[i] - v[n + i]);
   }
 
-  // From element to element; ends early when nothing moves any more.
+  // A sweep goes from element to element; it ends early when nothing moves any more.
   void
   ConeRateProblem::sweep(const unsigned int n_sweeps)
   {

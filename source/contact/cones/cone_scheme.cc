@@ -12,8 +12,9 @@ namespace fuga
 {
   namespace
   {
-    /** One unknown of a scheme: its column v = x c, the functional of its equation, both of up to
-     * three rows from `row` on, and what the unknown adds to the equation by itself. */
+    /** One unknown of a scheme: its column v = x c and the functional of its equation, both with up
+     * to three rows beginning with `row`, and the term that the unknown adds to its own
+     * equation. */
     struct SchemeUnknown
     {
       std::size_t candidate;
@@ -25,12 +26,12 @@ namespace fuga
     };
 
     /**
-     * Solves M x = rhs in place, rows and columns of M scaled to a unit diagonal of W before bars
-     * were released, so that a matrix which is small as a whole counts as singular too. If it is
-     * singular,
-     * @p note_motion gets its null vector, and weak springs to the ground hold what moves freely:
-     * it then moves far, in the direction in which the load drives it, so that the next scheme
-     * closes the elements that it runs into. Returns the sign of the determinant.
+     * Solve M x = rhs in place, where rows and columns of M are scaled to a unit diagonal of W
+     * before bars were released, so that a matrix which is small as a whole also counts as
+     * singular. If it is singular, @p note_motion gets its null vector, and weak springs to the
+     * ground hold what moves freely: it then moves far, in the direction in which the load drives
+     * it, so that the next scheme closes the elements that it runs into. Return the sign of the
+     * determinant.
      */
     int
     solve_or_regularise(const DenseMatrix &M,
@@ -146,7 +147,7 @@ namespace fuga
       solve_or_regularise(M, x, [&](const Vector &solution) { take(solution, free_motion); });
     take(x, v);
 
-    // The turn, limited to what Newton's step can be trusted with.
+    // Largest turn for which Newton's step can be trusted.
     constexpr double largest_turn = 0.7;
     for (std::size_t j = 0; j < n; ++j)
       {
@@ -177,8 +178,9 @@ namespace fuga
     return determinant_sign != 0;
   }
 
-  // At the apex the force of Alart and Curnier's projection, the present one and the stiffness of
-  // each bar times its rate, tells the state; slip and strength such that Newton starts from it.
+  // At the apex the force of Alart and Curnier's projection, i.e. the present force plus the
+  // stiffness of each bar times its rate, determines the state; slip and strength are chosen such
+  // that Newton's method starts from it.
   ConeRateProblem::Demand
   ConeRateProblem::demand(const Candidate &candidate) const
   {
@@ -274,7 +276,7 @@ namespace fuga
     return changed;
   }
 
-  // Directions at the apex have come to rest as well.
+  // Directions at the apex must have come to rest as well.
   bool
   ConeRateProblem::is_settled() const
   {

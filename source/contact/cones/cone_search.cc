@@ -12,13 +12,14 @@ namespace fuga
 {
   namespace
   {
-    /** Elements that may open whose states, open and closed, are all tried. */
+    /** Largest number of elements that may open for which all combinations of open and closed are
+     * tried. */
     constexpr std::size_t most_openings = 4;
-    /** Reciprocal condition below which what opens is without support. */
+    /** Reciprocal condition number below which the elements that open are without support. */
     constexpr double no_support = 1e-13;
 
-    /** Adds to the motions, the columns of P, and to @p v, at first zero, what @p rows do of which
-     * the forces are given. */
+    /** Add to the motions, i.e. the columns of P, and to @p v, which is zero initially, the motion
+     * of those @p rows whose forces are given. */
     bool
     release(const DenseMatrix &W,
             const Vector &r,
@@ -54,8 +55,8 @@ namespace fuga
     }
   } // namespace
 
-  // What cannot be tried as a whole is searched, unless a virtual motion shows at once that there
-  // is nothing to be found.
+  // A search is made where the combinations cannot all be tried, unless a virtual motion shows at
+  // once that there is nothing to be found.
   bool
   ConeRateProblem::search_or_prove(WorkingScheme &background,
                                    const Drive &drive,
@@ -67,7 +68,8 @@ namespace fuga
     return !is_small() && !result.barrier && search_with_proof(result);
   }
 
-  // Of the slips' rows; how the rates grow with the slips is not known here.
+  // The noise is that of the rows of the slips; how the rates grow with the slips is not known
+  // here.
   LcpNoise
   ConeRateProblem::noise_of_slips() const
   {
@@ -92,9 +94,10 @@ namespace fuga
     return result;
   }
 
-  // Eq. 31 is a linear complementarity problem then: with v = P z and the forces Fᵀq that slip
-  // answers, 0 ≤ z ⟂ ρ̇ - Fᵀr + FᵀW P z ≥ 0, scaled to a unit diagonal before bars were released.
-  // Rows that follow have no unknown: an element that may open does not pull, or does not close.
+  // Eq. 31 is then a linear complementarity problem: with v = P z and the forces Fᵀq to which slip
+  // responds, 0 ≤ z ⟂ ρ̇ - Fᵀr + FᵀW P z ≥ 0, scaled to a unit diagonal before bars were released.
+  // The rows after these have no unknown: an element that may open does not pull, or does not
+  // close.
   std::optional<LcpSearch>
   ConeRateProblem::search_slips(const std::vector<std::size_t> &may_open,
                                 const std::vector<bool> &opened) const

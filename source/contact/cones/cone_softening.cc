@@ -10,14 +10,14 @@ namespace fuga
 {
   namespace
   {
-    /** Compliance of the springs that are put in series with the bars, times the stiffness of the
-     * bars: the first, the factor from one to the next, and the last but zero. */
+    /** Compliances of the springs that are put in series with the bars, times the stiffness of the
+     * bars: the first one, the factor between successive ones, and the last one above zero. */
     constexpr double softest = 1e4, first_factor = 0.1, hardest = 1e-4;
-    /** The factor from one softness to the next that is not worth another trial. */
+    /** Largest factor between successive softnesses for which another trial is worthwhile. */
     constexpr double largest_factor = 0.9;
   } // namespace
 
-  // With the compliances s/W_ii on the diagonal of C, (I + W C) q = r - W v.
+  // With the compliances s/W_ii on the diagonal of C the equations are (I + W C) q = r - W v.
   void
   ConeRateProblem::take_softened(const ReducedSystem &stiff, const double softness)
   {
@@ -30,7 +30,7 @@ namespace fuga
     DenseMatrix series(n, n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        if (stiff.diagonal[j] > 0.) // a bar without stiffness stays one
+        if (stiff.diagonal[j] > 0.) // a bar without stiffness remains without
           blas::axpy(n, softness / stiff.diagonal[j], W.column(j), series.column(j));
         series(j, j) += 1.;
       }
@@ -41,8 +41,8 @@ namespace fuga
       stiffness /= 1. + softness;
   }
 
-  // The softer the layer, the fewer elements change their states at once when one does. States and
-  // directions of slip of each solution start the next, harder one.
+  // The softer the layer, the fewer elements change their states at once when one of them does.
+  // States and directions of slip of each solution are the initial guess for the next, stiffer one.
   ConeRateProblem::Outcome
   ConeRateProblem::approach_from_softer_layer(ConeContinuation &result)
   {

@@ -10,7 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** An element at the apex: the number of its normal rate, its tangents, its friction. */
+    /** An element at the apex: the number of its normal rate, the number of its tangents, and its
+     * friction. */
     struct Apex
     {
       std::size_t row;
@@ -19,9 +20,9 @@ namespace fuga
     };
 
     /**
-     * Whether yᵀA y + Σ weight y_n (A y)_n - Σ f |v_t| |(W v)_n| > 0 at the apexes, for all rates
-     * v = D y, with A scaled by D on both sides, and 2 |v_t| |(W v)_n| ≤ α |v_t|² + (W v)_n²/α,
-     * α = share/(D_n D_t).
+     * Return whether yᵀA y + Σ weight y_n (A y)_n - Σ f |v_t| |(W v)_n| > 0 for all rates v = D y,
+     * where the sums are over the apexes, A is scaled by D on both sides, and 2 |v_t| |(W v)_n| ≤ α
+     * |v_t|² + (W v)_n²/α with α = share/(D_n D_t).
      */
     bool
     is_definite(const DenseMatrix &A,
@@ -54,12 +55,12 @@ namespace fuga
     }
   } // namespace
 
-  // The difference v of two solutions satisfies, element by element, with (W v) lost by the forces,
+  // The difference v of two solutions, by which the forces lose W v, satisfies for each element
   //
   //     on the cone, v = γ e    γ (e + f n)·(W v) ≤ 0,
   //     at the apex             v_n (W v)_n ≤ 0,   v·(W v) - f |v_t| |(W v)_n| ≤ 0.
   //
-  // It vanishes where some sum of these with positive weights is positive definite.
+  // It vanishes if some sum of these expressions with positive weights is positive definite.
   bool
   ConeRateProblem::has_one_solution() const
   {
@@ -69,7 +70,7 @@ namespace fuga
       {
         if (candidate.n_tangents > 0 &&
             (candidate.at_apex ? candidate.rise > 0. : candidate.grazing))
-          return false; // other conditions
+          return false; // other conditions apply
         if (candidate.at_apex)
           apexes.push_back({n, candidate.n_tangents, candidate.friction});
         n += candidate.at_apex ? candidate.n_tangents + 1 : 1;

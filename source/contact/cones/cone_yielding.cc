@@ -9,14 +9,15 @@
 #include <limits>
 
 // A load that is an unknown acts through a spring, which the motion relieves. For linear conditions
-// any spring that is stiff enough gives the motion of eq. 7a, but for its scale.
+// any spring that is sufficiently stiff gives the motion of eq. 7a, except for its scale.
 namespace fuga
 {
   namespace
   {
-    /** Stiffnesses of the spring, in units of that of the joints against the load. */
+    /** Stiffnesses of the spring, in units of the stiffness of the joints against the load. */
     constexpr std::array<double, 3> springs = {{30., 1000., 1.}};
-    /** A motion below this share of what the spring alone would cause is none. */
+    /** Share of the motion that the spring alone would cause below which a motion counts as
+     * zero. */
     constexpr double no_motion = 1e-9;
 
     double
@@ -29,9 +30,9 @@ namespace fuga
     }
   } // namespace
 
-  // What multiplies the rates of dislocation: the forces of the load that work on the motion, with
-  // their part in friction, or the same weight for all that may move. At the apex the direction of
-  // slip is that of the present rates.
+  // The result multiplies the rates of dislocation: it contains the forces of the load that work on
+  // the motion, with their part in friction, or the same weight for everything that may move. At
+  // the apex the direction of slip is that of the present rates.
   Vector
   ConeRateProblem::on_boundaries(const Vector &forces, const bool by_work) const
   {
@@ -57,7 +58,8 @@ namespace fuga
     return control;
   }
 
-  // q = r + λ̇ load - W v with λ̇ = k (1 - control·v), where r is given; or without the 1.
+  // The equations are q = r + λ̇ load - W v with λ̇ = k (1 - control·v), where r is given, or the
+  // same without the 1.
   void
   ConeRateProblem::yield(const ReducedSystem &given,
                          const Vector &load,
@@ -73,8 +75,8 @@ namespace fuga
     q = r;
   }
 
-  // The spring of stiffness k is followed until the displacement of the load stands still, or used
-  // as it is.
+  // The spring of stiffness k is either followed until the displacement of the load stands still,
+  // or used as it is.
   bool
   ConeRateProblem::drive_by_spring(const ReducedSystem &given,
                                    const Vector &load,

@@ -15,10 +15,11 @@ namespace fuga
 {
   namespace
   {
-    /** Lips without mass may have no continuous way on, where friction is large: they jump to where
-     * they are in equilibrium again. The way through a step leads to its end, and the motion has
-     * the error of the step: it needs to be no more exact than what is certified of it, and other
-     * ways tell nothing about the motion. What all steps lose of the energy adds up. */
+    /** Return the options for the paths of steps. Lips without mass may have no continuous way on
+     * where friction is large: they jump to where they are in equilibrium again. The way through a
+     * step only serves to reach its end, and the motion has the error of the step: the way needs to
+     * be no more exact than what is certified of it, and other ways tell nothing about the motion.
+     * The energies that all steps lose add up. */
     PathOptions
     of_steps(const double largest_number, PathOptions options)
     {
@@ -32,8 +33,8 @@ namespace fuga
     }
   } // namespace
 
-  /** The bodies in steps of one length, and the path through them, whose schemes live on from step
-   * to step. */
+  /** The bodies in steps of one length, and the path through these steps; its schemes are kept from
+   * step to step. */
   struct DynamicPath::Rung
   {
     Rung(const unsigned int number, DynamicPath &of)
@@ -155,7 +156,7 @@ namespace fuga
     ledger.rounding = rounding_of_work(state);
   }
 
-  // The forces have the digits of the largest one, and so have the jumps that they make.
+  // The forces have as many digits as the largest one, and so do the jumps that they cause.
   double
   DynamicPath::rounding_of_work(const JointState &state) const
   {
@@ -267,7 +268,7 @@ namespace fuga
       }
     if (attempt.failure.empty() || number < grid.halvings)
       return attempt;
-    // No shorter step will help. At its end there may be an equilibrium, whatever lies before it.
+    // No shorter step will help. There may be an equilibrium at its end, whatever lies before it.
     Attempt jump{result, StepRecord(state, end, elements, step.system.layered()), {}, {}};
     return step.path.jump_over_course(start, jump.record, jump.result) ? std::move(jump)
                                                                        : std::move(attempt);
@@ -304,7 +305,7 @@ namespace fuga
     state                 = attempt.record.end_of_motion();
     result                = attempt.result;
     if (has_jumped)
-      result.jump.t = state.t; // the path knows the time of the step only
+      result.jump.t = state.t; // the path only knows the time of the step
     result.t = state.t;
     reach_levels(levels, state, observer);
     observer.ended_step(state);

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-// What a step of time costs for not knowing when something happened within it, and may cost.
+// The cost of a time step that does not know when something happened within it, and the cost that
+// is allowed.
 namespace fuga
 {
-  // In the shortest steps events may cost what they cost. Costs grow at least fourfold with every
-  // doubling of the step; after one without events any length may be tried.
+  // In the shortest steps events may have any cost. Costs grow at least fourfold with every
+  // doubling of the step; after a step without events any length may be tried.
   std::optional<unsigned int>
   DynamicPath::promising_rung_after(const Attempt &attempt, const unsigned int number) const
   {
@@ -28,8 +29,8 @@ namespace fuga
     return result;
   }
 
-  // Hundreds of events may follow upon an impact. Where the first ones cost that much, shorter
-  // steps will count, and the rest of this one is not followed.
+  // Hundreds of events may follow an impact. Where the first ones already cost that much, shorter
+  // steps will count, and the rest of this step is not followed.
   bool
   DynamicPath::is_hopeless(const StepRecord &record, const unsigned int number) const
   {
@@ -52,7 +53,7 @@ namespace fuga
            ledger.rounding;
   }
 
-  // The rate at the end of the step is extrapolated from the mean rates of this one and the one
+  // The rate at the end of the step is extrapolated from the mean rates of this step and the one
   // before; where it points against the slip, the element came to rest in between.
   double
   DynamicPath::cost_of_rest(const StepRecord &record, const double length) const

@@ -23,7 +23,7 @@ namespace fuga
     last.t = 0.;
   }
 
-  // Forces are linear along a piece and jumps cubics, as the judge has it.
+  // Forces are linear along a piece and jumps are cubics, as the judge assumes.
   void
   StepRecord::advanced(const PathPoint &from, const PathPoint &to, const double length)
   {
@@ -43,7 +43,7 @@ namespace fuga
     });
   }
 
-  // The work is that of the trapezoidal rule, as if there had been a way.
+  // The work is that of the trapezoidal rule, as if there were a path.
   void
   StepRecord::jumped(const JointState &to)
   {
@@ -78,7 +78,7 @@ namespace fuga
   void
   StepRecord::reached(const std::size_t, const JointState &)
   {
-    // Levels are the business of the path of all steps.
+    // Levels are handled by the path of all steps.
   }
 
   void

@@ -11,7 +11,7 @@ namespace fuga
 {
   namespace
   {
-    /** Columns of the patterns. */
+    /** Column numbers of the patterns, and their number. */
     constexpr std::size_t at_begin = 0, at_end = 1, of_jumps = 2, n_patterns = 3;
 
     std::size_t
@@ -93,8 +93,9 @@ namespace fuga
     return LoadHistory({0., 1.}, {{1., 0., 1.}, {0., 1., 1.}});
   }
 
-  // Where joints have opened far, the last digit of a jump is more than a digit of what the step
-  // adds; the balance of forces, which does not know how far, gives x to all digits.
+  // Where joints have opened far, the rounding error of a jump is more than one digit of the change
+  // within the step; the balance of forces, which does not depend on how far they have opened,
+  // gives x to all digits.
   Vector
   StepSystem::coordinates(const Vector &jumps, const Vector &forces)
   {

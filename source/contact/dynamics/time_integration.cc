@@ -62,7 +62,7 @@ namespace fuga
     return m[i] > 0. ? a[i] : (steady_v[i] - v[i]) / (beta * h) - (0.5 / beta - 1.) * a[i];
   }
 
-  // With Δū what is left of inertia at the end of the step is that of a constant acceleration.
+  // With Δū the remaining inertia at the end of the step is that of a constant acceleration.
   Vector
   TimeIntegration::push(const Vector &growth) const
   {
@@ -89,9 +89,9 @@ namespace fuga
         u[i] += du[i];
         a[i] = predicted_acceleration(i, h) + correction[i] / (beta * h * h);
         v[i] = v_before + h * ((1. - gamma) * a_before + gamma * a[i]);
-        // Without mass it resists nothing, and one sudden change of velocity would let it swing
-        // with every step for ever: the velocity would then be a small difference of two such
-        // swings.
+        // Without mass the acceleration resists nothing, and one sudden change of velocity would
+        // let it oscillate with every step for ever: the velocity would then be a small difference
+        // of two such oscillations.
         if (m[i] == 0.)
           a[i] = (v[i] - v_before) / h;
         steady_v[i]           = m[i] > 0. ? v[i] : du[i] / h;
@@ -105,7 +105,8 @@ namespace fuga
       }
     damped = damping(v);
     ledger.work += dot(mean, du);
-    // Of mean forces that are out of balance, what does not go into the kinetic energy.
+    // This is the part of the work of mean forces that are out of balance which does not become
+    // kinetic energy.
     ledger.numerical += of_inertia - (kinetic_energy() - kinetic_at_begin);
     for (std::size_t i = 0; i < damped.size(); ++i)
       {

@@ -11,12 +11,12 @@ namespace fuga
 {
   namespace
   {
-    /** Of the compliance that a stiff layer gets to that of its lips: the error falls by this
-     * factor, and as many digits of jumps are lost to forces. */
+    /** Ratio of the compliance that a stiff layer gets to that of its lips: the error decreases by
+     * this factor, and as many digits of jumps are lost in the forces. */
     constexpr double share_of_lips = 0.1;
 
-    /** For every bar where joints cross or have corners the stiffness of all bars there that have a
-     * compliance [MN/m]; elsewhere zero. */
+    /** Return for every bar, where joints cross or have corners, the stiffness of all bars there
+     * that have a compliance [MN/m]; elsewhere zero. */
     Vector
     stiffness_at_crossings(const std::vector<ContactElement> &elements,
                            const SparseOperator &jump_operator)

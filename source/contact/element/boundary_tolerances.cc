@@ -6,43 +6,47 @@
 #include <algorithm>
 #include <cmath>
 
-// What counts as zero: forces, gaps and their rates.
+// The values of forces, gaps and their rates that count as zero.
 namespace fuga
 {
   namespace
   {
-    /** Forces and gaps below this share of the terms they are the difference of are zero. */
+    /** Share of the terms whose difference they are, below which forces and gaps count as zero. */
     constexpr double value_tolerance = 1e-12;
-    /** Share of it that is enough where forces are small differences of their terms, the last digit
-     * of which it is: what begins to slip must not begin off its cone. */
+    /** Share of this tolerance that is sufficient where forces are small differences of their
+     * terms, so that it is their last digit: elements that begin to slip must not begin off their
+     * cones. */
     constexpr double of_small_differences = 1e-4;
-    /** The same in space, beside the forces that act: with less of it slips begin and rest again
-     * and again where rigid joints cross, with more elements begin to slip off their cones. */
+    /** The corresponding share in space, relative to the forces that act: with a smaller one slips
+     * begin and rest again and again where rigid joints cross, with a larger one elements begin to
+     * slip off their cones. */
     constexpr double of_small_differences_in_space = 1e-2;
-    /** Share of the reactions to all loads that counts as a force in a step of time, whose loads
-     * hold bodies at their places so far and may be far above every force. */
+    /** Share of the reactions to all loads that counts as a force in a time step, whose loads hold
+     * bodies at their present places and may be far above every force. */
     constexpr double of_reactions_in_motion = 1e-2;
     /** Share of the forces that drive a motion above which no rate is noise: where bodies move far
-     * beside what they deform, refinement keeps their forces better than their terms tell. */
+     * compared with their deformation, refinement gives their forces more accurately than their
+     * terms indicate. */
     constexpr double largest_force_noise = 1e-9;
-    /** And below which every rate is: a few times the rounding of the largest of these forces. */
+    /** Share below which every rate is noise: a few times the rounding of the largest of these
+     * forces. */
     constexpr double least_force_noise = 1e-13;
     /** Shares of d and D p that count for a nonlinear bar, whose jump d + D p may be much smaller
-     * than either: their rounding errors, not the size of the jump. */
+     * than either: its noise is given by their rounding errors, not by the size of the jump. */
     constexpr double value_rounding = 1e-2, rate_rounding = 1e-3;
-    /** In space no force tolerance is below this share of the largest: a few times the rounding of
-     * the largest forces. */
+    /** Share of the largest force tolerance below which no force tolerance lies in space: a few
+     * times the rounding of the largest forces. */
     constexpr double smallest_share = 1e-3;
-    /** Nor does it grow, in space, beyond this share of the forces that act, be steps without
-     * length ever so many: an element that opens with a force, or slips off its cone, is no
-     * equilibrium. */
+    /** Share of the acting forces beyond which the tolerance does not grow in space, however many
+     * steps of zero length there are: an element that opens with a force, or slips off its cone, is
+     * not in equilibrium. */
     constexpr double largest_share = 1e-10;
   } // namespace
 
   // A force is the sum of the reactions of the stuck joint to all loads and of the effects of the
-  // dislocations; the size of these terms, not of their sum, tells its rounding error. Where terms
-  // far above all forces cancel, their last digit counts, and more of them only as steps without
-  // length show that it is unknown.
+  // dislocations; the size of these terms, not of their sum, determines its rounding error. Where
+  // terms far above all forces cancel, their last digit counts, and more digits only as steps of
+  // zero length show that they are unknown.
   void
   ContactBoundary::set_scales(const JointState &state, const Vector &factors, const double widening)
   {
@@ -80,8 +84,8 @@ namespace fuga
     for (const ContactElement &element : elements)
       largest_jump = std::max(largest_jump, element.initial_gap);
     zero_gap = relative * largest_jump;
-    // A soft layer turns a force of rounding into a closure that is none: where it opens, what is
-    // no force must leave no gap either.
+    // A soft layer turns a force that is only rounding into a closure that does not exist: where it
+    // opens, a force that counts as zero must not leave a gap either.
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       if (system.is_curved(i))
         force_tolerances[i] =

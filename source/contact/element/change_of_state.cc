@@ -19,7 +19,7 @@ namespace fuga
         state.unreleased[element.second_tangential_bar] = T[1];
     }
 
-    /** What is lost is given up at this load, quasi-statically. */
+    /** The forces that are lost are given up at this load, quasi-statically. */
     void
     weaken_by_slip(const ContactElement &element,
                    const std::size_t k,
@@ -36,7 +36,8 @@ namespace fuga
           break_bond(element, k, no_force, state);
           return;
         }
-      // Under tension a bond has c A - f N, which less friction would raise: nothing is lost there.
+      // Under tension a bond has the strength c A - f N, which less friction would raise: nothing
+      // is lost there.
       const double residual = strength.share * residual_friction(element.friction);
       double lost           = N < -no_force ? (strength.friction - residual) * -N : 0.;
       if (N <= no_force)
@@ -59,7 +60,7 @@ namespace fuga
                const double no_force,
                JointState &state)
   {
-    // A gap that closes is zero but for rounding, and stays so: to move the lips even by that much
+    // A gap that closes is zero up to rounding, and stays so: moving the lips even by that little
     // would leave forces that do not belong to them where the bodies are stiff.
     const bool was_slipping = is_slipping(state.states[k]);
     state.states[k]         = to;
@@ -73,7 +74,7 @@ namespace fuga
       weaken_by_slip(element, k, direction, no_force, state);
   }
 
-  // Without a bond nothing but rounding is left at N = 0.
+  // Without a bond only rounding is left at N = 0.
   void
   break_bond(const ContactElement &element,
              const std::size_t k,

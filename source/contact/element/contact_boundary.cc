@@ -11,7 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** The smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c > 0. */
+    /** Return the smallest τ > 0 at which c + 2bτ + aτ² goes from positive to negative, if c >
+     * 0. */
     double
     descending_root(const double a, const double b, const double c)
     {
@@ -24,7 +25,7 @@ namespace fuga
       return a < 0. ? (b + s) / -a : no_boundary;
     }
 
-    /** Length τ after which a reserve is used up; `no_boundary` if it does not. */
+    /** Return the length τ after which a reserve is used up; `no_boundary` if it never is. */
     double
     used_up_after(const Reserve &reserve)
     {
@@ -167,7 +168,7 @@ namespace fuga
             strength_tolerance(k, state.strengths[k])};
   }
 
-  // Along one tangent both directions, as |T| has a kink.
+  // Along one tangent both directions are considered, since |T| has a kink.
   void
   ContactBoundary::append_shear_reserves(const std::size_t k,
                                          const JointState &state,
@@ -206,7 +207,8 @@ namespace fuga
         const double b    = strength * strength_rate - dot(T, T_rate);
         if (strength - length(T) > tolerance)
           return descending_root(a, b, (strength - length(T)) * size);
-        // On the cone. The rate problem has seen to it that the element does not leave it at once.
+        // The shear is on the cone. The rate problem has ensured that the element does not leave it
+        // at once.
         return a < 0. && size > tolerance && b > 0. ? -2. * b / a : no_boundary;
       }
     const double noise_of_value =

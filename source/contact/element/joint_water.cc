@@ -10,7 +10,7 @@ namespace fuga
 {
   namespace
   {
-    /** The access that the states of the elements demand. */
+    /** Return the access that the states of the elements demand. */
     std::vector<WaterAccess>
     demanded_access(const WaterNetwork &network, const std::vector<ContactState> &states)
     {
@@ -38,7 +38,8 @@ namespace fuga
                          [&](const std::size_t i) { return states[i] == ContactState::open; });
     }
 
-    /** Connections that would lower the pressure at the tip of a crack do not count. */
+    /** Remove connections that would lower the pressure at the tip of a crack, since they do not
+     * count. */
     void
     refuse_relief(const std::vector<ContactElement> &elements,
                   const WaterInJoints &water,

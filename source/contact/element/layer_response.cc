@@ -41,7 +41,7 @@ namespace fuga
       return {{size * direction[0], size * direction[1]}};
     }
 
-    /** What the layer deforms in its plane, as far as its forces depend on it. */
+    /** Return the deformation of the layer in its plane, as far as its forces depend on it. */
     TangentVector
     layer_shear(const ContactElement &element, const JointState &at, const std::size_t k)
     {
@@ -49,7 +49,8 @@ namespace fuga
                                                  : shear_deformation(element, at, k);
     }
 
-    /** What D of a normal bar is below its first compliance, which a layer keeps under tension. */
+    /** Return the difference between the first compliance of a normal bar, which a layer keeps
+     * under tension, and its D. */
     double
     lack_of_compliance(const ContactElement &element)
     {
@@ -139,8 +140,8 @@ namespace fuga
     return sum(jump, -1., at.slips[k]);
   }
 
-  // While the lips are apart the gap does not tell the closure; the force of a bond that is being
-  // unloaded does.
+  // While the lips are apart, the gap does not determine the closure; the force of a bond that is
+  // being unloaded does.
   TangentVector
   shear_deformation(const ContactElement &element, const JointState &at, const std::size_t k)
   {
@@ -158,7 +159,8 @@ namespace fuga
       direction_of(T));
   }
 
-  // A linear layer deforms by D T, which is not in the dislocations; another one less, or more.
+  // A linear layer deforms by D T, which is not part of the dislocations; other layers deform less,
+  // or more.
   TangentVector
   present_slip(const ContactElement &element, const JointState &at, const std::size_t k)
   {
@@ -291,7 +293,8 @@ namespace fuga
     return sum(jump, -1., elastic);
   }
 
-  // Lips that meet again under what is left of a tension press each other by what N is below it.
+  // Lips that meet again under the remainder of a tension press each other by the amount by which N
+  // is below it.
   double
   cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
   {

@@ -12,19 +12,20 @@ namespace fuga
 {
   namespace
   {
-    /** A force below this share of what the stuck joint would answer does not resist. */
+    /** Share of the reaction of the stuck joint below which a force does not resist. */
     constexpr double free_force = 1e-7;
-    /** Nor does one that does less than this share of the work: the force in a contact that has
-     * shrunk to a point, about which a body turns. */
+    /** Share of the work below which a force does not resist either, such as the force in a contact
+     * that has shrunk to a point, about which a body turns. */
     constexpr double free_work = 1e-7;
-    /** A jump below this share of the largest is none. */
+    /** Share of the largest jump below which a jump counts as zero. */
     constexpr double no_jump = 1e-6;
-    /** The layer may take up this share of the largest jump of a motion that it does not resist. */
+    /** Share of the largest jump of a motion that the layer may take up without resisting the
+     * motion. */
     constexpr double free_layer = 0.02;
   } // namespace
 
-  // A layer that is soft beside all others answers with a force that is none beside theirs, and yet
-  // it is not free: its lips do not move as the bodies do.
+  // A layer that is soft compared with all others responds with a force that is negligible compared
+  // with theirs, and yet it is not free: its lips do not move as the bodies do.
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system)
   {

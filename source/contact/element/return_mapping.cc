@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** The coefficient of friction, where more pressure gives more strength. */
+    /** Return the coefficient of friction where more pressure gives more strength. */
     double
     friction_at(const ContactElement &element,
                 const JointState &at,
@@ -67,7 +67,7 @@ namespace fuga
     return at.strengths[k].dilatancy > 0. && at.dilations[k] < elements[k].friction.dilation_limit;
   }
 
-  // From the beginning of the step.
+  // The slip is measured from the beginning of the step.
   void
   ReturnMapping::slide(const std::size_t k, const TangentVector &by)
   {
@@ -76,8 +76,8 @@ namespace fuga
                                std::max(elements[k].friction.dilation_limit, from.dilations[k]));
   }
 
-  // The excess of the shear over the strength falls as the lips slip, from above zero to less than
-  // zero where nothing of the shear is left. Both layers stay within their laws.
+  // The excess of the shear over the strength decreases as the lips slip, from above zero to below
+  // zero where no shear is left. Both layers stay within their laws.
   double
   ReturnMapping::slip_onto_strength(const std::size_t k, const TangentVector &e)
   {
@@ -105,8 +105,8 @@ namespace fuga
       excess_and_derivative, least, least, most, digits, n_iterations);
   }
 
-  // N by the slip, and |T| + f N by it; then N by the gap and by the shear of the whole step, at
-  // which the excess stays zero.
+  // The derivatives are those of N by the slip, and of |T| + f N by it; then those of N by the gap
+  // and by the shear of the whole step, at which the excess stays zero.
   void
   ReturnMapping::slip(const std::size_t k, const TangentVector &e, StepResponse &result)
   {
@@ -134,8 +134,8 @@ namespace fuga
             -f * u[i - 1] * result.tangent[0][j] +
             (j == 0 ? 0. : strength / length(e) * ((i == j ? 1. : 0.) - u[i - 1] * u[j - 1]));
       }
-    // With two tangents the direction is that of T, and the sign says nothing; where nothing of the
-    // strength is left, nor the state.
+    // With two tangents the direction is that of T, and the sign means nothing; where no strength
+    // is left, neither does the state.
     result.state    = !carries_shear(element, at.strengths[k]) ? ContactState::stick
                       : n_bars == 2 && u[0] < 0.               ? ContactState::slip_backward
                                                                : ContactState::slip_forward;

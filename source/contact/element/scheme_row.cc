@@ -11,7 +11,7 @@ namespace fuga
   {
     using Demand = SchemeRow::Demand;
 
-    /** Unknown and equation p = 0 of bar number @p i. */
+    /** Return the unknown and the equation p = 0 of bar number @p i. */
     SchemeRow
     free_row(const ContactElement &element, const std::size_t k, const std::size_t i)
     {
@@ -22,7 +22,8 @@ namespace fuga
       return row;
     }
 
-    /** p_i = Σ C_ij (d_j + D_j p_j), the elastic deformations of the layer; see LayerTangent. */
+    /** Return the row p_i = Σ C_ij (d_j + D_j p_j) with the elastic deformations of the layer; see
+     * LayerTangent. */
     SchemeRow
     stuck_layer_row(const ContactElement &element,
                     const std::size_t k,
@@ -41,10 +42,11 @@ namespace fuga
     }
 
     /**
-     * While the element slides along e, T is given by N and the elastic shear follows it. The layer
-     * then answers N - (C_nt/C_tt) T = C g, C = C_nn - C_nt²/C_tt, and g is reckoned from lips that
-     * rise by tan ψ per slip, ṡ = ḋ_t + (D_t - 1/C_tt) Ṫ along e. A rigid or linear layer keeps
-     * g + ... = 0 with C standing for any stiffness.
+     * Return the normal row of a sliding element. While the element slides along e, T is given by N
+     * and the elastic shear follows it. The layer then responds with N - (C_nt/C_tt) T = C g,
+     * C = C_nn - C_nt²/C_tt, where g is measured from lips that rise by tan ψ per slip,
+     * ṡ = ḋ_t + (D_t - 1/C_tt) Ṫ along e. For a rigid or linear layer the equation remains
+     * g + ... = 0, with C standing for any stiffness.
      */
     SchemeRow
     sliding_normal_row(const ContactElement &element,
@@ -77,7 +79,8 @@ namespace fuga
       return row;
     }
 
-    /** Along a single bar the unknown is its dislocation, whatever the sign of the slip. */
+    /** Return the row of slip. Along a single bar the unknown is its dislocation, whatever the sign
+     * of the slip. */
     SchemeRow
     sliding_row(const ContactElement &element,
                 const std::size_t k,
@@ -97,9 +100,10 @@ namespace fuga
     }
 
     /**
-     * (1/k_s - D + c) T·n = d·n across the slip, n ⟂ e, with the secant stiffness k_s of the layer
-     * (1/D of a linear one) and c = @p turning, for in a finite step the slip has the direction of
-     * T. Multiplied by k/(1 + k c), with k = k_s, or any stiffness if the layer is linear.
+     * Return the row (1/k_s - D + c) T·n = d·n across the slip, n ⟂ e, where k_s is the secant
+     * stiffness of the layer (1/D of a linear one) and c = @p turning, because in a finite step the
+     * slip has the direction of T. It is multiplied by k/(1 + k c), where k = k_s, or any stiffness
+     * if the layer is linear.
      */
     SchemeRow
     across_row(const ContactElement &element,

@@ -51,8 +51,9 @@ namespace fuga
 
   namespace
   {
-    /** How well the jump d + D p of a bar is known beside that of a rigid one: the rounding of p,
-     * of the size of the bodies' stiffness, counts D times. */
+    /** Return the accuracy to which the jump d + D p of a bar is known compared with that of a
+     * rigid one: the rounding of p, which is of the size of the stiffness of the bodies, counts D
+     * times. */
     Vector
     jump_weights(const std::vector<ContactElement> &elements, const DenseMatrix &S)
     {
@@ -101,7 +102,7 @@ namespace fuga
     stiffness_row_norms.assign(system->load_patterns().n_rows(), 0.);
     for (std::size_t j = 0; j < S.n_columns(); ++j)
       stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
-    // Once, for the weights need no precision.
+    // This is done once, because the weights need no precision.
     if (const SparseOperator &B = system->jump_operator(); !B.is_identity() && dual.is_identity())
       dual = dual_of(B, jump_weights(elements, S));
   }
@@ -147,7 +148,7 @@ namespace fuga
   }
 
   // Weights of 1e-4 cost the inverse four digits, which one step with the defect δ - B x in
-  // extended precision gives back.
+  // extended precision restores.
   Vector
   Judge::coordinates(const Vector &bar_jumps) const
   {
@@ -204,10 +205,11 @@ namespace fuga
       loads[i] += on_coordinates[i];
   }
 
-  // A body that a soft joint holds moves by far more than it deforms: what of x is rigid motion is
-  // taken out, for its resistance is nothing but the rounding of S. Only this difference needs
-  // extended precision. The product that follows does not: in double precision it is wrong by at
-  // most n ε |S_i| |deformation|, and judge() concedes n ε |S_i| |x| to the rounding of x anyway.
+  // A body that a soft joint holds moves far more than it deforms: the part of x that is rigid
+  // motion is removed, because its resistance is nothing but the rounding of S. Only this
+  // difference needs extended precision. The product that follows does not: in double precision it
+  // is wrong by at most n ε |S_i| |deformation|, and judge() concedes n ε |S_i| |x| to the rounding
+  // of x anyway.
   Vector
   Judge::resistance(const Vector &x) const
   {
@@ -225,7 +227,8 @@ namespace fuga
     return {result.begin(), result.end()};
   }
 
-  // Forces and moments on every floating body, relative to what the largest force would cause.
+  // The error is that of forces and moments on every floating body, relative to what the largest
+  // force would cause.
   double
   Judge::body_equilibrium_error(const JointState &state) const
   {
@@ -265,11 +268,11 @@ namespace fuga
 
     Certificate result;
     const Vector p = multiply_transposed(system->jump_operator(), state.forces);
-    // A body that soft joints hold moves by far more than it deforms: then S x, a sum of n terms in
-    // double precision, is uncertain by more than the forces allow, and only what exceeds this
-    // uncertainty is an error. (That such a body is in equilibrium at all is the next entry, which
-    // knows no S.)
-    // A body that has flown far has jumps with fewer digits than x, by which a step changes them.
+    // A body that soft joints hold moves far more than it deforms: S x, a sum of n terms in double
+    // precision, is then uncertain by more than the forces allow, and only the part that exceeds
+    // this uncertainty is an error. (The next entry, which does not know S, checks that such a body
+    // is in equilibrium at all.) A body that has flown far has jumps with fewer digits than x, by
+    // which a step changes them.
     const double n_terms  = std::max(4., static_cast<double>(x.size()));
     const double rounding = std::numeric_limits<double>::epsilon() *
                             (n_terms * std::sqrt(dot(x, x)) + largest_of_elements(delta));
@@ -283,7 +286,7 @@ namespace fuga
       }
     result.body_equilibrium = body_equilibrium_error(state);
 
-    // ½ x·S x by the elastic forces just checked, for the same reason.
+    // ½ x·S x is computed from the elastic forces just checked, for the same reason.
     ledger.bodies = energy_of_bodies(x, elastic);
     ledger.layer  = 0.;
     for (std::size_t k = 0; k < elements.size(); ++k)

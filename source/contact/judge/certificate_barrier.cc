@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-// What the judge asks of a virtual motion before it is said to show that there is no continuation.
+// The conditions that the judge imposes on a virtual motion that is claimed to show that there is
+// no continuation.
 namespace fuga
 {
   namespace
   {
-    /** Rows in which the stiffness is but rounding are measured by the largest. */
+    /** Ratio below which the stiffness of a row is only rounding; such rows are measured by the
+     * largest one. */
     constexpr double no_stiffness = 1e-12;
   } // namespace
 
@@ -36,7 +38,7 @@ namespace fuga
     return equilibrium >= 0. && inadmissible >= 0. && margin() >= more_than_rates_of_a_path;
   }
 
-  // Bodies and layer in series, everything else at rest.
+  // Bodies and layer act in series, and everything else is at rest.
   double
   Judge::own_stiffness(const std::size_t bar, const double compliance) const
   {

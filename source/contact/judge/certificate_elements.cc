@@ -44,7 +44,8 @@ namespace fuga
     raise(result.layer_law, std::abs(gap - elastic.normal), largest_jump);
     if (!element.has_tangential_bar())
       return;
-    // Lips press each other by what N is below the tension that a broken bond still carries.
+    // Lips press each other by the amount by which N is below the tension that a broken bond still
+    // carries.
     const double still_pulling = std::max(state.unreleased[n], 0.);
     const double pressing      = left.tension > 0. ? -N : std::max(still_pulling - N, 0.);
     const double strength      = left.friction * pressing + left.cohesion + length(lost);
@@ -55,8 +56,8 @@ namespace fuga
       raise(result.slip_direction, std::abs(along_slip(k, state, T) - strength), largest_force);
   }
 
-  // What is left of the strength is all or nothing of what the law says, or of the share of it that
-  // a strength reduction leaves.
+  // The remaining strength is all or nothing of what the law gives, or of the share of it that a
+  // strength reduction leaves.
   void
   Judge::check_strength(const std::size_t k, const Strength &left, Certificate &result) const
   {
@@ -70,7 +71,8 @@ namespace fuga
       result.cone = std::numeric_limits<double>::infinity();
   }
 
-  // A strength reduction leaves all elements it concerns the same share, and the others all.
+  // A strength reduction leaves the same share to all elements that it concerns, and the full
+  // strength to the others.
   void
   Judge::check_reduction(const JointState &state, Certificate &result) const
   {

@@ -14,9 +14,9 @@ namespace fuga
   namespace
   {
     /**
-     * ∫b ẋ over a piece, in which the load time has grown by @p growth: what loads of which a unit
-     * of the load time adds @p load do beyond those that grow in proportion, b the cubic between
-     * them and the curve of the load time.
+     * Return ∫b ẋ over a piece in which the load time has grown by @p growth: the additional work
+     * of loads, of which a unit of the load time adds @p load, compared with loads that grow in
+     * proportion; b is the cubic difference between these and the curve of the load time.
      */
     double
     work_of_bend(const PathPoint &from,
@@ -44,8 +44,8 @@ namespace fuga
     }
   } // namespace
 
-  // The loads are linear along a piece, but for work_of_bend(), and the jumps are cubics (exact for
-  // straight pieces), so ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
+  // The loads are linear along a piece, except for work_of_bend(), and the jumps are cubics (exact
+  // for straight pieces), so that ∫f·dx = f0·Δx + Δf·(x1 - ∫x ds) on s ∈ [0, 1].
   void
   Judge::follow(const PathPoint &from, const PathPoint &to, const double length)
   {
@@ -57,7 +57,7 @@ namespace fuga
     const Vector x0 = coordinates(delta0, time(from.state)),
                  x1 = coordinates(delta1, time(to.state));
     // Imposed jumps have one rate along the piece, which the difference of both rates does not
-    // know.
+    // contain.
     const Vector v0 = coordinates(jumps(from.rates.dislocations, from.rates.forces));
     const Vector v1 = coordinates(jumps(to.rates.dislocations, to.rates.forces));
     Vector f0 = loads(time(from.state)), f1 = loads(time(to.state));
@@ -86,7 +86,8 @@ namespace fuga
     check_slip(from, to, length);
   }
 
-  // ∫p·E da: what the forces of the bars do when the lips are put apart, or are taken off.
+  // The work is ∫p·E da, done by the forces of the bars when the lips are put apart, or are taken
+  // off.
   void
   Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
   {
@@ -137,7 +138,7 @@ namespace fuga
     take_stiffness();
   }
 
-  // A step reckons its coordinates from where it begins.
+  // A step measures its coordinates from its beginning.
   void
   Judge::end_step(const JointState &state)
   {
@@ -152,7 +153,7 @@ namespace fuga
     ledger.external_work = ledger.bodies + ledger.layer + ledger.dissipation;
   }
 
-  // The energy of layers that are removed with their bodies is taken out from outside.
+  // The energy of layers that are removed with their bodies is extracted from outside.
   void
   Judge::begin_phase(const JudgeMemory &memory, const JointState &state)
   {
@@ -162,13 +163,14 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       ledger.external_work += stored_energy(k, state);
     if (!system->has_stiffness())
-      return; // begin_step() will do the rest
+      return; // begin_step() does the rest
     const Vector x          = coordinates(jumps(state.dislocations, state.forces), time(state));
     energy_of_bodies_before = 0.;
     energy_of_bodies_before = ledger.bodies - energy_of_bodies(x, multiply(system->stiffness(), x));
   }
 
-  // Early in a run energies are small, and so would be the scale: the load still to come is known.
+  // Early in a run energies are small, and so would be the scale; but the load still to come is
+  // known.
   double
   Judge::scale_of_energy(const double load)
   {
@@ -183,8 +185,8 @@ namespace fuga
     return largest_energy * ratio * ratio;
   }
 
-  // By the last digits of the forces lips move, and their forces work on it: even the stiffest
-  // ones. Where rigid joints begin to slip together, nothing else has worked yet.
+  // Lips move by the last digits of the forces, and the forces do work on that, even on the
+  // stiffest lips. Where rigid joints begin to slip together, nothing else has done work yet.
   double
   Judge::rounding_of_work() const
   {

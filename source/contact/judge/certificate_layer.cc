@@ -5,19 +5,19 @@
 
 #include <cmath>
 
-// The judge's own laws of the layer, from forces to deformations: the solver goes the other way.
+// The judge's own laws of the layer, from forces to deformations; the solver goes the other way.
 namespace fuga
 {
   namespace
   {
-    /** Deformation of a bar's layer under a stress ≥ 0, from the law itself. */
+    /** Return the deformation of a bar's layer under a stress ≥ 0, from the law itself. */
     double
     deformation(const ComplianceLaw &law, const double stress)
     {
       return law.kind() == ComplianceKind::rigid ? 0. : law.deformation(stress);
     }
 
-    /** A layer under tension (a bond) keeps its first stiffness. */
+    /** Return the closure. A layer under tension (a bond) keeps its first stiffness. */
     double
     closure(const ComplianceLaw &law, const double pressure)
     {
@@ -34,7 +34,7 @@ namespace fuga
       return law.energy(law.deformation(std::abs(stress)));
     }
 
-    /** Rate of the deformation @p w ≥ 0 of a bar's layer. */
+    /** Return the rate of the deformation @p w ≥ 0 of a bar's layer. */
     double
     deformation_rate(const ComplianceLaw &law, const double w, const double stress_rate)
     {
@@ -43,7 +43,8 @@ namespace fuga
     }
   } // namespace
 
-  // The layer is isotropic in its plane: it deforms along the force, by what its length demands.
+  // The layer is isotropic in its plane: it deforms along the force, by the amount that the size of
+  // the force demands.
   Judge::Layer
   Judge::layer(const std::size_t k, const JointState &state) const
   {
@@ -83,8 +84,9 @@ namespace fuga
     return element.area * energy;
   }
 
-  // With u along the force, e = e(N, |T|) u changes along u by the tangent of the law at the
-  // present stresses, and across u as u turns: by e/|T| times what of the force's rate is across.
+  // Let u be the direction of the force. The deformation e(N, |T|) u changes along u by the tangent
+  // of the law at the present stresses, and across u as u turns: by e/|T| times the component of
+  // the force's rate across u.
   Judge::Layer
   Judge::layer_rates(const std::size_t k, const PathPoint &point) const
   {
@@ -95,7 +97,8 @@ namespace fuga
     const TangentVector T         = shear_part(element, point.state.forces);
     const double e                = length(now.shear);
     const TangentVector T_rate    = shear_part(element, point.rates.forces);
-    // A force that only begins has no direction yet, and the layer the same compliance in all.
+    // A force that is just beginning has no direction yet, and the layer has the same compliance in
+    // all directions.
     const bool begins          = length(T) == 0.;
     const TangentVector u      = begins ? TangentVector{{1., 0.}} : direction(T);
     const TangentVector across = normal_to(u);

@@ -9,15 +9,15 @@
 #include <algorithm>
 #include <cmath>
 
-// What the judge asks of a mechanism before it is called a limit load.
+// The conditions that the judge imposes on a mechanism before it is called a limit load.
 namespace fuga
 {
   namespace
   {
-    /** Forces below this share of the largest of a state are zero. */
+    /** Share of the largest force of a state below which forces are zero. */
     constexpr double no_force_share = 1e-8;
-    /** Where all has been unloaded, what is below this share of the largest of the run is left by
-     * rounding. */
+    /** Share of the largest force of the run below which forces are left by rounding, where
+     * everything has been unloaded. */
     constexpr double left_by_rounding = 1e-11;
 
     double
@@ -26,12 +26,12 @@ namespace fuga
       return std::max(share * now, left_by_rounding * largest_of_run);
     }
 
-    /** Where the load approaches its limit asymptotically the path ends while the motion still
-     * meets a small resistance. */
+    /** Largest error of a motion that proves a limit load. Where the load approaches its limit
+     * asymptotically the path ends while the motion still meets a small resistance. */
     constexpr double largest_error = 0.02;
 
-    /** Whether the share of its power with which the load drives a motion is more than the motion's
-     * own errors make of nothing. */
+    /** Return whether the share of its power with which the load drives a motion is more than the
+     * errors of the motion can make of zero. */
     bool
     is_driven(const MechanismCertificate &proof)
     {
@@ -55,7 +55,7 @@ namespace fuga
   bool
   MechanismCertificate::is_neutral() const
   {
-    constexpr double none = 1e-7; // as of a force that does not resist
+    constexpr double none = 1e-7; // like a force that does not resist
     return std::max(error(), std::abs(drive)) <= none;
   }
 
@@ -115,7 +115,7 @@ namespace fuga
       return result;
     const Vector x       = coordinates(motion);
     const Vector elastic = resistance(x);
-    // Rows in which the stiffness of a body that nothing holds is but rounding are measured by the
+    // Rows in which the stiffness of a body that nothing holds is only rounding are measured by the
     // others.
     constexpr double rounding = 1e-12;
     const double no_stiffness = rounding * max_abs(stiffness_row_norms);
@@ -142,7 +142,7 @@ namespace fuga
         power -= state.forces[bar] * motion[bar];
         size += std::abs(state.forces[bar] * motion[bar]);
       }
-    // About a point through which all forces pass no term is more than rounding.
+    // For a motion about a point through which all forces pass no term is more than rounding.
     result.balance = share(std::abs(power), std::max(size, largest_force * largest));
 
     result.drive = drive(state, motion);
@@ -173,7 +173,7 @@ namespace fuga
   }
 
   // Beyond the limit the power of the growing load exceeds what friction dissipates: forces do not
-  // change, but by a strength reduction and what a broken bond lets go.
+  // change, except by a strength reduction and by what a broken bond releases.
   double
   Judge::drive(const JointState &state, const Vector &motion) const
   {

@@ -7,16 +7,18 @@
 #include <algorithm>
 #include <cmath>
 
-// The motion that the judge finds by itself where that of the solver proves nothing.
+// The motion that the judge itself finds where that of the solver proves nothing.
 namespace fuga
 {
   namespace
   {
-    /** Rigid motions smaller than this share of the largest in the joints are none; so is a motion
-     * on which the load does less than this share of its power on the free bodies. */
+    /** Share of the largest rigid motion in the joints below which a motion counts as zero; the
+     * same holds for a motion on which the load does less than this share of its power on the free
+     * bodies. */
     constexpr double no_motion = 1e-7;
 
-    /** Combinations of the columns of @p motions that are orthonormal in the jumps, as columns. */
+    /** Return combinations of the columns of @p motions that are orthonormal in the jumps, as
+     * columns. */
     DenseMatrix
     orthonormal_combinations(const DenseMatrix &motions)
     {
@@ -54,7 +56,7 @@ namespace fuga
       {
       }
 
-      /** Σ weight × jump of the bar. */
+      /** Add the condition on Σ weight × jump of the bar. */
       void
       add(const Terms &terms)
       {
@@ -142,8 +144,8 @@ namespace fuga
       equal.add(slip);
     }
 
-    /** @p by_friction: sliding lips rise, and parting ones rise at least, by the angle of friction.
-     */
+    /** Add the conditions of an element. With @p by_friction, sliding lips rise, and parting ones
+     * rise at least, by the angle of friction. */
     void
     add_conditions(const ContactElement &element,
                    const Freedom &freedom,
@@ -218,8 +220,8 @@ namespace fuga
   }
 
   // Rigid motions change no force, and the conditions on them are linear: the motion that the load
-  // drives most is the projection of the powers on their cone. Where it vanishes the load drives
-  // none.
+  // drives most is the projection of the powers on their cone. Where this projection vanishes the
+  // load drives none.
   std::optional<Vector>
   Judge::driven_motion(const JointState &state, const Motions wanted) const
   {
@@ -235,8 +237,8 @@ namespace fuga
     return motion.empty() ? std::optional<Vector>() : motion;
   }
 
-  // Where the load takes the strength away from lips that slide against it, the motion is the one
-  // that decides, without the rise of the lips.
+  // Where the load takes the strength away from lips that slide against it, this motion, without
+  // the rise of the lips, is the one that decides.
   std::optional<Vector>
   Judge::mechanism(const JointState &state) const
   {

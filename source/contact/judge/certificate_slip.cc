@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-// What the judge asks of slip between two points of a path.
+// The conditions that the judge imposes on slip between two points of a path.
 namespace fuga
 {
   namespace
   {
-    /** Along a piece of the path, by the two tangents. */
+    /** Cubics along a piece of the path, one for each of the two tangents. */
     using CubicsInPlane = std::array<CubicOnUnitInterval, 2>;
 
     /** A smooth piece of the path; quantities along it are cubics of x ∈ [0, 1]. */
@@ -38,7 +38,8 @@ namespace fuga
       }
     };
 
-    /** More than by an angle whose square is rounding. */
+    /** Return whether @p rate turns away from @p chord by more than an angle whose square is
+     * rounding. */
     bool
     turns_away(const TangentVector &rate, const TangentVector &chord)
     {
@@ -62,7 +63,7 @@ namespace fuga
           work += work_of_unloading(k, from, to, length_of_piece);
         ledger.dissipation += work;
         element_dissipation[k] += work;
-        // What a broken bond still carries fades whichever way its lips move.
+        // The force that a broken bond still carries fades whichever way its lips move.
         if (from.state.states[k] != ContactState::open)
           wrong_slip_work = std::max(wrong_slip_work, -work);
       }
@@ -83,7 +84,7 @@ namespace fuga
     return elements[k].has_second_tangential_bar() ? length(v) : slip_sign(state.states[k]) * v[0];
   }
 
-  // ∫T·ds + ∫N dω
+  // The work is ∫T·ds + ∫N dω.
   double
   Judge::work_of_slip(const std::size_t k,
                       const PathPoint &from,
@@ -106,7 +107,8 @@ namespace fuga
         const CubicsInPlane T = {
           {piece.force(element.tangential_bar), piece.force(element.second_tangential_bar)}};
         result += work_of(T[1], slip[1]);
-        // At both ends and in the middle of the piece, where the slopes of the cubics are best.
+        // The check is made at both ends and in the middle of the piece, where the slopes of the
+        // cubics are most accurate.
         if (slipping)
           for (const double x : {0., 0.5, 1.})
             wrong_slip_work = std::max(wrong_slip_work, work_across(T, slip, x));
@@ -118,7 +120,7 @@ namespace fuga
                                     to.state.dilations[k],
                                     strength.dilatancy * along_slip(k, from.state, rate1)));
     // Slip that goes along its chord at both ends has not turned, though a cubic may overshoot
-    // where the rate of one end is many times that of the other.
+    // where the rate at one end is many times that at the other.
     const bool turns = turns_away(rate0, slid) || turns_away(rate1, slid);
     const double way = length(slid) + (turns ? detour(slip[0], slip[1]) : 0.);
     check_rise(k, from.state, to.state, slipping ? way : 0.);
@@ -149,8 +151,8 @@ namespace fuga
                                        to.dilations[k] - law.dilation_limit});
   }
 
-  // ∫N do of lips that open while their bond gives up what it still carries; o is the jump that the
-  // layer does not account for.
+  // The work is ∫N do of lips that open while their bond gives up what it still carries; o is the
+  // part of the jump that the layer does not account for.
   double
   Judge::work_of_unloading(const std::size_t k,
                            const PathPoint &from,

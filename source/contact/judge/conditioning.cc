@@ -12,14 +12,16 @@ namespace fuga
 {
   namespace
   {
-    /** One unit in the fourth last binary digit, and multiples of it. */
+    /** One unit in the fourth last binary digit, and the number of multiples of it that are
+     * tried. */
     constexpr double last_digits = 0x1p-50;
     constexpr int n_changes      = 2;
 
-    // Every operation rounds by as much as the data were changed: a few of them may add up.
+    // Every operation rounds by as much as the data were changed, and a few of these errors may add
+    // up.
     constexpr double same_size = 0.1;
 
-    /** The same loads times @p factor. */
+    /** Return the same loads times @p factor. */
     LoadHistory
     scaled(const LoadHistory &history, const double factor)
     {
@@ -42,7 +44,7 @@ namespace fuga
       return result;
     }
 
-    /** States at the levels, the last of all behind them. */
+    /** States at the levels, followed by the last of all. */
     class LevelRecord : public PathObserver
     {
     public:
@@ -91,7 +93,7 @@ namespace fuga
       const LayeredSystem &system;
       JointState end;
       std::vector<Vector> forces, jumps;
-      /** What the last digit of a dislocation is worth as a force [MN]. */
+      /** Effect of the last digit of a dislocation as a force [MN]. */
       double last_digit = 0.;
     };
 
@@ -104,7 +106,8 @@ namespace fuga
       return size;
     }
 
-    /** @p value beside the largest of @p values; where all of them are zero it says nothing: 0. */
+    /** Return @p value relative to the largest of @p values; 0 where all of them are zero, because
+     * the ratio then means nothing. */
     double
     beside(const double value, const std::vector<Vector> &values)
     {
@@ -112,7 +115,7 @@ namespace fuga
       return size > 0. ? value / size : 0.;
     }
 
-    /** Largest difference beside the largest value. */
+    /** Return the largest difference relative to the largest value. */
     double
     difference(const std::vector<Vector> &a, const std::vector<Vector> &b)
     {
@@ -127,7 +130,8 @@ namespace fuga
   bool
   Conditioning::explains_by_loads(const double error) const
   {
-    // A larger error than any rounding is a wrong path, however much the loads decide.
+    // An error that is larger than any rounding means a wrong path, however strongly the loads
+    // affect the answer.
     constexpr double largest_of_rounding = 1e-6;
     return error <= largest_of_rounding &&
            (other_end || std::max(forces, jumps) >= same_size * error);

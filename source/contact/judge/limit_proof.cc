@@ -34,7 +34,8 @@ namespace fuga
                          proof.drive);
     }
 
-    /** The motion that was found proves nothing; that all states were tried, does. */
+    /** Record that there is no continuation: the motion that was found proves nothing, but the fact
+     * that all states were tried does. */
     void
     take_no_continuation(const std::vector<ContactElement> &elements,
                          const JointState &state,

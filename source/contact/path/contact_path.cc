@@ -19,10 +19,10 @@ namespace fuga
 {
   namespace
   {
-    /** How often contact configurations may come back at one load before water that leaves waits.
-     */
+    /** Number of times that contact configurations may come back at one load before water that
+     * leaves waits. */
     constexpr std::size_t returns_before_water_waits = 3;
-    /** The same before what has come to rest is held. */
+    /** Number of times that they may come back before an element that has come to rest is held. */
     constexpr std::size_t returns_before_rest_is_held = 3;
 
     Vector
@@ -64,7 +64,7 @@ namespace fuga
   PathResult
   ContactPath::follow_from_cut(const std::vector<double> &levels, PathObserver &observer)
   {
-    // So many rows: a product takes as long as threads need to begin and to meet.
+    // With this many rows a product takes as long as threads need to start and to meet.
     constexpr std::size_t few_bars = 2500;
     const blas::OneThread of_small_systems(system.n_bars() <= few_bars);
     next_level = cut.next_level;
@@ -93,7 +93,7 @@ namespace fuga
     cut        = PathCut();
     cut.state  = state;
     cut.result = so_far;
-    // What follows upon a jump of an earlier step does so in another time.
+    // Events that follow a jump of an earlier step are in another time.
     cut.result.jump.length = 0.;
     return follow_from_cut({}, observer);
   }
@@ -150,8 +150,8 @@ namespace fuga
     add_water_rates(system, state, factor_rates, drive);
   }
 
-  // Steps without length come from elements that reach their boundary together but for rounding:
-  // what counts as being on it is widened step by step, at once where a scheme comes back.
+  // Steps of zero length are due to elements that reach their boundary together up to rounding: the
+  // tolerance for being on it is widened step by step, and at once where a scheme comes back.
   double
   ContactPath::widening_of_tolerances() const
   {
@@ -159,10 +159,10 @@ namespace fuga
     return std::pow(10., static_cast<double>(std::min<std::size_t>(3, n)));
   }
 
-  // Just before a maximum of the load the rounding of forces on their cones may be worth more than
-  // a small rate of slip: an element slips by the rates, and loses its slip in the next step,
-  // however short. Where nothing else has ended this it rests, whatever its rates; should it leave
-  // its cone, the next segment ends where it does.
+  // Just before a maximum of the load the rounding of forces on their cones may exceed a small rate
+  // of slip: an element slips according to the rates, and loses its slip in the next step, however
+  // short. Where nothing else has ended this it rests, whatever its rates are; should it leave its
+  // cone, the next segment ends where it does.
   double
   ContactPath::widening_at_rest() const
   {
@@ -171,7 +171,7 @@ namespace fuga
              : widening_of_tolerances();
   }
 
-  // A failure on the way must not take along what was reached before it.
+  // A failure on the way must not discard what was reached before it.
   double
   ContactPath::find_end(PathSegment &segment,
                         const Course &course,
@@ -200,7 +200,7 @@ namespace fuga
     resticking = segment.resticking();
     result.t   = state.t;
     ++result.n_steps;
-    // Shorter steps, relative to the load time, are no progress.
+    // Share of the load time below which a step is no progress.
     constexpr double shortest_step = 1e-13;
     if (length > shortest_step * std::max(1., course.t))
       standstill.forget();
@@ -235,10 +235,10 @@ namespace fuga
     return {state.t, k, from, state.states[k]};
   }
 
-  // A connection that comes or goes without any element changing its state is an event as well.
-  // Where water that leaves a crack closes it, and the water of the closed crack opens it again, no
-  // state of both is consistent: such a change waits until the load has gone on. Water of the
-  // reservoir never waits.
+  // A connection that appears or disappears without any element changing its state is an event as
+  // well. Where water that leaves a crack closes it, and the water of the closed crack opens it
+  // again, no state of both is consistent: such a change waits until the load has gone on. Water of
+  // the reservoir never waits.
   bool
   ContactPath::let_water_follow(const Vector &no_force,
                                 JointState &state,

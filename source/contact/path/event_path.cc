@@ -18,7 +18,7 @@ namespace fuga
 {
   namespace
   {
-    /** States that the elements of @p set may take, all together. */
+    /** Return the number of combinations of states that the elements of @p set may take. */
     std::size_t
     n_choices(const std::vector<BoundaryElement> &set)
     {
@@ -109,11 +109,11 @@ namespace fuga
       return true;
     const Course course = next_course(state);
 
-    // How does the contact go on from here? The rates of all elements on a boundary decide
-    // together.
+    // How does the contact go on from here? This is decided by the rates of all elements on a
+    // boundary together.
     set_boundary(state, course, widening_of_tolerances());
     Continuation continuation = decide(state, course, observer, result);
-    // A motion is no limit where it closes what a rounding error has left open.
+    // A motion is not a limit if it closes what a rounding error has left open.
     while (
       !continuation.exists && continuation.has_mechanism &&
       boundary.take_for_closed(widest_gap_closed(continuation.mechanism, elements, system, state)))
@@ -125,7 +125,7 @@ namespace fuga
     if (continuation.costs_strength)
       {
         standstill.forget();
-        return true; // what was lost is given up, and the rates decided anew, at this load
+        return true; // what was lost is given up, and the rates are decided again, at this load
       }
     if (let_water_follow(boundary.all_force_tolerances(), state, observer, result))
       return true; // water comes in or is squeezed out before the load goes on
@@ -160,7 +160,7 @@ namespace fuga
       take_limit(state, segment->motion_at_limit(), result);
     else
       return true;
-    // Where directions of slip turn, the path ends this little, of a stage, before the limit.
+    // Share of a stage by which the path ends before the limit where directions of slip turn.
     constexpr double near_limit = 2e-6;
     go_beyond_limit(state, near_limit, observer, result);
     return false;
@@ -188,8 +188,8 @@ namespace fuga
     return false;
   }
 
-  // A step without length may end at a boundary that it does not reach: where all forces and jumps
-  // vanish together, the last digit of the load time is worth more than their rounding.
+  // A step of zero length may end at a boundary that it does not reach: where all forces and jumps
+  // vanish together, the effect of the last digit of the load time exceeds their rounding.
   void
   EventPath::set_boundary(const JointState &state, const Course &course, const double widening)
   {
@@ -201,9 +201,9 @@ namespace fuga
                                std::numeric_limits<double>::epsilon() * state.t * widening);
   }
 
-  // Where the forces of several elements vanish together, as a block comes free, rounding may leave
-  // some of them off the boundary by a little more than what counts as zero, and no states of the
-  // others go on. No verdict may rest on that.
+  // Where the forces of several elements vanish together, as when a block comes free, rounding may
+  // leave some of them off the boundary by slightly more than what counts as zero, so that no
+  // states of the others go on. No verdict may be based on that.
   void
   EventPath::decide_on_wider_boundary(JointState &state,
                                       const Course &course,

@@ -10,7 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** Load times as equal as a curved path can meet one. */
+    /** Return whether load times are equal to the accuracy with which a curved path can meet
+     * one. */
     bool
     is_at(const double expected, const double t)
     {
@@ -19,8 +20,8 @@ namespace fuga
     }
   } // namespace
 
-  // From the limit load on the motion is given and the load follows from it: doc/theory.md, section
-  // 7. The verdict and its load time remain those of the limit.
+  // From the limit load on, the motion is given and the load follows from it: doc/theory.md,
+  // section 7. The verdict and its load time remain those of the limit.
   void
   EventPath::go_beyond_limit(JointState &state,
                              const double ahead,
@@ -160,8 +161,8 @@ namespace fuga
     return make_segment(course, start);
   }
 
-  // The measure of the motion is its component along the slips with which it begins, of those that
-  // may turn. The load gives way by as much as the bars are stiff, and by more than it falls.
+  // The motion is measured by its component along the slips with which it begins, of those that may
+  // turn. The load gives way by as much as the bars are stiff, and by more than it falls.
   YieldingLoad
   EventPath::yielding_load(const ControlledStep &step, const JointState &state) const
   {

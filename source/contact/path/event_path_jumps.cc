@@ -8,16 +8,17 @@
 #include <algorithm>
 
 // Steps that do not follow the path: to the end of a stage on request, and from a state without
-// continuation to the equilibrium near by.
+// continuation to an equilibrium near by.
 namespace fuga
 {
   namespace
   {
-    /** By which the load grows while it is jumped, of a stage. */
+    /** Share of a stage by which the load grows in a jump. */
     constexpr double shortest_jump = 1e-6, longest_jump = 1e-2;
 
-    /** Twice as much where the path has gone on behind the last jump by less than that one was
-     * long: lips that stick and snap by turns would be followed through millions of jumps. */
+    /** Return the length of a jump. It is twice that of the last one where the path has gone on
+     * after it by less than that one was long: lips that alternately stick and snap would otherwise
+     * be followed through millions of jumps. */
     double
     length_of_jump(const double t, const Jump &last)
     {
@@ -27,8 +28,8 @@ namespace fuga
     }
   } // namespace
 
-  // Only on request, and not where water could come in, or before strength that was lost has been
-  // given up. Whatever the step cannot solve is left to the events.
+  // This is done only on request, and neither where water could come in nor before lost strength
+  // has been given up. Whatever the step cannot solve is left to the events.
   bool
   EventPath::jump_to_corner(JointState &state,
                             const std::vector<double> &levels,
@@ -55,7 +56,8 @@ namespace fuga
     return true;
   }
 
-  // An equilibrium at the same load may be the present one itself: the load is a little larger.
+  // An equilibrium at the same load could be the present one itself, so the load is slightly
+  // larger.
   std::optional<JumpEnd>
   EventPath::equilibrium_ahead(const JointState &state,
                                const double ahead,
@@ -75,7 +77,7 @@ namespace fuga
       }
     catch (const NumericalFailure &)
       {
-        return {}; // then none was found
+        return {}; // no equilibrium was found
       }
   }
 
@@ -158,7 +160,7 @@ namespace fuga
       }
     catch (const NumericalFailure &)
       {
-        // then none was found
+        // no equilibrium was found
       }
     if (!end)
       return false;

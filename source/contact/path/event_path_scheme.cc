@@ -44,10 +44,10 @@ namespace fuga
       }
   }
 
-  // Gives the boundary elements the states of the working scheme. The rates that led to it know
-  // nothing of the strength that it costs: of the forces that have to be given up, nor, where an
-  // element has no force to give up, of the friction it loses as it slides from the apex of its
-  // cone, or of the bond that would hold its shear as it opens.
+  // The boundary elements get the states of the working scheme. The rates that led to it do not
+  // know the strength that it costs: neither the forces that have to be given up, nor, where an
+  // element has no force to give up, the friction that it loses as it slides from the apex of its
+  // cone, or the bond that would hold its shear as it opens.
   bool
   EventPath::adopt_scheme(JointState &state,
                           const std::vector<BoundaryElement> &set,
@@ -76,8 +76,8 @@ namespace fuga
     return costs_strength || state.unreleased != unreleased;
   }
 
-  // A bond at the end of its strength that allows no continuation, neither kept nor lost by
-  // opening, breaks.
+  // A bond at the end of its strength breaks if it allows no continuation, neither when kept nor
+  // when lost by opening.
   bool
   EventPath::break_exhausted_bonds(JointState &state,
                                    PathObserver &observer,

@@ -22,7 +22,7 @@ namespace fuga
              length(sum(a.directions[i], -1., b.directions[i])) > same_direction;
     }
 
-    /** Elements whose state, or direction of slip, is not the same in all branches. */
+    /** Return the elements whose state, or direction of slip, is not the same in all branches. */
     std::vector<std::size_t>
     differing_elements(const std::vector<BoundaryElement> &set, const std::vector<Branch> &branches)
     {
@@ -35,8 +35,8 @@ namespace fuga
       return result;
     }
 
-    /** The branch that dissipates most; where nothing is dissipated yet, the one whose dissipation
-     * grows fastest. The first of equal ones. */
+    /** Return the branch that dissipates most; where nothing is dissipated yet, the one whose
+     * dissipation grows fastest. Among equal ones it is the first. */
     const Branch &
     most_dissipating(const std::vector<Branch> &branches)
     {
@@ -53,8 +53,8 @@ namespace fuga
     }
   } // namespace
 
-  // Further continuations are looked for only where the present one is not known to be the only
-  // one.
+  // Further continuations are looked for only where it is not known that the present one is the
+  // only one.
   void
   EventPath::choose_branch(const JointState &state,
                            const std::vector<BoundaryElement> &set,
@@ -91,8 +91,8 @@ namespace fuga
       }
   }
 
-  // No continuation although nothing moves freely: the elements whose slip would take the
-  // determinant through zero, or all on their strength if none does so alone.
+  // There is no continuation although nothing moves freely: the critical elements are those whose
+  // slip would take the determinant through zero, or all on their strength if none does so alone.
   void
   EventPath::find_critical_elements(JointState &state, PathResult &result)
   {

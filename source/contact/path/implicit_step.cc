@@ -16,13 +16,13 @@ namespace fuga
 {
   namespace
   {
-    /** Violations below this share of the largest force are rounding. */
+    /** Share of the largest force below which violations are rounding. */
     constexpr double violation_rounding = 1e-12;
-    /** Schemes tried for one load, and how often the states of one may return. */
+    /** Number of schemes tried for one load, and how often the states of one may return. */
     constexpr int max_iterations = 100, max_returns = 4;
     /** Correction, relative to the largest jump, that ends the iteration. */
     constexpr double negligible_change = 1e-13;
-    /** Loads tried on the way, and the shortest piece of it. */
+    /** Number of loads tried on the way, and the shortest piece of it. */
     constexpr int max_loads         = 100;
     constexpr double shortest_piece = 1. / 256.;
   } // namespace
@@ -32,7 +32,8 @@ namespace fuga
   {
   }
 
-  // Each load on the way is a step from the beginning; but what is lost on the way stays lost.
+  // Each load on the way is a step from the beginning; but strength that is lost on the way stays
+  // lost.
   std::optional<JointState>
   ImplicitStep::solve(const JointState &from)
   {
@@ -84,8 +85,8 @@ namespace fuga
     return finished(std::move(state));
   }
 
-  // Newton's method: every solution gives new demands. It has ended where they stay, and the
-  // correction is rounding.
+  // In Newton's method every solution gives new demands. It has ended when they do not change, and
+  // the correction is rounding.
   bool
   ImplicitStep::find_equilibrium(const double tau, JointState &state)
   {
@@ -127,9 +128,9 @@ namespace fuga
     return false;
   }
 
-  // Less shear may loosen a layer faster than the strength falls. Lips that let go then slide
-  // farther than Newton's method finds, which asks how they begin to slide: it goes on from where
-  // nothing shears them.
+  // A decrease of the shear may loosen a layer faster than the strength falls. Lips that let go
+  // then slide farther than Newton's method finds, which is based on how they begin to slide; it
+  // therefore continues from where nothing shears them.
   void
   ImplicitStep::unload_slips(const std::vector<ContactState> &before, JointState &state) const
   {
@@ -143,7 +144,7 @@ namespace fuga
           }
   }
 
-  // Whether any state changes.
+  // The return value tells whether any state changes.
   bool
   ImplicitStep::take_demands(JointState &state)
   {
@@ -169,9 +170,9 @@ namespace fuga
     return any;
   }
 
-  // Newton's guess for the augmented Lagrangian: what force and jump together tell. An open element
-  // presses with what its stiffness makes of the penetration. A bond that holds does not open here;
-  // whether it holds lose_strength() asks when equilibrium is found.
+  // This is Newton's guess for the augmented Lagrangian, which follows from force and jump
+  // together. An open element presses by its stiffness times the penetration. A bond that holds
+  // does not open here; whether it holds is tested by lose_strength() when equilibrium is found.
   ImplicitStep::Demand
   ImplicitStep::demand_on(const JointState &state, const std::size_t k) const
   {
@@ -228,9 +229,9 @@ namespace fuga
     return result;
   }
 
-  // All that follows from the dislocations; those of the bars that no equation of the scheme gives
-  // are what they were. Slips stay those of the beginning, from which the layers of stuck elements
-  // and the rows of the scheme reckon.
+  // Everything that follows from the dislocations is set; those of the bars that no equation of the
+  // scheme gives are what they were. Slips stay those of the beginning, which the layers of stuck
+  // elements and the rows of the scheme refer to.
   void
   ImplicitStep::complete(const double tau, JointState &state) const
   {
@@ -257,8 +258,8 @@ namespace fuga
     const Vector factors = course.factors_at(tau);
     set_water(context.system, factors, state);
     state.forces = context.system.forces(factors, state.dislocations, state.water);
-    // The slip is what forces and dislocations of the same state leave of the jump, on layers that
-    // know their closure with the last rise.
+    // The slip is the part of the jump that forces and dislocations of the same state leave, on
+    // layers whose closure includes the last rise.
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (is_slipping(state.states[k]) && state.strengths[k].dilatancy > 0.)
         state.dilations[k] =
@@ -274,7 +275,7 @@ namespace fuga
     return sum(present_slip(element, state, k), -1., start.slips[k]);
   }
 
-  // Equilibrium is then looked for again.
+  // The caller then looks for equilibrium again.
   bool
   ImplicitStep::lose_strength(JointState &state)
   {

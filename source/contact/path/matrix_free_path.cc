@@ -17,27 +17,30 @@ namespace fuga
 {
   namespace
   {
-    /** Of the residual, by its 2-norm, to the largest force: bodies are in equilibrium as a whole
-     * to the root of the number of bars times this, and the certificate is to be below 1e-9. */
+    /** Tolerance of the residual, in the 2-norm, relative to the largest force: bodies as a whole
+     * are in equilibrium to the root of the number of bars times this, and the certificate is to be
+     * below 1e-9. */
     constexpr double tolerance = 1e-11;
-    /** Of a linear solution: while schemes change, and, when they do not any more, at most. */
+    /** Tolerances of a linear solution: while schemes change, and, when they do not any more, at
+     * most. */
     constexpr double rough = 1e-3, fine = 1e-9;
-    /** Of a residual that is to be within the tolerance behind a linear solution. */
+    /** Share of the tolerance that a residual should have after a linear solution that is to bring
+     * it within the tolerance. */
     constexpr double margin = 0.3;
     constexpr int max_steps = 80;
-    /** Schemes lead further if the residual may grow at first, but not for ever: they would come
-     * round again. */
+    /** Schemes lead further if the residual may grow at first, but not for ever, since they would
+     * then cycle. */
     constexpr int free_steps         = 10;
     constexpr double harmless_growth = 1.5;
 
-    /** What counts as no force in a state at the end of a step [MN]. */
+    /** Return the force that counts as zero in a state at the end of a step [MN]. */
     double
     no_force_in(const JointState &state)
     {
       return 10. * tolerance * max_abs(state.forces);
     }
 
-    /** Of a step, the shortest part by which it goes on to guess its end. */
+    /** Shortest part of a step by which it goes on to guess its end. */
     constexpr double shortest_part = 1. / 16.;
   } // namespace
 
@@ -92,7 +95,7 @@ namespace fuga
     return result;
   }
 
-  // Fills in all that follows from x and S x.
+  // All results that follow from x and S x are computed.
   void
   MatrixFreePath::evaluate(const JointState &from, const double t, Trial &trial) const
   {
@@ -117,8 +120,8 @@ namespace fuga
     add_multiple(-1., multiply_transposed(bodies.jump_operator(), pressed), trial.residual);
   }
 
-  // The full step unless the error would grow; S x is known along the step, so trying costs
-  // nothing. None where all forces are infinite.
+  // The full step is taken unless the error would grow; S x is known along the step, so that trying
+  // costs nothing. There is no step where all forces are infinite.
   MatrixFreePath::Trial
   MatrixFreePath::line_search(const JointState &from,
                               const double t,
@@ -212,7 +215,7 @@ namespace fuga
     return {};
   }
 
-  // What is missing of the water comes at once, and opens more.
+  // The missing part of the water comes at once, and may open more elements.
   JointState
   MatrixFreePath::let_water_in(JointState state, PathObserver &observer, PathResult &result)
   {

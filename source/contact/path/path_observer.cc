@@ -7,8 +7,8 @@
 
 namespace fuga
 {
-  // Walks from station to station, with a stop at every requested load time. Returns the state at
-  // the end.
+  // The segment is followed from station to station, with a stop at every requested load time. The
+  // state at the end is returned.
   JointState
   report_piecewise(PathSegment &segment,
                    const Course &course,

@@ -13,21 +13,21 @@ namespace fuga
 {
   namespace
   {
-    /** Resistance at first and at most, in units of the largest stiffness of the bodies, and how it
-     * falls and rises. */
+    /** Initial and largest resistance, in units of the largest stiffness of the bodies, and the
+     * factors by which it falls and rises. */
     constexpr double first_resistance = 10., largest_resistance = 1e6;
     constexpr double fall = 0.5, rise = 4.;
     constexpr int max_motions = 300;
-    /** The motion rests where the resistance takes less than this share of the largest force. */
+    /** Share of the largest force below which the resistance is zero and the motion rests. */
     constexpr double at_rest = 1e-10;
-    /** Motion without bound, in units of the largest deformation before it. */
+    /** Size of a motion without bound, in units of the largest deformation before it. */
     constexpr double far = 1e3;
-    /** Nor is there an equilibrium near by where the motion has met the same force, to this share
-     * of it, for so many steps: something slides. */
+    /** Share of the force within which a motion has met the same force, and the number of steps for
+     * which it may do so: then something slides, and there is no equilibrium near by either. */
     constexpr double same_force = 1e-5;
     constexpr int max_steady    = 20;
 
-    /** Bodies between whose faces something viscous resists all jumps, from δ0 on:
+    /** The bodies with a viscous resistance between their faces against all jumps, beginning at δ0:
      * (S + κ BᵀB) x + Bᵀp = F a + κ Bᵀδ0. */
     class DampedBodies : public ContactSystem
     {
@@ -92,8 +92,8 @@ namespace fuga
       const DenseMatrix none;
     };
 
-    /** One implicit step to loads that do not change, with what broken bonds still carry given up.
-     */
+    /** Take one implicit step under constant loads, while the forces that broken bonds still carry
+     * are given up. */
     std::optional<JointState>
     step(const std::vector<ContactElement> &elements,
          const LayeredSystem &system,
@@ -113,7 +113,7 @@ namespace fuga
       return ImplicitStep({elements, system, boundary, scheme}, course).solve(from);
     }
 
-    /** Work of friction in a step, by the forces at its end. */
+    /** Return the work of friction in a step, computed from the forces at its end. */
     double
     friction_work(const std::vector<ContactElement> &elements,
                   const JointState &from,
@@ -127,7 +127,8 @@ namespace fuga
       return work;
     }
 
-    /** Energy of the nonlinear layers beyond ½ D p², which the linear part of the system knows. */
+    /** Return the energy of the nonlinear layers beyond ½ D p², which the linear part of the system
+     * contains. */
     double
     energy_beyond_linear(const std::vector<ContactElement> &elements,
                          const LayeredSystem &system,
@@ -144,8 +145,8 @@ namespace fuga
       return energy;
     }
 
-    /** What bodies, layers and loads give off from one equilibrium to another at the same load:
-     * along dislocations the potential changes by -p·dd, and p is linear in d. */
+    /** Return the energy that bodies, layers and loads release from one equilibrium to another at
+     * the same load: along dislocations the potential changes by -p·dd, and p is linear in d. */
     double
     released_energy(const std::vector<ContactElement> &elements,
                     const LayeredSystem &system,
@@ -169,7 +170,7 @@ namespace fuga
       return result;
     }
 
-    /** B x: jumps without those imposed. */
+    /** Return B x, the jumps without those imposed. */
     Vector
     jumps_of_bodies(const LayeredSystem &system, const Vector &factors, const JointState &state)
     {
@@ -201,7 +202,7 @@ namespace fuga
 
     const double stiffness    = largest_diagonal(bodies.stiffness());
     const Vector jumps_before = jumps_of_bodies(system, course.factors, from);
-    // What bodies have moved before a step of time is in its imposed jumps.
+    // The displacements of bodies before a time step are contained in its imposed jumps.
     const double reach  = far * std::max(max_abs(system.jumps(from.dislocations, from.forces)),
                                         max_abs(from.forces) / stiffness);
     double resistance   = first_resistance * stiffness;

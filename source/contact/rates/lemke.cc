@@ -46,8 +46,9 @@ namespace fuga
       }
 
       /**
-       * Row with the most negative q/d: the first to leave. The last one on ties: its unit row is
-       * the lexicographically smallest, so that all others become lexicographically positive.
+       * Return the row with the most negative q/d, which is the first to leave; the last one on
+       * ties: its unit row is the lexicographically smallest, so that all others become
+       * lexicographically positive.
        */
       std::size_t
       first_row(const Vector &d) const
@@ -59,7 +60,7 @@ namespace fuga
         return row;
       }
 
-      /** Lexicographic ratio test; n if no row limits the entering variable. */
+      /** Apply the lexicographic ratio test; return n if no row limits the entering variable. */
       std::size_t
       leaving_row(const std::size_t entering) const
       {
@@ -76,7 +77,8 @@ namespace fuga
               if (basis[i] == covering_variable())
                 covering_row = i;
             }
-        // Of several limiting rows the covering variable leaves first: that ends the method.
+        // Among several limiting rows the covering variable leaves first, since that ends the
+        // method.
         if (covering_row != n &&
             compare(
               q(covering_row), table(covering_row, entering), q(best), table(best, entering)) <= 0)
@@ -113,7 +115,7 @@ namespace fuga
         return table(row, 2 * n + 1);
       }
 
-      /** The z part of the present basic solution, times @p size. */
+      /** Return the z part of the present basic solution, times @p size. */
       Vector
       vertex(const double size) const
       {
@@ -124,7 +126,7 @@ namespace fuga
         return z;
       }
 
-      /** The z part of the ray along which @p entering grows, nothing limiting it. */
+      /** Set @p z to the z part of the ray along which @p entering grows without being limited. */
       void
       direction_of(const std::size_t entering, Vector &z) const
       {
@@ -138,7 +140,7 @@ namespace fuga
       const std::size_t n;
 
     private:
-      /** The sign of x/a - y/b for a, b > 0; 0 if it is within rounding. */
+      /** Return the sign of x/a - y/b for a, b > 0; 0 if it is within rounding. */
       static int
       compare(const double x, const double a, const double y, const double b)
       {
@@ -148,7 +150,8 @@ namespace fuga
         return std::abs(difference) <= noise ? 0 : difference < 0. ? -1 : 1;
       }
 
-      /** Row i before row k in the lexicographic order of (q, basis inverse)/entering? */
+      /** Return whether row i is before row k in the lexicographic order of (q, basis
+       * inverse)/entering. */
       bool
       is_before(const std::size_t i, const std::size_t k, const std::size_t entering) const
       {
@@ -179,7 +182,7 @@ namespace fuga
         return result;
       }
 
-    // q scaled to a largest entry of one.
+    // q is scaled to a largest entry of one.
     Vector q = right_hand_side;
     for (double &value : q)
       value /= size;

@@ -14,18 +14,18 @@ namespace fuga
 {
   namespace
   {
-    /** A determinant below this share of its neighbour is that of a mechanism, not a negative one.
-     */
+    /** Share of its neighbour below which a determinant is that of a mechanism, not a negative
+     * one. */
     constexpr double smallest_ratio = 1e-10;
-    /** Rates that differ by less than this share of the largest are the same branch. */
+    /** Share of the largest rate below which differences of rates do not make another branch. */
     constexpr double same_rates = 1e-7;
-    /** Covering vectors with which Lemke's method looks for further branches. */
+    /** Number of covering vectors with which Lemke's method looks for further branches. */
     constexpr unsigned int n_covering_vectors = 12;
-    /** First guesses at random. */
+    /** Number of random first guesses. */
     constexpr unsigned int n_random_guesses = 64;
 
-    /** The parts of the covering vector that may be chosen, between 0.05 and 1.05, fill the
-     * interval evenly: multiples of the golden ratio. */
+    /** Return the parts of the covering vector that may be chosen, between 0.05 and 1.05, such that
+     * they fill the interval evenly: multiples of the golden ratio. */
     Vector
     varied(const BoundaryLcp &lcp, const unsigned int attempt)
     {
@@ -66,7 +66,7 @@ namespace fuga
   RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
   {
     if (has_cones)
-      // The dear question last.
+      // The most expensive question is asked last.
       return (cones.is_small() || found.met_negative_determinant) && !cones.has_one_solution();
     std::vector<WorkingScheme::SlipDirection> slips;
     for (const BoundaryElement &candidate : set)
@@ -133,8 +133,8 @@ namespace fuga
     return true;
   }
 
-  // From all stuck, from all slipping, from the present branch with one critical element turned, at
-  // random.
+  // The guesses are: all stuck, all slipping, the present branch with one critical element turned,
+  // and random ones.
   std::vector<std::vector<ContactState>>
   RateProblem::first_guesses(const std::vector<BoundaryElement> &set)
   {
@@ -172,7 +172,8 @@ namespace fuga
     return guesses;
   }
 
-  // Lemke's method with several covering vectors, then switching from several schemes.
+  // The search uses Lemke's method with several covering vectors, then switching from several
+  // schemes.
   std::vector<Branch>
   RateProblem::search_branches(const JointState &state,
                                const std::vector<BoundaryElement> &set,

@@ -34,7 +34,8 @@ namespace fuga
       return unknowns;
     }
 
-    /** The inequality that belongs to an unknown: -Ṅ for an opening, -f Ṅ - σ Ṫ for a slip. */
+    /** Return the inequality that belongs to an unknown: -Ṅ for an opening, -f Ṅ - σ Ṫ for a
+     * slip. */
     double
     reserve(const Unknown &unknown,
             const ContactElement &element,
@@ -48,8 +49,8 @@ namespace fuga
     }
   } // namespace
 
-  // The rates that a unit rate of opening, or of slip with the rise of the lips that goes with it,
-  // causes.
+  // The result contains the rates caused by a unit rate of opening, or of slip together with the
+  // rise of the lips.
   bool
   RateProblem::respond(const JointState &state,
                        const std::size_t k,
@@ -126,7 +127,8 @@ namespace fuga
           return {};
         lcp.scale.push_back(unit(unknowns[j].bar));
       }
-    // Scaled to unit diagonal of W, so that one pivot tolerance suits elements of every size.
+    // The rows are scaled to a unit diagonal of W, so that one pivot tolerance suits elements of
+    // every size.
     for (std::size_t i = 0; i < n; ++i)
       {
         const Unknown &unknown        = unknowns[i];
@@ -139,9 +141,9 @@ namespace fuga
                                                    : shear_strength_rate(element, f, drive));
         for (std::size_t j = 0; j < n; ++j)
           lcp.M(i, j) = s * lcp.scale[j] * reserve(unknown, element, f, lcp.responses[j].forces);
-        // Both directions of slip of an element may grow together without moving anything: a ray
-        // that means nothing. It cannot occur if the artificial variable acts in the friction rows
-        // by more than f times what it does in the opening row.
+        // Both directions of slip of an element may grow together without moving anything: a
+        // meaningless ray. It cannot occur if the artificial variable acts in the friction rows by
+        // more than f times what it does in the opening row.
         lcp.friction_share.push_back(
           unknown.state == ContactState::open ? 0. : 2. * f * s / unit(element.normal_bar));
         lcp.covering.push_back(1. + lcp.friction_share.back());
@@ -175,8 +177,8 @@ namespace fuga
     take_states(*lcp, set, solution.solved() ? solution.z : solution.vertex);
     if (switch_states(state, set, drive, Stride::one_at_a_time, result))
       return true;
-    // The ray, or a solution that is unbounded but for rounding, is the motion that meets no
-    // resistance if anything does; whether it really changes no force is for the caller to see.
+    // The ray, or a solution that is unbounded up to rounding, is the motion that meets no
+    // resistance if any motion does; the caller has to check whether it really changes no force.
     result.has_mechanism = true;
     result.mechanism     = lcp->motion(solution.z);
     return false;

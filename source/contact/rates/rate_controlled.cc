@@ -13,17 +13,18 @@ namespace fuga
 {
   namespace
   {
-    /** A load rate whose forces are below this share of what the stiffness of the bars answers is
-     * zero. */
+    /** Share of the reaction of the stiffness of the bars below which a load rate is zero, judging
+     * by its forces. */
     constexpr double no_load_rate = 1e-10;
 
-    /** Violations below this share of the terms they are the difference of are rounding. */
+    /** Share of the terms whose difference they are, below which violations are rounding. */
     constexpr double zero_share = 1e-11;
-    /** Sets of active unknowns tried by switching; unknowns of which all subsets are tried. */
+    /** Number of sets of active unknowns tried by switching, and number of unknowns of which all
+     * subsets are tried. */
     constexpr std::size_t max_switches   = 200;
     constexpr std::size_t max_enumerated = 12;
 
-    /** A motion z and the load rate that goes with it. */
+    /** A motion z and the load rate that belongs to it. */
     struct Motion
     {
       Vector z;
@@ -31,9 +32,9 @@ namespace fuga
     };
 
     /**
-     * The motion with the given unknowns active: M z + λ̇ q = 0 in their rows, Σ scale z = 1.
-     * Returns
-     * all other rows, to be nonnegative, in @p reserves; nothing if the system is singular.
+     * Return the motion with the given unknowns active: M z + λ̇ q = 0 in their rows, Σ scale
+     * z = 1. Set @p reserves to all other rows, which should be nonnegative. Return nothing if the
+     * system is singular.
      */
     std::optional<Motion>
     motion_of(const BoundaryLcp &lcp, const std::vector<bool> &active, Vector &reserves)
@@ -95,8 +96,7 @@ namespace fuga
         }
     }
 
-    /** Switches unknowns until none violates; all at once until a set comes back, then one by one.
-     */
+    /** Switch unknowns until none violates; all at once until a set comes back, then one by one. */
     std::optional<Motion>
     switch_unknowns(const BoundaryLcp &lcp, std::vector<bool> active)
     {
@@ -137,8 +137,8 @@ namespace fuga
       return {};
     }
 
-    /** First from the motion that the growing load would cause, which meets the least resistance,
-     * then from the elements that move already. */
+    /** Begin with the motion that the growing load would cause, which meets the least resistance,
+     * then with the elements that already move. */
     std::optional<Motion>
     find_motion(const BoundaryLcp &lcp, const std::vector<bool> &moving)
     {
@@ -216,8 +216,8 @@ namespace fuga
     return result;
   }
 
-  // The border is skew: where M is positive semidefinite the whole matrix is, and Lemke's method
-  // ends with a solution if there is one.
+  // The border is skew: where M is positive semidefinite the whole matrix is, so that Lemke's
+  // method ends with a solution if there is one.
   ControlledContinuation
   RateProblem::solve_release(const JointState &state,
                              const std::vector<BoundaryElement> &set,

@@ -21,7 +21,7 @@ namespace fuga
     off_boundary.linearise(state);
   }
 
-  // Returns whether any opens.
+  // The return value tells whether any element opens.
   bool
   RateProblem::take_cones(const std::vector<BoundaryElement> &set, const ConeContinuation &found)
   {
@@ -61,7 +61,7 @@ namespace fuga
       result.method = RateMethod::search;
     if (!found.exists || !take_cones(set, found))
       return result;
-    // What opens may leave bodies without support.
+    // An element that opens may leave bodies without support.
     for (std::size_t i = 0; i < set.size(); ++i)
       if (found.states[i] == ContactState::open)
         off_boundary.set_state(set[i].element, ContactState::open);

@@ -15,9 +15,10 @@ namespace fuga
 {
   namespace
   {
-    /** Mechanisms that one attempt to switch states one by one may pass through. */
+    /** Number of mechanisms that one attempt to switch states one by one may pass through. */
     constexpr std::size_t most_mechanisms = 12;
-    /** Combinations of states that are tried where the only alternative is not to know. */
+    /** Number of combinations of states that are tried where the only alternative is not to
+     * know. */
     constexpr double most_combinations_at_last = 1e5;
   } // namespace
 
@@ -86,7 +87,7 @@ namespace fuga
       return result;
     // A free motion proves that there is no continuation, unless elements at the apex of the cone
     // are free to choose their direction: then, as where nothing moves freely and friction is
-    // beyond its critical value, all that can be done is to try.
+    // beyond its critical value, the only option is to try.
     const bool any_apex = std::any_of(set.begin(), set.end(), [](const BoundaryElement &candidate) {
       return candidate.shear == ShearPosition::at_apex;
     });
@@ -107,16 +108,16 @@ namespace fuga
       }
     else
       search_all(state, set, drive, resticking, result);
-    // Patience decides where nothing else does.
+    // An exhaustive search decides where nothing else does.
     if (!result.exists && !result.is_ruled_out &&
         n_combinations(admissible_states(set)) <= most_combinations_at_last)
       result.is_ruled_out = !enumerate(state, set, drive, result, [] { return true; });
     return result;
   }
 
-  // An element that the rates drive shut will first slip if it moves along more than across, both
-  // measured by the stiffness of the bars: the guess of Newton's method for the augmented
-  // Lagrangian.
+  // An element that the rates drive shut will first slip if it moves along more than across, where
+  // both are measured by the stiffness of the bars; this is the guess of Newton's method for the
+  // augmented Lagrangian.
   ContactState
   RateProblem::state_on_closing(const JointState &state,
                                 const BoundaryElement &candidate,
@@ -191,8 +192,8 @@ namespace fuga
     return motion;
   }
 
-  // Switches violating elements until none is left. A scheme that comes back, or a mechanism that
-  // violates nothing as it moves, ends the attempt: then the next method has to decide.
+  // Violating elements are switched until none is left. A scheme that comes back, or a mechanism
+  // that violates nothing as it moves, ends the attempt; the next method then has to decide.
   bool
   RateProblem::switch_states(const JointState &state,
                              const std::vector<BoundaryElement> &set,

@@ -15,8 +15,9 @@ namespace fuga
 {
   namespace
   {
-    /** What opens may slip in both directions in eq. 7: only where it could already, or has no
-     * tangential bar, are its solutions all that there are. */
+    /** Return whether the solutions of eq. 7 are all that there are. An element that opens may slip
+     * in both directions; eq. 7 contains this only if it could slip already, or has no tangential
+     * bar. */
     bool
     has_all_states(const BoundaryElement &candidate, const ContactElement &element)
     {
@@ -24,8 +25,9 @@ namespace fuga
              !element.has_tangential_bar();
     }
 
-    /** What RateProblem may take for zero: of forces in the largest motion that is none of a
-     * mechanism, of jumps in any, which is not more than what its parts leave together. */
+    /** Return the noise that RateProblem may take for zero: that of forces in the largest motion
+     * that does not belong to a mechanism, and that of jumps in any motion, which is not more than
+     * the sum of what its parts leave. */
     LcpNoise
     noise_of(const BoundaryLcp &lcp,
              const JointState &state,
@@ -69,7 +71,7 @@ namespace fuga
   } // namespace
 
   // Where all rates are resisted, as by a viscous layer, no motion is free, and Lemke's method
-  // finds a solution: the nearer to one without, the less they are resisted.
+  // finds a solution; the weaker the resistance, the closer it is to a solution without resistance.
   void
   RateProblem::guess_by_resistance(const BoundaryLcp &lcp,
                                    const std::vector<BoundaryElement> &set,
@@ -89,7 +91,7 @@ namespace fuga
       }
   }
 
-  // Newton's method for cones comes from a softer layer or by associated slip.
+  // Newton's method for cones begins from a softer layer or with associated slip.
   void
   RateProblem::guess_by_cones(const JointState &state,
                               const std::vector<BoundaryElement> &set,
@@ -104,7 +106,7 @@ namespace fuga
       }
     catch (const NumericalFailure &)
       {
-        // Of rigid bodies rates may be as large as numbers: then nothing was found.
+        // The rates of rigid bodies may be as large as numbers can be; nothing was found then.
       }
   }
 

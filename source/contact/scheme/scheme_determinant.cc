@@ -7,8 +7,8 @@
 
 namespace fuga
 {
-  /** The row that the tangential bar of an element would have in a state; nothing if it had none.
-   */
+  /** The row is that which the tangential bar of an element would have in a state; there is none if
+   * it had none. */
   std::optional<SchemeRow>
   WorkingScheme::tangential_row(const std::size_t k, const ContactState in_state) const
   {
@@ -56,7 +56,7 @@ namespace fuga
   }
 
   // Slipping elements are pivoted: their block is that of the inverse. The principal transform of a
-  // matrix has a positive definite symmetric part if the matrix has.
+  // matrix has a positive definite symmetric part if the matrix has one.
   std::optional<bool>
   WorkingScheme::is_monotone(const std::vector<SlipDirection> &slips)
   {
@@ -73,7 +73,7 @@ namespace fuga
           return {};
         stuck.push_back(j);
       }
-    // Only the lower triangle of the symmetric part.
+    // Only the lower triangle of the symmetric part is filled.
     DenseMatrix M(n, n);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = j; i < n; ++i)

@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  // An unknown bar feels it as force of its layer only.
+  // A bar with an unknown feels the dislocation only as a force of its layer.
   double
   WorkingScheme::imposed_entry(const SchemeRow &row, const std::size_t bar) const
   {
@@ -24,7 +24,8 @@ namespace fuga
 
   namespace
   {
-    /** Adds M⁻¹ (@p C - M @p x), as @p inverse gives it, to @p x; the largest entry of that. */
+    /** Add M⁻¹ (@p C - M @p x), as given by @p inverse, to @p x; return the largest entry of the
+     * correction. */
     double
     correct(const UpdatedInverse &inverse,
             const DenseMatrix &M,
@@ -41,8 +42,8 @@ namespace fuga
       return max_abs(correction);
     }
 
-    /** M⁻¹ C by the inverse of a matrix near M; nothing where that is not near enough for a few
-     * sweeps to reach rounding. */
+    /** Return M⁻¹ C computed by the inverse of a matrix near M; nothing where that matrix is not
+     * near enough for a few sweeps to reach rounding. */
     std::optional<DenseMatrix>
     solution_by_inverse_nearby(const UpdatedInverse &inverse,
                                const DenseMatrix &M,
@@ -66,7 +67,8 @@ namespace fuga
     }
   } // namespace
 
-  // One sweep of refinement at least, as forces of open elements are differences of large terms.
+  // At least one sweep of refinement is made, as forces of open elements are differences of large
+  // terms.
   std::optional<DenseMatrix>
   WorkingScheme::solve_all(const DenseMatrix &C)
   {
@@ -83,8 +85,8 @@ namespace fuga
     return x;
   }
 
-  // With C what the imposed dislocations do to the rows and M the active matrix the forces lose
-  // W_bb - W_ba M⁻¹ C.
+  // Let C be the effect of the imposed dislocations on the rows, and M the active matrix. The
+  // forces then lose W_bb - W_ba M⁻¹ C.
   std::optional<DenseMatrix>
   WorkingScheme::stiffness(const std::vector<std::size_t> &of,
                            const std::vector<std::size_t> &against)

@@ -16,22 +16,21 @@ namespace fuga
   namespace
   {
     /**
-     * Defect of a solution, relative to the forces that drive it, that is accepted at once, and
+     * Defects of a solution, relative to the forces that drive it, that are accepted at once, and
      * after refinement.
      */
     constexpr double good_defect     = 1e-13;
     constexpr double accepted_defect = 1e-8;
-    /** The same for a solution in double precision. */
+    /** Defect that is accepted for a solution in double precision. */
     constexpr double accepted_double_defect = 1e-12;
-    /** As largest_motion in units of the force that drives its own rows, or of what
-     * rounding may leave there: a larger answer is that of a matrix made of rounding. Forces of
-     * other bars, where the structure is statically determinate, have no stiffness to be measured
-     * by. */
+    /** Like largest_motion, in units of the force that drives its own rows, or of what rounding may
+     * leave there: a larger answer is that of a matrix made of rounding. Forces of other bars,
+     * where the structure is statically determinate, have no stiffness to be measured by. */
     constexpr double largest_answer = 1e13, rounding_of_drive = 1e-14;
     /** Stiffness that lets free motions rest, in units of scale()². */
     constexpr double usual_addition = 1e-8;
-    /** Sweeps of refinement: with the inverse of the matrix itself, and with that of a nearby one,
-     * as long as each divides the defect by two. */
+    /** Numbers of sweeps of refinement with the inverse of the matrix itself, and with that of a
+     * nearby one, as long as each sweep halves the defect. */
     constexpr int max_sweeps       = 3;
     constexpr int max_stale_sweeps = 20;
 
@@ -123,8 +122,8 @@ namespace fuga
     outdated = true;
   }
 
-  // Forces and row defects that belong to the given active dislocations; the largest defect, in the
-  // units of LayeredSystem::scale().
+  // The result contains the forces and row defects that belong to the given active dislocations;
+  // the return value is the largest defect, in the units of LayeredSystem::scale().
   template <typename Number>
   double
   WorkingScheme::apply(const std::vector<Number> &active,
@@ -164,7 +163,8 @@ namespace fuga
     return worst;
   }
 
-  // Refines with the inverse at hand. Returns the largest defect that is left.
+  // The solution is refined with the available inverse. The return value is the largest remaining
+  // defect.
   template <typename Number>
   double
   WorkingScheme::refine(const Vector &rhs,
@@ -192,8 +192,8 @@ namespace fuga
     return worst;
   }
 
-  // A body that hardly anything holds moves by far more than it deforms, and W d in double
-  // precision has not digits enough for the latter: the extended one gives three more.
+  // A body that hardly anything holds moves far more than it deforms, and W d in double precision
+  // does not have enough digits for the deformation; extended precision gives three more.
   std::optional<JointRates>
   WorkingScheme::solve(const Vector &rhs, Vector force_offset, const SchemeAnswer answer)
   {
@@ -234,7 +234,7 @@ namespace fuga
     return result;
   }
 
-  // An active (nonlinear) bar feels the additional dislocation as force of its layer only.
+  // An active (nonlinear) bar feels the additional dislocation only as a force of its layer.
   std::optional<JointRates>
   WorkingScheme::rates(const Drive &drive, const Vector &imposed)
   {
@@ -262,9 +262,9 @@ namespace fuga
     return result;
   }
 
-  // Where the drive works on no motion that is free, next to nothing of it is left unresisted.
-  // Rigid joints that cross may resist less than the stiffness that is added for the usual case:
-  // then a smaller one leaves far less.
+  // Where the drive works on no free motion, almost nothing of it is left unresisted. Rigid joints
+  // that cross may resist less than the stiffness that is usually added; a smaller one then leaves
+  // far less.
   std::optional<WorkingScheme::FreeMotion>
   WorkingScheme::driven_motion(const Drive &drive) const
   {
@@ -282,7 +282,7 @@ namespace fuga
     return FreeMotion{motion->first, true};
   }
 
-  // Refinement takes the added stiffness back.
+  // Refinement removes the effect of the added stiffness.
   std::optional<WorkingScheme::MotionBeside>
   WorkingScheme::motion_beside(const double added_stiffness,
                                const Vector &rhs,

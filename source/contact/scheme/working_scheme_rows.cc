@@ -13,16 +13,17 @@ namespace fuga
 {
   namespace
   {
-    /** A pivot below this share of the bar's own stiffness is a mechanism, not a stiffness. */
+    /** Share of the bar's own stiffness below which a pivot is a mechanism, not a stiffness. */
     constexpr double smallest_relative_pivot = 1e-13;
-    /** After so many exchanges the matrix is factorised anew: that costs little then, and neither
-     * their rounding errors nor what has to be kept of them can grow without bound. */
+    /** Numbers of exchanges after which the matrix is factorised again: this costs little then, and
+     * neither the rounding errors of exchanges nor the data that have to be kept of them can grow
+     * without bound. */
     constexpr std::size_t exchanges_per_row = 4, most_exchanges = 100;
     /** An inverse of a matrix of unit diagonal with entries G leaves an error of ε G² in the next
-     * pivot: a singular matrix may then seem regular, but with G above 1/√ε = 7e7. */
+     * pivot: a singular matrix may then seem regular, but only with G above 1/√ε = 7e7. */
     constexpr double largest_exchanged = 1e7;
 
-    /** What the layer adds to the entry of two rows. */
+    /** Return the contribution of the layer to the entry of two rows. */
     double
     layer_entry(const SchemeRow &row, const SchemeRow &of)
     {
@@ -61,7 +62,8 @@ namespace fuga
     return value + layer_entry(row, of);
   }
 
-  // Column by column: what an unknown does to the forces of all bars is read by every row.
+  // The matrix is assembled column by column: the effect of an unknown on the forces of all bars is
+  // read by every row.
   DenseMatrix
   WorkingScheme::active_matrix() const
   {
@@ -147,7 +149,8 @@ namespace fuga
     if (!singular && inverse.size() == rows.size())
       take_layer_stiffness(wanted);
 
-    // A few changed rows are cheaper to exchange than to factorise anew, unless that is due anyhow.
+    // A few changed rows are cheaper to exchange than to factorise again, unless that is due
+    // anyhow.
     std::size_t n_kept = 0;
     for (const SchemeRow &row : wanted)
       n_kept += has_row(row) ? 1 : 0;
@@ -185,8 +188,8 @@ namespace fuga
         }
   }
 
-  // Equations that depend on each other have a solution where the loads happen to allow one.
-  // Whether they do a factorisation has to tell where exchanges cannot.
+  // Equations that depend on each other have a solution only where the loads happen to allow one.
+  // Where exchanges cannot decide whether they do, a factorisation has to.
   bool
   WorkingScheme::update_rows(const std::vector<SchemeRow> &wanted)
   {
@@ -204,8 +207,8 @@ namespace fuga
           return false;
     if (exchanges.size() == n_exchanges)
       return true;
-    // The diagonal is enough, its largest entry being no less than the mean of the inverse's
-    // eigenvalues.
+    // The diagonal is sufficient, because its largest entry is no less than the mean of the
+    // eigenvalues of the inverse.
     double largest = 0.;
     for (std::size_t i = 0; i < rows.size(); ++i)
       largest =
@@ -269,7 +272,7 @@ namespace fuga
     return result;
   }
 
-  // Of a layer that has stiffened to C ≫ 1/D the row 1 - C D magnifies the rounding of its jump.
+  // For a layer that has stiffened to C ≫ 1/D the row 1 - C D magnifies the rounding of its jump.
   double
   WorkingScheme::defect_of_layers(const Vector &rhs, const JointRates &rates) const
   {

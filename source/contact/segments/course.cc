@@ -36,8 +36,8 @@ namespace fuga
           strengths[k], element.friction, element.area, course.share + tau * course.share_rate);
   }
 
-  // The strength that is left at the present pressure falls in proportion to the share s of it: at
-  // the rate ṡ/s times itself.
+  // The remaining strength at the present pressure falls in proportion to its share s, i.e. at the
+  // rate ṡ/s times itself.
   Drive
   drive_at(const std::vector<ContactElement> &elements,
            const Course &course,

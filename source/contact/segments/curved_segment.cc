@@ -16,11 +16,11 @@ namespace fuga
 {
   namespace
   {
-    /** As shares of the course: least first step, shortest step, and the latter for the
+    /** Shares of the course: least first step, shortest step, and the latter for the
      * constant-stiffness iteration, which only creeps towards its bound. */
     constexpr double least_first_step = 1e-3, shortest_step = 1e-9, shortest_constant_step = 1e-5;
-    /** The next step aims at a defect this many times smaller than what is allowed: what falls
-     * below it on the way to an event is not followed anew. */
+    /** The next step aims at a defect that is this many times smaller than what is allowed: a part
+     * that falls below it on the way to an event is not followed again. */
     constexpr double margin = 8.;
   } // namespace
 
@@ -118,7 +118,7 @@ namespace fuga
     state.dislocations = predicted_dislocations;
     release(course.drive, tau, state);
     complete_state(context, course, tau, state, &known);
-    // A law knows nothing behind its closure limit, where the prediction may lead.
+    // A law is not defined beyond its closure limit, where the prediction may lead.
     if (passes_limit_of_law(context.elements, state))
       {
         state.dislocations = points.front().state.dislocations;
@@ -127,7 +127,7 @@ namespace fuga
     if (course.share_rate != 0.)
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
-    // On the way forces follow from the first ones, in the end they do not.
+    // On the way forces are computed from the first ones, at the end they are not.
     if (!equilibrium.solve(tau, largest_jump, state, &known))
       return {};
     if (context.system.refines_forces(state.dislocations, state.forces))
@@ -145,7 +145,7 @@ namespace fuga
     point.rates = std::move(motion->rates);
     return point;
   }
-  // Behind a rate of slip that is zero the equations of the scheme have solutions that are none, to
+  // Beyond a point with zero rate of slip the equations of the scheme have spurious solutions, to
   // which a long step may lead: slips that have gone back.
   bool
   CurvedSegment::slips_back(const JointState &from, const JointState &to) const
@@ -158,7 +158,7 @@ namespace fuga
     return false;
   }
 
-  // Where the load has a maximum there is no equilibrium behind it, however short the step.
+  // Where the load has a maximum there is no equilibrium beyond it, however short the step.
   bool
   CurvedSegment::turns_back() const
   {
@@ -204,8 +204,8 @@ namespace fuga
       largest_ratio));
   }
 
-  // Of a step that was found to be short enough only a part is left, without what lies behind the
-  // event and made up for its errors.
+  // Only a part is left of a step that was found to be short enough, without the part beyond the
+  // event that compensated for its errors.
   void
   CurvedSegment::divide_behind(std::size_t a, const double shortest)
   {
@@ -230,7 +230,7 @@ namespace fuga
       }
   }
 
-  // What lies behind an event is no state of the path.
+  // A point beyond an event is not a state of the path.
   void
   CurvedSegment::fail_behind(const std::size_t a, const char *what)
   {

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
-// Where the curve meets the first boundary of the contact conditions.
+// Finds where the curve meets the first boundary of the contact conditions.
 namespace fuga
 {
-  // Shrinks the bracket [a, b], of which only b lies behind an event, onto the first event. Behind
-  // an event a law may be followed where Newton's method fails: then the event is looked for before
-  // it.
+  // Shrink the bracket [a, b], of which only b lies beyond an event, onto the first event. Beyond
+  // an event a law may be followed where Newton's method fails; the event is then looked for before
+  // that place.
   void
   CurvedSegment::locate_end(std::size_t a, std::size_t b)
   {
@@ -76,10 +76,10 @@ namespace fuga
     fail_behind(a, "The location of an event does not converge");
   }
 
-  // Tolerances are those of the rounding of the largest terms, at the beginning as well. What
-  // begins to slip must not begin off its cone by as much, nor what opens under a force: the point
-  // is moved to where the reserve is used up. Where all forces vanish together nothing is left
-  // there to tell who is on a boundary, and the point stays where it is.
+  // Tolerances are those of the rounding of the largest terms, at the beginning as well. An element
+  // that begins to slip must not begin off its cone by as much, nor one that opens with a force:
+  // the point is moved to where the reserve is used up. Where all forces vanish together nothing is
+  // left there to tell which elements are on a boundary, and the point stays where it is.
   void
   CurvedSegment::meet_event()
   {
@@ -119,10 +119,10 @@ namespace fuga
     return result;
   }
 
-  // What is zero is told by the forces and jumps at the beginning of the segment, or of the point
-  // itself: a segment that begins without any load has no scale for what is to come. What rests at
-  // the beginning drifts by its noise along the whole segment, and what is below zero there stays
-  // so.
+  // The values that count as zero are determined by the forces and jumps at the beginning of the
+  // segment, or at the point itself: a segment that begins without any load has no scale for what
+  // is to come. Reserves that rest at the beginning drift by their noise along the whole segment,
+  // and those that are below zero there stay so.
   std::vector<CurvedSegment::EventFunction>
   CurvedSegment::event_functions(const double tau, const PathPoint &point) const
   {
@@ -148,8 +148,8 @@ namespace fuga
     return result;
   }
 
-  // The first zero, between points a and b, of the interpolated event functions that a does not
-  // violate.
+  // The result is the first zero, between points a and b, of the interpolated event functions that
+  // a does not violate.
   double
   CurvedSegment::first_root(const std::size_t a, const std::size_t b) const
   {
@@ -159,7 +159,8 @@ namespace fuga
       {
         const EventFunction &f = functions[a][i], &g = functions[b][i];
         double share = no_boundary;
-        // What is zero at both points and grows, or falls, at both has rates of rounding.
+        // A function that is zero at both points and grows, or falls, at both has rates of
+        // rounding.
         if (f.has_rate && std::abs(f.value) <= f.tolerance && std::abs(g.value) <= g.tolerance &&
             f.rate * g.rate > 0.)
           continue;

@@ -13,20 +13,21 @@ namespace fuga
 {
   namespace
   {
-    /** By how much the cubics between two points may miss the strength of what slides, relative to
-     * the largest force. They only tell where to look for events. */
+    /** Error, relative to the largest force, that the cubics between two points may make in the
+     * strength of sliding elements. The cubics only tell where to look for events. */
     constexpr double largest_miss = 1e-9;
   } // namespace
 
   // On the way from strength to strength the determinant of a scheme passes zero only where its
-  // equations have no solution; behind it they have another one, which no path leads to.
+  // equations have no solution; beyond that place they have another solution, to which no path
+  // leads.
   bool
   CurvedSegment::is_behind_pole() const
   {
     return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
   }
 
-  // At most 1 for a step that is short enough.
+  // The defect is at most 1 for a step that is short enough.
   double
   CurvedSegment::step_defect(const std::size_t a,
                              const PathPoint &to,
@@ -42,8 +43,8 @@ namespace fuga
   }
 
   // The cubics between two points satisfy p = R a - W d, as both ends do, so that in the middle
-  // only the equations of what slides tell how far they are from the curve. A slip that turns back
-  // between the points, and again before the second, must not be passed over.
+  // only the equations of sliding elements tell how far the cubics are from the curve. A slip that
+  // turns back between the points, and again before the second, must not be missed.
   double
   CurvedSegment::reduction_defect(const PathPoint &from,
                                   const PathPoint &to,

@@ -16,7 +16,7 @@ namespace fuga
   {
     /** Share of what a path may still lose by interpolation that one step may lose. */
     constexpr double share_of_step = 1e-2;
-    /** Rounding error of a jump relative to the largest one. */
+    /** Rounding error of a jump, relative to the largest one. */
     constexpr double jump_rounding = 16. * std::numeric_limits<double>::epsilon();
 
     /** A deformation of the layer and its rate. */
@@ -39,7 +39,7 @@ namespace fuga
       return {gap(element, point.state, k), rate};
     }
 
-    // Along the tangent of bar number @p a.
+    // Return the motion along the tangent of bar number @p a.
     LayerMotion
     shearing(const PathContext &context,
              const std::size_t k,
@@ -55,15 +55,16 @@ namespace fuga
       return {elastic_shear(element, point.state, k)[a - 1], rate};
     }
 
-    /** The loads at the place @p tau of @p course, by the reactions of the closed joints. */
+    /** Return the loads at the place @p tau of @p course, measured by the reactions of the closed
+     * joints. */
     double
     size_of_loads(const PathContext &context, const Course &course, const double tau)
     {
       return max_abs(multiply(context.system.reactions(), course.factors_at(tau)));
     }
 
-    /** By how much the loads of @p course can make the energies larger than the largest loads up to
-     * @p tau have made them: the square of their growth. */
+    /** Return the factor by which the loads of @p course can make the energies larger than the
+     * largest loads up to @p tau have made them: the square of their growth. */
     double
     growth_of_energy(const PathContext &context,
                      const Course &course,
@@ -76,7 +77,8 @@ namespace fuga
       return std::max(1., growth * growth);
     }
 
-    /** What a layer whose shear stiffness depends on its closure stores under given forces. */
+    /** Return the energy that a layer whose shear stiffness depends on its closure stores under
+     * given forces. */
     template <typename ForceOfBar>
     double
     coupled_energy(const ContactElement &element, const ForceOfBar &force)
@@ -89,8 +91,8 @@ namespace fuga
       return element.area * element.coupling->energy(closure, jump);
     }
 
-    /** What the layer of an element will store, foreseen with the present rates (@p of_rates, by
-     * bars) and bounded by what its law stores under the forces at the end. */
+    /** Return the energy that the layer of an element will store, predicted with the present rates
+     * (@p of_rates, by bars) and bounded by what its law stores under the forces at the end. */
     template <typename ForceOfBar>
     double
     foreseen_energy(const ContactElement &element,
@@ -112,8 +114,8 @@ namespace fuga
                : result;
     }
 
-    /** The lips are apart, and a nonlinear layer is still sheared by what a broken bond has left.
-     */
+    /** Return whether the lips are apart while a nonlinear layer is still sheared by what a broken
+     * bond has left. */
     bool
     unloads_in_shear(const ContactElement &element, const JointState &at)
     {
@@ -133,15 +135,16 @@ namespace fuga
     return length(T) > 0. ? dot(T, rate) / length(T) : length(rate);
   }
 
-  // What the judge will find missing in the balance of energy after this step: the work of the
-  // interpolated force of every nonlinear bar against the energy its layer has stored. It
-  // measures how well the cubics between solved points stand for the curve. Relative to the
-  // largest energy that the layers have stored or will have stored when the course ends: loads
-  // may fall to zero. What is to come is foreseen with the present rates; a layer that is soft at
-  // first would promise too much of it, and what its law stores under the force at the end bounds
-  // it. So do, near a limit load, where rates grow without bound, the energies known and the
-  // growth of the loads. In a motion the energies of the bodies are known as well. Jumps are known
-  // but for rounding errors of the largest one; what these make no shorter step could mend.
+  // The energy is what the judge will find missing in the balance of energy after this step: the
+  // work of the interpolated force of every nonlinear bar compared with the energy that its layer
+  // has stored. It measures how well the cubics between solved points represent the curve. It is
+  // relative to the largest energy that the layers have stored or will have stored when the course
+  // ends, since loads may fall to zero. The energy to come is predicted with the present rates; a
+  // layer that is soft at first would promise too much of it, so that it is bounded by what its law
+  // stores under the force at the end. Near a limit load, where rates grow without bound, it is
+  // also bounded by the known energies and the growth of the loads. In a motion the energies of the
+  // bodies are known as well. Jumps are known up to rounding errors of the largest one; no shorter
+  // step could fix the effect of these errors.
   StepEnergy
   energy_of_step(const PathContext &context,
                  const Course &course,
@@ -194,13 +197,13 @@ namespace fuga
       std::max(count.largest_energy, context.system.contact_system().energy_scale());
     known       = std::max(known, before);
     double work = std::accumulate(of_rates.begin(), of_rates.end(), 0.);
-    if (work > before) // the laws say more, and cost much
+    if (work > before) // the laws are more accurate, but expensive
       {
         work = 0.;
         for (const ContactElement &element : context.elements)
           work += foreseen_energy(element, of_rates, force_at_end);
       }
-    if (work > known) // the growth is 1 at least, and costs two products
+    if (work > known) // the growth is at least 1, and costs two products
       work = std::min(work, known * growth_of_energy(context, course, tau, count));
     return {defect, std::max(work, before)};
   }

@@ -17,12 +17,12 @@ namespace fuga
 {
   namespace
   {
-    /** Share of the largest force below which residuals are left, and of a course below which its
-     * rest is none. */
+    /** Share of the largest force below which residuals are left, and share of a course below which
+     * its rest counts as zero. */
     constexpr double rounding = 1e-14;
     /** Share of the largest force below which a residual is not worth a second correction. */
     constexpr double accepted = 1e-12;
-    /** Chords along which the end of a segment is looked for at most. */
+    /** Largest number of chords along which the end of a segment is looked for. */
     constexpr int max_chords = 3;
   } // namespace
 
@@ -49,7 +49,7 @@ namespace fuga
         largest_number));
   }
 
-  // A correction knows its forces, unless the load gives way to it as well.
+  // A correction gives its forces as well, unless the load also gives way to it.
   double
   polish(const PathContext &context,
          const Course &course,
@@ -57,7 +57,7 @@ namespace fuga
          const std::array<double, 4> &negligible,
          JointState &state)
   {
-    // Beyond a limit the scheme is a mechanism, of which a correction must not make use.
+    // Beyond a limit the scheme is a mechanism, which a correction must not use.
     const SchemeAnswer answer = course.kind == Course::Kind::beyond_limit
                                   ? SchemeAnswer::of_no_mechanism
                                   : SchemeAnswer::of_any_size;
@@ -92,7 +92,7 @@ namespace fuga
   {
   }
 
-  // An event at the end of the course, but for rounding, is met there.
+  // An event that is at the end of the course up to rounding is met there.
   double
   StraightSegment::distance(const JointRates &rates) const
   {
@@ -101,9 +101,9 @@ namespace fuga
   }
 
   // Where hardly anything holds the bodies, a small correction of forces moves them far enough to
-  // meet, or miss, each other: the event is then looked for on the chord to the corrected end. A
-  // correction larger than the step itself makes none, nor one that meets a boundary long before
-  // its end: that is rounding, where one is near by.
+  // meet, or miss, each other: the event is then looked for on the chord to the corrected end. No
+  // chord results from a correction larger than the step itself, nor from one that meets a boundary
+  // long before its end: that is rounding, where a boundary is near by.
   double
   StraightSegment::find_end()
   {
@@ -135,7 +135,8 @@ namespace fuga
     return end;
   }
 
-  // Where bodies move far beside what they deform, forces are refined, but their rates are not.
+  // Where bodies move far compared with their deformation, forces are refined, but their rates are
+  // not.
   bool
   StraightSegment::has_foreseen_forces(const PathPoint &point) const
   {
@@ -157,7 +158,7 @@ namespace fuga
   }
 
   // A correction removes what rounding has added to the active rows. Where the scheme is so
-  // ill-conditioned that its solution is not accurate, it takes more than one.
+  // ill-conditioned that its solution is not accurate, more than one correction is needed.
   PathPoint
   StraightSegment::point(const double tau, double &moved) const
   {
@@ -170,10 +171,10 @@ namespace fuga
     return result;
   }
 
-  // The forces from the dislocations and the load anew cost a product with a large part of W, their
-  // rates are known. Now and then, and where the active rows show that rounding has added to them,
-  // they are taken anew, so that nothing accumulates from event to event; a rule that a run taken
-  // up from a checkpoint repeats.
+  // To compute the forces again from the dislocations and the load costs a product with a large
+  // part of W, whereas their rates are known. From time to time, and where the active rows show
+  // that rounding has added to them, they are computed again, so that nothing accumulates from
+  // event to event. A run that is resumed from a checkpoint repeats this rule.
   bool
   StraightSegment::advance_forces(const double tau, JointState &state) const
   {
@@ -196,7 +197,7 @@ namespace fuga
 
   namespace
   {
-    /** Whether 1/g^n lies on a line that falls to zero @p within the last τ. */
+    /** Return whether 1/g^n lies on a line that falls to zero @p within the last τ. */
     bool
     diverges(const std::vector<CurvePoint> &curve,
              const Vector &g,
@@ -229,12 +230,12 @@ namespace fuga
     }
   } // namespace
 
-  // Of the bar whose rate g has grown most, and of the one that has grown most beside what it was:
-  // whatever else moves steadily, or comes along with the others; g as a whole or what it has grown
-  // by, for steady motion may be a part of it. Three slopes of 1/g^n are compared, between the last
-  // point and those at which g was smaller by a sixth each time: others that come to rest near τ*
-  // cut the path into short pieces. (Two slopes may agree by chance, where a slip turns quickly as
-  // its element leaves the cone at the apex.)
+  // Two bars are examined: the one whose rate g has grown most, and the one whose rate has grown
+  // most relative to its former value; everything else moves steadily, or comes along with the
+  // others. Either g as a whole or its growth is used, because steady motion may be a part of g.
+  // Three slopes of 1/g^n are compared, between the last point and those at which g was smaller by
+  // a sixth each time: others that come to rest near τ* cut the path into short pieces. (Two slopes
+  // may agree by chance, where a slip turns quickly as its element leaves the cone at the apex.)
   bool
   rates_diverge(const std::vector<CurvePoint> &curve,
                 const int exponent,

@@ -12,10 +12,10 @@ namespace fuga
 {
   namespace
   {
-    /** Share of the way to the closure limit of a law that one iteration may go. */
+    /** Share of the distance to the closure limit of a law that one iteration may go. */
     constexpr double fraction_to_limit = 0.9;
     constexpr int max_newton           = 40;
-    /** So many growing differences in a row are a divergence. */
+    /** Number of successive growing differences that count as divergence. */
     constexpr int patience = 8;
   } // namespace
 
@@ -32,10 +32,10 @@ namespace fuga
   {
   }
 
-  // One equation for both iterations: K Δu = P - [forces of the layer at the present u]. Newton
-  // takes the tangent stiffness of the layer into K at every iteration. The paper keeps K = K_lin +
-  // A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3), (7), (8): with the
-  // residual written out that is the same correction with the constant matrix.
+  // Both iterations are described by one equation: K Δu = P - [forces of the layer at the present
+  // u]. Newton's method includes the tangent stiffness of the layer in K at every iteration. The
+  // paper keeps K = K_lin + A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3),
+  // (7), (8): with the residual written out, this is the same correction with the constant matrix.
   bool
   SchemeEquilibrium::solve(const double tau,
                            const double largest_jump,
@@ -50,7 +50,7 @@ namespace fuga
     // A correction that leaves something unresisted may be small as well.
     const bool leaves_nothing = answer == SchemeAnswer::of_no_mechanism;
     ++count.n_solutions;
-    // Where forces are refined they may have moved over it.
+    // Where forces are refined they may have moved beyond the limit.
     if (passes_limit_of_law(context.elements, state))
       return false;
     if (constant)
@@ -75,7 +75,7 @@ namespace fuga
           state.dislocations[b] += share * change->dislocations[b];
         complete_state(context, course, tau, state, known);
 
-        // Of a jump that stays where it is the layer may take another part, and the slip the rest.
+        // If a jump stays constant, the layer may take another part of it, and the slip the rest.
         const double size = std::max(max_abs(growth), max_abs(change->dislocations));
         const double total =
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
@@ -87,8 +87,9 @@ namespace fuga
         n_growing   = contraction >= 1. ? n_growing + 1 : 0;
         if (constant && n_growing >= patience)
           return false;
-        // At the level of rounding the differences cannot fall further. A layer that is all but
-        // unloaded answers what is no force with more than the rounding of a jump.
+        // At the level of rounding the differences cannot decrease any further. A layer that is
+        // nearly unloaded responds to a force that counts as zero with more than the rounding of a
+        // jump.
         if (!constant && contraction > 0.3 &&
             (is_balanced || (leaves_nothing && size <= 1e3 * options.tolerance * total)))
           return true;
@@ -99,7 +100,8 @@ namespace fuga
 
   namespace
   {
-    /** A curve without a limit ends where numbers do: sinh(w/w₀) at 710 w₀. */
+    /** Return whether the law is defined at @p w. A curve without a limit ends where numbers
+     * overflow: sinh(w/w₀) at 710 w₀. */
     bool
     is_on_curve(const ComplianceLaw &law, const double w)
     {

@@ -41,10 +41,10 @@ namespace fuga
       return state;
     }
 
-    /** Rate of slip, relative to the largest rate of dislocation, that is none. */
+    /** Rate of slip, relative to the largest rate of dislocation, that counts as zero. */
     constexpr double no_slip_rate = 1e-10;
 
-    /** Means of both tangents. */
+    /** Return the mean stiffness of both tangents for each element. */
     Vector
     shear_stiffnesses(const PathContext &context, const std::vector<std::size_t> &elements)
     {
@@ -107,8 +107,8 @@ namespace fuga
     curve.push_back(std::move(first));
   }
 
-  // Of a virgin state its growth tells the scales. Close to a limit slips grow without bounds:
-  // there they are no more than what the loads do to lips that stick.
+  // For a virgin state its growth gives the scales. Close to a limit, where slips grow without
+  // bounds, the scales are limited to the effect of the loads on lips that stick.
   void
   TurningSegment::take_scales()
   {
@@ -149,7 +149,7 @@ namespace fuga
     return course.yielding ? course.length : std::max(1., course.t_end);
   }
 
-  // The motion has changed so much that its measure no longer controls it: another segment begins.
+  // The motion has changed so much that its measure no longer controls it; another segment begins.
   bool
   TurningSegment::loses_control(const Station &station) const
   {
@@ -196,7 +196,8 @@ namespace fuga
     return result;
   }
 
-  // A level inside a step is a shorter step from the same point, or one back from its end.
+  // A level inside a step is reached by a shorter step from the same point, or by one back from its
+  // end.
   PathPoint
   TurningSegment::at(const double tau)
   {
@@ -230,8 +231,8 @@ namespace fuga
 
   // While slip directions turn into those of a mechanism, the load approaches its limit as slips
   // grow without bounds, exponentially: at the limit the jumps would double within a negligible
-  // load, hardly any force answers, and the rates of slip grow like 1/(τ* - τ). Where they do not,
-  // something soft moves far, and stands.
+  // load, hardly any force responds, and the rates of slip grow like 1/(τ* - τ). Where they do not,
+  // something soft moves far, but stands.
   bool
   TurningSegment::grows_beyond_bounds(const double negligible_load, const double bend) const
   {
@@ -241,7 +242,7 @@ namespace fuga
     const double growth          = max_abs(rates.dislocations);
     const double jump            = max_abs(context.system.jumps(state.dislocations, state.forces));
     const double load            = negligible_load * std::max(1., course.t_end);
-    // Out of the virgin state any growth is large.
+    // In the virgin state any growth is large.
     return jump > 0. && load * growth >= jump &&
            max_abs(rates.forces) <= weak_answer * context.system.largest_stiffness() * growth &&
            rates_diverge(points_of_curve(), 1, load, bend);
@@ -273,7 +274,7 @@ namespace fuga
     return at_limit || at_turning_point;
   }
 
-  // What closed layers still deform is no part of the mechanism.
+  // The deformation that closed layers still undergo is not part of the mechanism.
   JointRates
   TurningSegment::motion_at_limit()
   {

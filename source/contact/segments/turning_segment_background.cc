@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-// How the elements whose direction of slip does not turn answer those whose direction does.
+// The response of the elements whose direction of slip does not turn to those whose direction does.
 namespace fuga
 {
   void
@@ -23,8 +23,8 @@ namespace fuga
     context.scheme.linearise(stuck);
   }
 
-  // The strengths at @p tau, where @p state has what a reduction leaves of them; a broken bond gives
-  // up what it still carries in proportion to τ.
+  // The strengths are those at @p tau, where @p state contains what a reduction leaves of them; a
+  // broken bond gives up what it still carries in proportion to τ.
   void
   TurningSegment::take_strengths(const double tau, const JointState &state)
   {
@@ -37,7 +37,7 @@ namespace fuga
         own.element  = k;
         own.friction = strength.friction;
         own.rise     = strength.dilatancy;
-        // The drive of the course knows no reduction where a bond is released.
+        // The drive of the course contains no reduction where a bond is released.
         if (!course.drive.release.empty())
           own.cohesion_rate = shear_strength_rate(element, strength.friction, course.drive);
         own.cohesion = strength.cohesion + cohesive_strength(element, start.state, k) -
@@ -53,7 +53,8 @@ namespace fuga
     solver.set_strengths(strengths);
   }
 
-  // How the background answers at a state in equilibrium. Returns false if nothing holds it.
+  // The response of the background is computed at a state in equilibrium. The return value is false
+  // if nothing holds it.
   bool
   TurningSegment::take_response(const double tau,
                                 const TurningStage &stage,
@@ -99,7 +100,7 @@ namespace fuga
     return true;
   }
 
-  // The rates are those to a unit of the load, which grows by ṫ + κ and falls by κ c with the
+  // The rates are those for a unit of the load, which grows by ṫ + κ and falls by κ c with the
   // slips.
   void
   TurningSegment::yield(const YieldingLoad &load, TurningResponse &response) const
@@ -136,8 +137,8 @@ namespace fuga
       }
   }
 
-  // The state of the background with the slips of a stage; the dislocations of @p state are a first
-  // guess.
+  // The result is the state of the background with the slips of a stage; the dislocations of
+  // @p state are the initial guess.
   bool
   TurningSegment::settle(const double tau,
                          const TurningStage &stage,
@@ -165,9 +166,10 @@ namespace fuga
     return true;
   }
 
-  // A linear background has answered once and for all: @p base has its forces. Any other is linearised at the state that
-  // the last answer led to, until that stays where it is, or would as it has come closer to
-  // its end the last time: a Newton iteration about the other.
+  // A linear background responds in the same way everywhere: @p base has its forces. Any other is
+  // linearised at the state to which the last response led, until this state does not change, or
+  // would not as it has come closer to its end the last time. This is a Newton iteration about the
+  // other.
   bool
   TurningSegment::solve_stage(const TurningStageSolver::Demand demand,
                               const double tau,
@@ -216,8 +218,8 @@ namespace fuga
     return false;
   }
 
-  // State and rates from the slips and the load: the dislocations that the station has are a first
-  // guess of those of the background.
+  // State and rates are computed from the slips and the load; the dislocations of the station are
+  // an initial guess of those of the background.
   bool
   TurningSegment::complete(Station &station)
   {
@@ -277,8 +279,8 @@ namespace fuga
     return drive;
   }
 
-  // What rests at the beginning of the segment drifts by its noise. A load that is an unknown must
-  // not leave its range.
+  // A reserve that rests at the beginning of the segment drifts by its noise. A load that is an
+  // unknown must not leave its range.
   void
   TurningSegment::note_reserves(Station &station) const
   {

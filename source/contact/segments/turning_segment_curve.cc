@@ -20,8 +20,8 @@ namespace fuga
 {
   namespace
   {
-    /** At @p x the Lagrange polynomial that is one at the abscissa of stage @p j and zero at those of
-     * the others from @p first up to, without, @p last. */
+    /** Return the value at @p x of the Lagrange polynomial that is one at the abscissa of stage
+     * @p j and zero at those of the other stages from @p first up to but not including @p last. */
     double
     lagrange(const std::size_t first, const std::size_t last, const std::size_t j, const double x)
     {
@@ -33,8 +33,8 @@ namespace fuga
       return result;
     }
 
-    /** At the share @p x of a step the polynomial through the stages of @p given from
-     * @p first on. */
+    /** Evaluate, at the share @p x of a step, the polynomial through the stages of @p given
+     * beginning with @p first. */
     void
     interpolate(const SlipStages &given,
                 const std::size_t first,
@@ -72,8 +72,9 @@ namespace fuga
       return result;
     }
 
-    /** First guess of the dislocations of stage number @p k: behind the beginning of the step, with
-     * its rates, the polynomial that leads through the (at most three) stages before. */
+    /** Return an initial guess of the dislocations of stage number @p k: the polynomial that starts
+     * with the rates at the beginning of the step and leads through the (at most three) stages
+     * before. */
     Vector
     predicted_dislocations(const std::size_t k,
                            const double length,
@@ -95,9 +96,9 @@ namespace fuga
     }
   } // namespace
 
-  // First guess for stage number k: the parabola through the three stages before, or less; of a
-  // step that begins where the last one began, and is no longer, the polynomial through all stages
-  // of that one.
+  // The first guess for stage number k is the parabola through the three stages before, or fewer;
+  // for a step that begins where the last one began, and is no longer, it is the polynomial through
+  // all stages of that one.
   void
   TurningSegment::predict(const SlipStages &before,
                           const std::size_t k,
@@ -112,8 +113,9 @@ namespace fuga
       interpolate(before, k > 3 ? k - 3 : 0, abscissa, rates, directions);
   }
 
-  // Slips and rises from which stage number k goes on by its own rates. Where the background is
-  // linear the forces with them follow from those of the stages before, without a product.
+  // The result contains the slips and rises from which stage number k goes on by its own rates.
+  // Where the background is linear the forces that belong to them follow from those of the stages
+  // before, without a product.
   TurningStage
   TurningSegment::base_of(const Station &from,
                           const Vector &first_forces,
@@ -138,7 +140,7 @@ namespace fuga
     return result;
   }
 
-  // One step of the Runge-Kutta pair. The error is relative to the tolerance.
+  // This is one step of the Runge-Kutta pair. The error is relative to the tolerance.
   bool
   TurningSegment::step(const Station &from, const double length, Station &to, double &error)
   {
@@ -152,12 +154,12 @@ namespace fuga
       return sum;
     };
 
-    // Where nothing drives nothing slips.
+    // Where nothing drives, nothing slips.
     const double drive = driving_force();
     const double slip_noise =
       drive > 0. ? force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / drive
                  : 0.;
-    // On the way forces follow from the last ones; those of the result do not.
+    // On the way forces are computed from the last ones; those of the result are not.
     const KnownForces known =
       linear ? KnownForces() : known_forces(context, course, from.tau, from.point.state);
     JointState &state = to.point.state;
@@ -177,8 +179,9 @@ namespace fuga
         predict(stages, k, xi, to.stage.directions);
         for (double &value : xi)
           value *= length * rk::diagonal;
-        // Stages on the cones by their rates alone, so that the method keeps its order (as one for
-        // a differential-algebraic system it would lose it); the last one, the result, exactly.
+        // Stages are on the cones by their rates alone, so that the method keeps its order (as a
+        // method for a differential-algebraic system it would lose it); the last one, the result,
+        // is there exactly.
         const auto demand  = k + 1 < rk::n_stages ? TurningStageSolver::Demand::rates
                                                   : TurningStageSolver::Demand::cone;
         state.dislocations = predicted_dislocations(k, length, from.point, stage_dislocations);
@@ -237,8 +240,8 @@ namespace fuga
     return std::isfinite(error);
   }
 
-  // Dislocations are rounded, by which forces leave the cones. A step puts them back, whatever its
-  // length: the error of the shortest ones is rounding and no reason to shorten another.
+  // Dislocations are rounded, so that forces leave the cones. A step puts them back, whatever its
+  // length: the error of the shortest steps is rounding and no reason to shorten another one.
   double
   TurningSegment::error_of_rounding(const Station &from, const double shortest)
   {
@@ -255,9 +258,9 @@ namespace fuga
     return std::max(1., margin * worst);
   }
 
-  // A boundary a few shortest steps ahead is met where the curve ends: of elements that reach it
-  // together one may be a rounding error behind the others. Slips that grow beyond bounds although
-  // something answers them go on behind a jump.
+  // A boundary that is a few shortest steps ahead is met where the curve ends: of elements that
+  // reach it together one may be a rounding error after the others. Slips that grow beyond bounds
+  // although something resists them go on after a jump.
   void
   TurningSegment::expect_end(const PathPoint &point, const double shortest)
   {
@@ -306,7 +309,7 @@ namespace fuga
             length.fail();
             continue;
           }
-        // Rounding is what a shorter step has left as it was.
+        // An error that a shorter step has left unchanged is rounding.
         if (error > allowed && !is_known && (length() < short_step || error > 0.5 * rejected))
           {
             allowed  = error_of_rounding(from, shortest);

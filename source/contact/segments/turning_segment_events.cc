@@ -8,12 +8,12 @@
 #include <cmath>
 #include <limits>
 
-// Where a curved piece of the path meets the first boundary of the contact conditions, and what an
-// observer of its ends gets wrong.
+// Finds where a curved piece of the path meets the first boundary of the contact conditions, and
+// estimates the errors that an observer of its ends makes.
 namespace fuga
 {
-  // The share of the way from a to b at which the first reserve is used up, by cubics and, for
-  // rates of slip, by secants; above one if none is.
+  // The result is the share of the way from a to b at which the first reserve is used up, by cubics
+  // and, for rates of slip, by secants; it is above one if none is.
   double
   TurningSegment::first_event(const Station &a, const Station &b) const
   {
@@ -23,7 +23,7 @@ namespace fuga
     for (std::size_t i = 0; i < a.reserves.size(); ++i)
       {
         const Reserve &before = a.reserves[i], &after = b.reserves[i];
-        // What was on its boundary at the beginning has been left there by the rates.
+        // A reserve that was on its boundary at the beginning is left there by the rates.
         const bool leaving = before.value <= before.tolerance;
         const double value = std::max(0., before.value);
         const double rate  = leaving ? std::max(0., before.rate) : before.rate;
@@ -69,8 +69,8 @@ namespace fuga
     return false;
   }
 
-  // How far the load is, ahead or back, at which the first of the reserves that come to their end
-  // is used up, those that are so but for their tolerance.
+  // The result is the distance of the load, ahead or back, at which the first reserve is used up,
+  // among those that are used up to within their tolerance.
   double
   TurningSegment::way_to_event(const Station &from, const Station &station) const
   {
@@ -83,8 +83,9 @@ namespace fuga
     return way;
   }
 
-  // Tolerances are those of the rounding of the largest terms. What begins to slip must not begin
-  // off its cone by as much: the step to the event is mended. Returns whether there is one.
+  // Tolerances are those of the rounding of the largest terms. An element that begins to slip must
+  // not begin off its cone by as much, so the step to the event is corrected. The return value
+  // tells whether there is an event.
   bool
   TurningSegment::meet_event(const Station &from, Station &reached)
   {
@@ -101,7 +102,7 @@ namespace fuga
     return true;
   }
 
-  // Steps from the same point, shorter and longer, until one ends at the event.
+  // Shorter and longer steps are tried from the same point, until one ends at the event.
   std::optional<TurningSegment::Station>
   TurningSegment::locate(const Station &from, const Station &passed)
   {
@@ -115,7 +116,7 @@ namespace fuga
         if (share > 1.)
           return {};
         double tau = low.tau + share * (high.tau - low.tau);
-        // Alternately a bisection, should the interpolation stand still.
+        // Every second time a bisection is made, in case the interpolation stagnates.
         if ((i > 4 && i % 2 == 0) || tau >= end_of_steps)
           tau = 0.5 * (low.tau + end_of_steps);
         if (tau - low.tau <= resolution || end_of_steps - low.tau <= 2. * resolution)
@@ -127,8 +128,8 @@ namespace fuga
         tau = std::min(tau, end_of_steps);
         Station middle;
         double error;
-        // Behind a limit load nothing is in equilibrium: what cannot be reached lies behind the
-        // event.
+        // Beyond a limit load nothing is in equilibrium: a point that cannot be reached lies beyond
+        // the event.
         if (!step(from, tau - from.tau, middle, error))
           {
             end_of_steps = tau;
@@ -157,7 +158,8 @@ namespace fuga
 
   namespace
   {
-    /** The slip of an element along its tangents, as an observer of the ends of a step sees it. */
+    /** Return the slip of an element along its tangents, as an observer of the ends of a step sees
+     * it. */
     std::array<CubicOnUnitInterval, 2>
     slip_between(const ContactElement &element,
                  const std::size_t k,
@@ -174,7 +176,7 @@ namespace fuga
       return {{along(0), along(1)}};
     }
 
-    /** The same of its shear force. */
+    /** Return the shear force in the same way. */
     std::array<CubicOnUnitInterval, 2>
     shear_between(const ContactElement &element,
                   const PathPoint &a,
@@ -191,8 +193,8 @@ namespace fuga
     }
   } // namespace
 
-  // What an observer that takes forces and slips for cubics between the ends of a step gets wrong
-  // in the work of friction, relative to the share that is allowed.
+  // The defect is the error that an observer who takes forces and slips for cubics between the ends
+  // of a step makes in the work of friction, relative to the share that is allowed.
   double
   TurningSegment::work_defect(const Station &from,
                               const Station &to,
@@ -215,10 +217,10 @@ namespace fuga
            (allowed_share * std::abs(work) + least_share * force_scale * jump_scale);
   }
 
-  // How far such an observer sees an element slip across its force, as work, relative to the share
-  // of the work of the bars that is allowed, or to rounding: in the virgin state bars have done no
-  // work yet. Behind an event directions may turn quickly into others, and close to a limit slips
-  // bend more and more: the method's own error tells neither.
+  // The defect measures how far such an observer sees an element slip across its force, as work,
+  // relative to the share of the work of the bars that is allowed, or to rounding: in the virgin
+  // state bars have done no work yet. After an event directions may turn quickly into others, and
+  // close to a limit slips bend more and more; the method's own error shows neither.
   double
   TurningSegment::turn_defect(const Station &from, const Station &to, const double length) const
   {
@@ -243,8 +245,9 @@ namespace fuga
     return worst / (allowed_share * of_bars + rounding);
   }
 
-  // What an observer that takes slips for cubics between the ends of a step gets wrong in the rise
-  // of the lips, relative to the share of the jumps reached so far that is allowed.
+  // The defect is the error that an observer who takes slips for cubics between the ends of a step
+  // makes in the rise of the lips, relative to the share of the jumps reached so far that is
+  // allowed.
   double
   TurningSegment::rise_defect(const Station &from, const Station &to, const double length) const
   {

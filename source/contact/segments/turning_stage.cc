@@ -14,7 +14,7 @@ namespace fuga
   {
   }
 
-  // Factors of an earlier response are kept: they serve as long as it is near by.
+  // Factors of an earlier response are kept: they are useful as long as it is near by.
   void
   TurningStageSolver::set_response(TurningResponse &&new_response)
   {
@@ -95,7 +95,7 @@ namespace fuga
       }
   }
 
-  // Components along e and across: T + (f N - c) e, or its rate along e.
+  // Components along e and across it: T + (f N - c) e, or its rate along e.
   TurningStageSolver::Residual
   TurningStageSolver::evaluate(const Demand demand,
                                const TurningStage &base,
@@ -172,7 +172,7 @@ namespace fuga
         return false;
       }
     const std::size_t n = turning.size();
-    // The slip of a stage beside what stretches an element until it slips.
+    // Ratio of the slip of a stage to the stretch of an element until it slips.
     constexpr double weak_ratio = 0.03;
     const bool of_rates         = demand == Demand::rates;
     Vector &arms                = own.arms;
@@ -269,11 +269,11 @@ namespace fuga
                               TurningStage &stage)
   {
     constexpr unsigned int max_iterations = 30, patience = 8;
-    // Residuals, in units of rounding, with which an iteration that stands still is accepted, and
-    // from which on its steps tell more than rounding.
+    // Residuals, in units of rounding, at which a stagnating iteration is accepted, and above which
+    // its steps show more than rounding.
     constexpr double accepted = 20., well_above_rounding = 1e3;
-    // What new factors should gain at a time. Others are given up if more iterations with them are
-    // ahead than new ones would cost.
+    // Reduction that new factors should achieve at a time. Others are given up if more iterations
+    // with them are ahead than new ones would cost.
     constexpr double slow      = 0.2;
     const double worthwhile    = 6. + static_cast<double>(turning.size()) / 40.;
     Factorisation &own         = factorisations[static_cast<std::size_t>(demand)];
@@ -282,7 +282,7 @@ namespace fuga
     bool needs_factors         = !own.factors;
     double best                = std::numeric_limits<double>::infinity();
     unsigned int since_best    = 0;
-    Vector last_step; // empty if nothing is to be learnt from it
+    Vector last_step; // empty if nothing can be learnt from it
     ++count.n_solutions;
     for (unsigned int i = 0; i < max_iterations && since_best < patience; ++i)
       {

@@ -14,8 +14,8 @@ namespace fuga
   {
     using Numbers = std::vector<std::size_t>;
 
-    /** Bars whose jumps are the coordinates themselves, in their order; empty if a coordinate has
-     * none. */
+    /** Return the bars whose jumps are the coordinates themselves, in their order; empty if a
+     * coordinate has none. */
     Numbers
     bars_along_coordinates(const SparseOperator &B)
     {
@@ -58,8 +58,8 @@ namespace fuga
       return result;
     }
 
-    /** V = (1 + S D)⁻¹ B_eᵀ, with @p residual = B_eᵀ; as a difference it has lost digits where S D is
-     * large. */
+    /** Refine V = (1 + S D)⁻¹ B_eᵀ, with @p residual = B_eᵀ; as a difference it has lost digits
+     * where S D is large. */
     void
     refine_at_corners(const DenseMatrix &S,
                       DenseMatrix residual,
@@ -90,8 +90,8 @@ namespace fuga
   }
 
   // Where joints have corners but do not cross, the coordinates are the jumps of some bars b, with
-  // W₀ and R₀ as if there were no others. The others e press the bodies by -B_eᵀ p_e, which moves
-  // forces and jumps as water does:
+  // W₀ and R₀ as if there were no others. The other bars e press the bodies by -B_eᵀ p_e, which
+  // changes forces and jumps as water does:
   //   p_b = R₀ a - W₀ d_b - V p_e,   V = (1 - W₀ D_b) B_eᵀ,   B_e (d_b + D_b p_b) = d_e + D_e p_e,
   // so that H p_e = Vᵀ d_b + B_e D_b R₀ a - d_e with H = D_e + B_e D_b V, a matrix of the corners
   // only. In very soft joints V is a small difference; those are for the saddle point problem.

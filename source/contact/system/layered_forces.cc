@@ -12,11 +12,11 @@ namespace fuga
   namespace
   {
     constexpr int n_sweeps = 2;
-    /** Change of the first sweep, in units of LayeredSystem::scale() and of the largest force, by
-     * which W is wrong at most: what the next one would change is the square of it. */
+    /** Change in the first sweep, in units of LayeredSystem::scale() and of the largest force, that
+     * bounds the error of W: the next sweep would change only the square of it. */
     constexpr double last_change = 1e-8;
 
-    /** The largest force in these units. */
+    /** Return the largest force in these units. */
     template <typename Number>
     double
     size_of(const std::vector<Number> &forces, const Vector &scales)
@@ -28,8 +28,8 @@ namespace fuga
     }
   } // namespace
 
-  // A unit force in a bar of compliance D moves the lips by D; to a share of this the bodies, of
-  // the stiffness S, answer with that share of S D.
+  // A unit force in a bar of compliance D moves the lips by D; to a share of this motion the
+  // bodies, of the stiffness S, respond with that share of S D.
   bool
   LayeredSystem::has_soft_joint(const double rounding) const
   {
@@ -37,8 +37,8 @@ namespace fuga
     return rounding * largest_diagonal(bodies.stiffness()) * max_abs(compliances) > lost;
   }
 
-  // Where joints cross, dislocations that the bodies cannot follow press against what little
-  // compliance there is: forces are small differences of W d.
+  // Where joints cross, dislocations that the bodies cannot follow press against the small
+  // compliance there: forces are small differences of W d.
   bool
   LayeredSystem::refines_forces(const Vector &dislocations, const Vector &forces) const
   {
@@ -47,7 +47,8 @@ namespace fuga
                         size_of(forces, scales) < small_difference * scaled_size(dislocations));
   }
 
-  // F a; on rigid motions the resultants of the loads, free of the rounding of the condensation.
+  // The loads are F a; on rigid motions they are the resultants of the loads, free of the rounding
+  // of the condensation.
   Accurate
   LayeredSystem::loads_on_bodies(const Accurate &factors) const
   {
@@ -102,7 +103,7 @@ namespace fuga
     return p;
   }
 
-  // S (d + D p - E a) + p - ω = F a, with (1 + S D)⁻¹ = 1 - W D for the correction.
+  // The equation is S (d + D p - E a) + p - ω = F a, with (1 + S D)⁻¹ = 1 - W D for the correction.
   void
   LayeredSystem::refine_in_jumps(const Vector &factors,
                                  const Vector &dislocations,
@@ -140,7 +141,7 @@ namespace fuga
       }
   }
 
-  // S x + Bᵀ p = F a + Bᵀ ω,  B x - D p = d - E a.
+  // The equations are S x + Bᵀ p = F a + Bᵀ ω,  B x - D p = d - E a.
   void
   LayeredSystem::refine_with_jump_operator(const Vector &factors,
                                            const Vector &dislocations,
@@ -184,9 +185,9 @@ namespace fuga
     forces.assign(p.begin(), p.end());
   }
 
-  // The columns of W and R are forces as well, of unit dislocations and of unit loads. In a matrix
-  // that contains S as it is, a rigid motion meets the rounding of S; beside a soft joint this
-  // presses and drives bodies that nothing presses.
+  // The columns of W and R are forces as well, those of unit dislocations and of unit loads. In a
+  // matrix that contains S as it is, a rigid motion meets the rounding of S; beside a soft joint
+  // this presses and drives bodies that nothing else presses.
   void
   LayeredSystem::refine_responses()
   {

@@ -15,7 +15,7 @@ namespace fuga
   {
     using Indices = std::vector<std::size_t>;
 
-    /** Removes the rounding error between the two triangles. */
+    /** Remove the rounding difference between the two triangles. */
     void
     symmetrise(DenseMatrix &A)
     {
@@ -47,7 +47,7 @@ namespace fuga
         curved[bar]         = law.kind() == ComplianceKind::nonlinear;
       });
     if (!system.has_stiffness())
-      return; // forces are found otherwise
+      return; // forces are found in another way
     if (system.jump_operator().is_identity())
       eliminate_in_jumps(system);
     else if (!eliminate_at_corners(system))
@@ -74,8 +74,7 @@ namespace fuga
     add_imposed_jumps(bodies);
   }
 
-  // δ = B x + E a is d + D p: towards the bodies an imposed jump is a dislocation of the other
-  // sign.
+  // δ = B x + E a is d + D p: for the bodies an imposed jump is a dislocation of the opposite sign.
   void
   LayeredSystem::add_imposed_jumps(const ContactSystem &system)
   {
@@ -152,7 +151,7 @@ namespace fuga
       }
   }
 
-  // Bars without dislocation cost nothing: on most paths these are the majority.
+  // Bars without dislocation are skipped: on most paths these are the majority.
   void
   LayeredSystem::subtract_response(const Vector &dislocations, Vector &forces) const
   {

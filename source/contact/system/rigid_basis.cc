@@ -9,7 +9,7 @@ namespace fuga
 {
   namespace
   {
-    /** What is left of a motion, of size one, that is a combination of others. */
+    /** Remainder of a motion of size one that is a combination of others. */
     constexpr long double dependent = 1e-9L;
 
     void
@@ -20,7 +20,7 @@ namespace fuga
     }
   } // namespace
 
-  // Gram and Schmidt, twice.
+  // The Gram-Schmidt method is applied twice.
   RigidBasis::RigidBasis(const ContactSystem &system)
   {
     const DenseMatrix &M = system.rigid_coordinates(), &loads = system.rigid_motion_loads();

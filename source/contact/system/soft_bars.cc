@@ -15,7 +15,7 @@ namespace fuga
   {
     using Indices = std::vector<std::size_t>;
 
-    /** A += factor B. */
+    /** Compute A += factor B. */
     void
     add(DenseMatrix &A, const double factor, const DenseMatrix &B)
     {
@@ -23,7 +23,7 @@ namespace fuga
         blas::axpy(A.n_rows() * A.n_columns(), factor, B.data(), A.data());
     }
 
-    /** Combinations N of the columns of A (k x k_null) with A N = 0 to rounding. */
+    /** Return combinations N of the columns of A (k x k_null) with A N = 0 to rounding. */
     DenseMatrix
     null_combinations(const DenseMatrix &A, const std::size_t k)
     {
@@ -48,12 +48,12 @@ namespace fuga
     struct SoftMotions
     {
       RigidMotions motions;
-      /** Largest jump of another bar in one of them. */
+      /** Largest jump of another bar in one of these motions. */
       double jump_of_others = 0.;
     };
 
-    /** The motions that only soft bars resist: orthonormal jumps of the soft bars, and load work.
-     */
+    /** Return the motions that only soft bars resist: orthonormal jumps of the soft bars, and the
+     * work of the loads. */
     SoftMotions
     motions_of_soft_bars(const RigidMotions &motions, const Indices &soft, const Indices &others)
     {
@@ -78,7 +78,7 @@ namespace fuga
       const double jump_of_others =
         max_abs(Vector(left.data(), left.data() + left.n_rows() * left.n_columns()));
 
-      // Gram and Schmidt, twice; the work follows the motions.
+      // The Gram-Schmidt method is applied twice; the work follows the motions.
       for (int sweep = 0; sweep < 2; ++sweep)
         for (std::size_t j = 0; j < result.jumps.n_columns(); ++j)
           {
@@ -102,7 +102,7 @@ namespace fuga
       return {result, jump_of_others};
     }
 
-    /** A ← (I - G Gᵀ) A for orthonormal G. */
+    /** Compute A ← (I - G Gᵀ) A for orthonormal G. */
     void
     remove_motions(DenseMatrix &A, const DenseMatrix &G)
     {
@@ -110,7 +110,8 @@ namespace fuga
         add(A, -1., multiply(G, multiply_transposed(G, A)));
     }
 
-    /** P (S + C) P + σ G Gᵀ: the stiffness against deformation, made definite by the motions. */
+    /** Return P (S + C) P + σ G Gᵀ: the stiffness against deformation, made definite by the
+     * motions. */
     DenseMatrix
     deformation_stiffness(const DenseMatrix &S, const Vector &C, const DenseMatrix &G)
     {
@@ -130,7 +131,7 @@ namespace fuga
       return H;
     }
 
-    /** Adds the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
+    /** Add the small compliances D to the stiff bars: W ← (W⁻¹ + D)⁻¹ without inverting W. */
     void
     insert_stiff_bars(DenseMatrix &W, DenseMatrix &R, const Indices &stiff, const Vector &D)
     {

@@ -13,7 +13,7 @@ namespace fuga
 {
   namespace
   {
-    /** What the bodies need in order to move and to come to rest. */
+    /** Check that the bodies have what they need in order to move and to come to rest. */
     void
     check_motion(const ParameterValues &values,
                  const ParameterSection &solver,

@@ -30,7 +30,7 @@ namespace fuga
     }
 
 
-    /** Whether any stage up to this one names the load. */
+    /** Return whether any stage up to this one names the load. */
     bool
     acts(const unsigned int load, const std::size_t stage, const ModelDefinition &model)
     {

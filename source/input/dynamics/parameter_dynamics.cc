@@ -16,7 +16,8 @@ namespace fuga
 {
   namespace
   {
-    /** The numbers of an entry between ';'. @p form: how they are written, for messages. */
+    /** Return the numbers of an entry between ';'. @p form describes how they are written, for
+     * messages. */
     std::vector<double>
     read_numbers(const ParameterSection &section,
                  const Text &entry,
@@ -147,7 +148,7 @@ namespace fuga
     }
 
 
-    /** The modes are those of bodies that supports hold, and linear. */
+    /** Check the modes, which are those of linear bodies that supports hold. */
     void
     check_modes(const ParameterValues &values, const Parameters &parameters)
     {

@@ -24,7 +24,7 @@ namespace fuga
   {
     namespace fs = std::filesystem;
 
-    /** The stage at whose beginning the ground begins to move. */
+    /** Return the stage at whose beginning the ground begins to move. */
     unsigned int
     read_stage(const ParameterSection &section, const std::vector<StageDefinition> &stages)
     {
@@ -80,7 +80,7 @@ namespace fuga
     }
 
 
-    /** The entries that only one of the formats has. */
+    /** Read the entries that only one of the formats has. */
     RecordColumns
     read_columns(const ParameterSection &section, const RecordFormat format)
     {
@@ -162,7 +162,8 @@ namespace fuga
     }
 
 
-    /** Boundaries through which waves leave as well, whether or not they are named among those. */
+    /** Return the boundaries through which waves also leave, whether or not they are named among
+     * those. */
     NamedBoundaries
     read_also_absorbing(const ParameterSection &section,
                         const Text &entry,

@@ -16,15 +16,15 @@ namespace fuga
 {
   namespace
   {
-    /** Beyond this an acceleration is rubbish, and its integrals may overflow. */
+    /** Size beyond which an acceleration is meaningless, and its integrals may overflow. */
     constexpr double largest_number = 1e15;
 
-    /** Part of a step by which times may be off: their digits are rounded. */
+    /** Share of a step by which times may be off, because their digits are rounded. */
     constexpr double rounding_of_times = 0.05;
 
     constexpr std::size_t smallest_number_of_samples = 2;
 
-    /** A text line by line. */
+    /** A text that is read line by line. */
     class Lines
     {
     public:
@@ -46,7 +46,7 @@ namespace fuga
         return true;
       }
 
-      /** The numbers of the line up to a comment. */
+      /** Return the numbers of the line up to a comment. */
       std::vector<double>
       numbers() const
       {
@@ -96,7 +96,7 @@ namespace fuga
     };
 
 
-    /** Times of samples with the lines where they stand. */
+    /** Times of samples, with the lines in which they are given. */
     struct Times
     {
       std::vector<double> values;
@@ -104,7 +104,7 @@ namespace fuga
     };
 
 
-    /** The step of times that go in equal steps. */
+    /** Return the step of times that are equally spaced. */
     double
     step_of(const Times &times, const Lines &lines)
     {
@@ -156,11 +156,11 @@ namespace fuga
     }
 
 
-    /** Goes behind the line with the number of samples and the step, and gives both. */
+    /** Move past the line that contains the number of samples and the step, and return both. */
     std::pair<std::size_t, double>
     read_header_of_at2(Lines &lines)
     {
-      // Bounded: std::regex goes one call deeper with every character.
+      // The length is bounded because std::regex recurses once more with every character.
       constexpr std::size_t longest_header = 200, last_line_of_header = 20;
       static const std::regex named("NPTS\\s*=\\s*(\\d+)\\s*,?\\s*DT\\s*=\\s*([-+.0-9E]+)",
                                     std::regex::icase),

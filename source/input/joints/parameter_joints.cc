@@ -99,7 +99,8 @@ namespace fuga
     }
 
 
-    /** Laws that section Sweep gives this joint; other words are refused where they are read. */
+    /** Return the laws that section Sweep gives this joint; other words are rejected where they are
+     * read. */
     std::vector<LayerLaw>
     swept_laws(const ParameterSection &section, const Entry<LayerLaw> &entry)
     {
@@ -112,7 +113,8 @@ namespace fuga
     }
 
 
-    /** A hundredth of the softest body's modulus: at higher stresses bodies are not elastic. */
+    /** Return a hundredth of the modulus of the softest body: at higher stresses bodies are not
+     * elastic. */
     double
     largest_stress(const ParameterValues &values)
     {

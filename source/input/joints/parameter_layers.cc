@@ -22,7 +22,7 @@ namespace fuga
       std::vector<LayerLaw> owners;
     };
 
-    /** The entries that only some laws use. */
+    /** Return the entries that only some laws use. */
     std::vector<OwnedEntry>
     owned_entries(const LayerEntries &e)
     {
@@ -49,7 +49,7 @@ namespace fuga
       return std::find(laws.begin(), laws.end(), law) != laws.end();
     }
 
-    /** "'Normal law = power' (file:3)", or that the law is the default. */
+    /** Return "'Normal law = power' (file:3)", or the statement that the law is the default. */
     std::string
     law_statement(const ParameterSection &section, const Entry<LayerLaw> &law)
     {
@@ -86,7 +86,7 @@ namespace fuga
     }
 
 
-    /** ρ of one direction; a linear law without compliance becomes rigid. */
+    /** Read ρ of one direction; a linear law without compliance becomes rigid. */
     double
     read_compliance(const ParameterSection &section,
                     const LayerEntries &e,
@@ -110,7 +110,7 @@ namespace fuga
                       law_statement(section, e.law)));
       if (law == LayerLaw::linear && rho == 0.)
         law = LayerLaw::rigid;
-      // Entries of other laws of a sweep do not count.
+      // Entries of other laws of a sweep are ignored.
       return has_compliance_entry(law) ? rho : 0.;
     }
 
@@ -160,7 +160,7 @@ namespace fuga
       return table;
     }
 
-    /** What the law needs besides the entries that are given: "" or a sentence. */
+    /** Return what the law needs besides the entries that are given: "" or a sentence. */
     std::string
     missing_entry(const LayerEntries &e,
                   const LayerLaw law,

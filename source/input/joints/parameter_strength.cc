@@ -15,7 +15,8 @@ namespace fuga
   {
     constexpr double degree = 0.017453292519943295;
 
-    /** A coefficient, or tan of an angle in degrees; @p otherwise if neither is given. */
+    /** Read a coefficient, or the tangent of an angle in degrees; return @p otherwise if neither is
+     * given. */
     double
     read_coefficient(const ParameterSection &section,
                      const Number &coefficient,
@@ -34,8 +35,8 @@ namespace fuga
       return value;
     }
 
-    /** Friction is lost and not gained, the tip of the cone carries the tension, and sliding
-     * creates no energy. */
+    /** Check that friction is lost and not gained, that the tip of the cone carries the tension,
+     * and that sliding creates no energy. */
     void
     check_strength(const ParameterSection &section, const FrictionLaw &law)
     {

@@ -17,7 +17,7 @@ namespace fuga
   {
     LevelDefinition result;
     const std::string level = section.text(entry);
-    // A ':' may also be that of 'a ? b : c'.
+    // A ':' may also belong to 'a ? b : c'.
     if (level.find(':') != std::string::npos && level.find('?') == std::string::npos)
       result.level_table = read_table(section, entry, "t: level");
     else

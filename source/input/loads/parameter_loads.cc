@@ -82,7 +82,7 @@ namespace fuga
     }
 
 
-    /** The type of a load, whose entries are all there, and no others. */
+    /** Read the type of a load, all of whose entries have to be given, and no others. */
     const TypeEntries &
     read_type(const ParameterSection &section)
     {
@@ -138,9 +138,8 @@ namespace fuga
     }
 
 
-    /** Whether Bodies are known, and have the property (of that entry) through which they are
-     * loaded.
-     */
+    /** Check that Bodies are known, and have the property (of that entry) through which they are
+     * loaded. */
     void
     check_bodies(const ParameterSection &section,
                  const ModelDefinition &model,

@@ -14,7 +14,8 @@ namespace fuga
 {
   namespace
   {
-    /** The horizontal direction of an earthquake in space, as a unit vector; x if none is given. */
+    /** Return the horizontal direction of an earthquake in space, as a unit vector; x if none is
+     * given. */
     std::array<double, 2>
     read_horizontal_direction(const ParameterSection &section, const unsigned int dimension)
     {

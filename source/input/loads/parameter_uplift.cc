@@ -33,7 +33,7 @@ namespace fuga
     }
 
 
-    /** The unit vector from the upstream end to the other one. */
+    /** Return the unit vector from the upstream end to the other one. */
     std::array<double, 3>
     read_flow(const ParameterSection &section, const unsigned int dimension)
     {

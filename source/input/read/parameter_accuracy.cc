@@ -18,7 +18,8 @@ namespace fuga
   {
     using Quantity = AccuracyTarget::Quantity;
 
-    /** Numbers of the names in the list @p entry, or of all @p known if it is not given. */
+    /** Return the numbers of the names in the list @p entry, or of all @p known names if it is not
+     * given. */
     std::vector<unsigned int>
     read_numbers(const ParameterSection &section,
                  const AnyEntry &entry,
@@ -40,7 +41,8 @@ namespace fuga
     }
 
 
-    /** An entry that belongs to another quantity says that the user wants something else. */
+    /** Reject an entry that belongs to another quantity, since the user then wants something
+     * else. */
     void
     refuse(const ParameterSection &section, const AnyEntry &entry, const std::string &wanted)
     {
@@ -127,7 +129,7 @@ namespace fuga
         return;
       }
     check_combinations(section, parameters);
-    parameters.output.checkpoint = CheckpointOutput::never; // the mesh is not in it
+    parameters.output.checkpoint = CheckpointOutput::never; // the mesh is not stored in it
     if (target.quantity == Quantity::pressure)
       read_pressure(section, parameters.model, target);
 

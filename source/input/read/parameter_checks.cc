@@ -59,7 +59,7 @@ namespace fuga
     }
 
 
-    /** No load may act where the user says that none does. */
+    /** Check that no load acts where the user says that none does. */
     void
     check_free_boundaries(const ParameterSection &section,
                           const LoadDefinition &load,
@@ -80,7 +80,7 @@ namespace fuga
     }
 
 
-    /** Water, and an imposed gap, need a joint. */
+    /** Check that water, and an imposed gap, have a joint. */
     void
     check_joints(const ParameterSection &section,
                  const LoadDefinition &load,
@@ -94,7 +94,7 @@ namespace fuga
     }
 
 
-    /** A displacement moves components that are fixed, and only those. */
+    /** Check that a displacement moves only components that are fixed. */
     void
     check_displacement(const ParameterSection &section,
                        const LoadDefinition &load,

@@ -16,7 +16,7 @@ namespace fuga
   {
     namespace fs = std::filesystem;
 
-    /** In equal ratios, as they are drawn. */
+    /** Return periods in equal ratios, as they are plotted. */
     std::vector<double>
     usual_periods()
     {

@@ -14,7 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** Position of the item with this name, or -1. */
+    /** Return the position of the item with this name, or -1. */
     template <typename Items, typename Name>
     std::ptrdiff_t
     position(const Items &items, const std::string &wanted, const Name &name)
@@ -25,7 +25,7 @@ namespace fuga
     }
 
 
-    /** Loads by name, and those of stages. */
+    /** Return the loads given by name, and those of stages. */
     std::vector<unsigned int>
     read_increased_loads(const ParameterSection &section, const ModelDefinition &model)
     {
@@ -63,7 +63,8 @@ namespace fuga
     }
 
 
-    /** Sliding lips that rise by more than friction resists would create energy. */
+    /** Check the dilatancy: sliding lips that rise by more than friction resists would create
+     * energy. */
     void
     check_dilatancy(const ParameterSection &section,
                     const JointParameters &joint,

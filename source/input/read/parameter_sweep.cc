@@ -15,10 +15,11 @@ namespace fuga
 {
   namespace
   {
-    /** Behind an error so many further variants are read: they may have errors of their own. */
+    /** Number of further variants that are read after an error, because they may have errors of
+     * their own. */
     constexpr std::size_t n_read_behind_error = 200;
 
-    /** What an entry decides, by its name in an echo. */
+    /** Return what an entry decides, given its name in an echo. */
     Decides
     decided_by(const std::string &full_name)
     {
@@ -27,9 +28,9 @@ namespace fuga
     }
 
     /**
-     * What decides about the condensation: all but laws and strength of the joints and the motion
-     * of the ground. A joint without shear strength has no tangential bars; the time step may be
-     * that of a record.
+     * Return a key of everything that determines the condensation, i.e. all but the laws and
+     * strengths of the joints and the motion of the ground. A joint without shear strength has no
+     * tangential bars; the time step may be that of a record.
      */
     std::string
     condensation_key(const Parameters &parameters)
@@ -44,7 +45,8 @@ namespace fuga
       return key;
     }
 
-    /** What decides about the layers of the joints beyond the condensation. */
+    /** Return a key of everything that determines the layers of the joints beyond the
+     * condensation. */
     std::string
     layer_key(const Parameters &parameters)
     {
@@ -55,7 +57,8 @@ namespace fuga
       return key;
     }
 
-    /** The unit in the meaning of an entry whose value is a number, with the units of the user. */
+    /** Return the unit in the meaning of an entry whose value is a number, in the units of the
+     * user. */
     std::string
     unit_of(const SweptLine &line, const Units &units)
     {
@@ -72,7 +75,7 @@ namespace fuga
       return unit.substr(1, unit.size() - 2);
     }
 
-    /** The values of a variant, as they are read: expressions of constants are numbers. */
+    /** Return the values of a variant as they are read: expressions of constants are numbers. */
     std::vector<std::string>
     settings_of(const SweepPlan &plan, const std::size_t i, const Parameters &parameters)
     {
@@ -90,7 +93,8 @@ namespace fuga
       return settings;
     }
 
-    /** Collects the errors of variants, each once however many of them have it. */
+    /** Collects the errors of variants, each of them once, regardless of how many variants have
+     * it. */
     class ErrorsOfVariants
     {
     public:
@@ -120,8 +124,8 @@ namespace fuga
       }
 
     private:
-      /** A message without "= 'value'": an unknown entry is one mistake, however many values it
-       * has. */
+      /** Return a message without "= 'value'": an unknown entry is one mistake, however many values
+       * it has. */
       static std::string
       without_value(const std::string &message)
       {
@@ -164,7 +168,7 @@ namespace fuga
       std::size_t layers = 0;
     };
 
-    /** The number of a key, in the order in which keys come. */
+    /** Return the number of a key, in the order in which keys appear. */
     std::size_t
     number_of(const std::string &key, std::map<std::string, std::size_t> &known)
     {

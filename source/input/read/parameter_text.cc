@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** Comment lines of at most 100 columns. */
+    /** Return comment lines of at most 100 columns. */
     std::string
     comment(const std::string &text, const std::string &indent)
     {
@@ -36,7 +36,7 @@ namespace fuga
     }
 
 
-    /** "Allowed: ...; default: ..." */
+    /** Return "Allowed: ...; default: ...". */
     std::string
     rule(const EntryDeclaration &entry)
     {

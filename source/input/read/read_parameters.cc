@@ -63,7 +63,8 @@ namespace fuga
     }
 
 
-    /** What speaks of the direction across the plane has no meaning in space. */
+    /** Check that no entry refers to the direction across the plane, which has no meaning in
+     * space. */
     void
     check_space(const ParameterSection &mesh, const unsigned int dimension)
     {
@@ -143,7 +144,7 @@ namespace fuga
   {
     const std::string &file = scan.file;
     const ParameterValues values(scan, errors);
-    // All else depends on the dimension, and expressions on the constants.
+    // Everything else depends on the dimension, and expressions depend on the constants.
     if (values.is_broken<TopLevel>() || values.is_broken<ConstantEntries>() ||
         values.is_broken<SolverEntries>())
       errors.throw_if_any();
@@ -164,7 +165,7 @@ namespace fuga
     errors.attempt([&]() { read_output(values, parameters); });
     const ParameterSection mesh = values.section<MeshEntries>();
     values.attempt(mesh, [&]() { parameters.mesh_file = read_mesh_file(mesh, file); });
-    errors.throw_if_any(); // what follows needs all that is above
+    errors.throw_if_any(); // the following needs everything above
 
     errors.attempt([&]() {
       read_construction(values, parameters.model);

@@ -17,8 +17,8 @@ namespace fuga
 {
   namespace
   {
-    /** Whether there is something to calculate: more than a number, with a unit or the rest of a
-     * decimal comma behind it, or a word. */
+    /** Return whether there is something to calculate, i.e. more than a number, followed by a unit
+     * or the rest of a decimal comma, or a word. */
     bool
     is_calculation(const std::string &text)
     {
@@ -93,7 +93,7 @@ namespace fuga
       names.size() == 1 && (text == names.front() || text == "-" + names.front());
     if (is_name && values.count(names.front()) + unknown.count(names.front()) == 0)
       {
-        // A word for which no constant can be meant is told by the pattern of the entry.
+        // A word for which no constant can be meant is reported by the pattern of the entry.
         const Result result = evaluate(text);
         return result.problem.find("Did you mean") == std::string::npos ? Result{text, "", false}
                                                                         : result;
@@ -127,7 +127,7 @@ namespace fuga
         const Result result = number(normalise_blanks(piece));
         if (!result.problem.empty() || result.is_unknown)
           return {text, result.problem, result.is_unknown};
-        // What was a number stays as it was written.
+        // A piece that was a number stays as it was written.
         whole.text += result.text == normalise_blanks(piece) ? piece : " " + result.text;
         if (i < text.size())
           whole.text += text[i];

@@ -18,7 +18,8 @@ namespace fuga
 {
   namespace
   {
-    /** deal.II prints muParser's message on std::cerr and throws it as well: once is enough. */
+    /** Suppresses std::cerr, since deal.II prints muParser's message there and throws it as
+     * well. */
     class SilentErrorStream
     {
     public:
@@ -62,7 +63,8 @@ namespace fuga
     }
 
 
-    /** What muParser takes without a word, and what nobody means. */
+    /** Return a message if the expression contains what muParser accepts silently, and what nobody
+     * means. */
     std::string
     silent_trap(const std::string &expression)
     {
@@ -84,7 +86,7 @@ namespace fuga
     }
 
 
-    /** "The parser said: Unexpected token ..." without the decoration of the exception. */
+    /** Return "The parser said: Unexpected token ..." without the decoration of the exception. */
     std::string
     parser_message(const dealii::ExceptionBase &exception)
     {
@@ -126,7 +128,8 @@ namespace fuga
     }
 
 
-    /** A value that is not finite at a point where it has to be, or else no finite value at all. */
+    /** Return the problem if a value is not finite at a point where it has to be, or if there is no
+     * finite value at all. */
     template <int n_arguments>
     std::string
     evaluate(const std::string &expression,

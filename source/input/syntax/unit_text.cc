@@ -10,7 +10,8 @@ namespace fuga
 {
   namespace
   {
-    /** What the pattern finds, replaced by what @p replacement makes of it. */
+    /** Return @p text with every match of the pattern replaced by what @p replacement makes of
+     * it. */
     std::string
     replaced(const std::string &text,
              const std::regex &pattern,
@@ -32,7 +33,8 @@ namespace fuga
   std::string
   in_units(const std::string &text, const Units &units)
   {
-    // Bounded: std::regex goes one call deeper with every character, and a text may quote anything.
+    // The length is bounded because std::regex recurses once more with every character, and a text
+    // may quote anything.
     static const std::regex brackets("\\[[^\\[\\]]{0,80}\\]"), unit("\\b(MPa|MN|m)\\b");
     return replaced(text, brackets, [&](const std::string &bracket) {
       return replaced(bracket, unit, [&](const std::string &word) {

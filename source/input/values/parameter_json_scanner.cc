@@ -16,8 +16,8 @@ namespace fuga
   {
     using Json = nlohmann::ordered_json;
 
-    /** Goes through a text and counts its lines, since the JSON library tells nobody where it is.
-     */
+    /** Goes through a text and counts its lines, because the JSON library does not report its
+     * position. */
     class CountingIterator
     {
     public:

@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  // Messages speak of the units that the user named.
+  // Messages refer to the units that the user named.
   void
   ParameterValues::find_units(const ParameterScan &scan)
   {

@@ -44,7 +44,7 @@ namespace fuga
     }
 
 
-    /** An entry in a subsection of Sweep becomes one of Sweep itself. */
+    /** Turn an entry in a subsection of Sweep into one of Sweep itself. */
     void
     fold_into_sweep(ScannedEntry &entry)
     {
@@ -68,7 +68,7 @@ namespace fuga
     }
 
 
-    /** The lines of a .prm file one after the other. */
+    /** Reads the lines of a .prm file one after the other. */
     class PrmScanner
     {
     public:
@@ -93,8 +93,8 @@ namespace fuga
       }
 
     private:
-      /** One line without comment; continued lines become one, which has the number of the first.
-       */
+      /** Get one line without comment; continued lines become one, which has the number of the
+       * first. */
       bool
       next_line(std::string &line)
       {
@@ -223,7 +223,7 @@ namespace fuga
   void
   require_shallow(const SectionPath &path, const std::string &origin)
   {
-    constexpr std::size_t deepest = 5; // some more than any section that exists
+    constexpr std::size_t deepest = 5; // slightly more than any section that exists
     if (path.size() > deepest)
       throw InputError(
         fmt::format("{}: section '{}' lies {} sections deep, more than any that exists. "

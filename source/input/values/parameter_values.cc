@@ -14,7 +14,7 @@ namespace fuga
 {
   namespace
   {
-    /** Names of the sections of the top level. */
+    /** Return the names of the sections of the top level. */
     std::vector<std::string>
     section_names()
     {
@@ -25,14 +25,14 @@ namespace fuga
       return names;
     }
 
-    /** The declaration behind a path, which is known to be valid. */
+    /** Return the declaration that belongs to a path, which is known to be valid. */
     const SectionDeclaration &
     declaration_of(const SectionPath &path)
     {
       return *find_section(path.empty() ? "" : path.front());
     }
 
-    /** "It is an entry of section Joints/NAME." if another section has such an entry. */
+    /** Return "It is an entry of section Joints/NAME." if another section has such an entry. */
     std::string
     elsewhere_hint(const std::string &name)
     {
@@ -45,7 +45,7 @@ namespace fuga
       return "";
     }
 
-    /** Names become parts of paths and lists, and must survive that. */
+    /** Check a name. Names become parts of paths and lists, and must survive that. */
     void
     check_subsection_name(const ScannedSection &section)
     {
@@ -60,7 +60,7 @@ namespace fuga
                       name[bad]));
     }
 
-    /** "Did you mean ...?" if there is a similar word. */
+    /** Return "Did you mean ...?" if there is a similar word. */
     std::string
     close_word(const std::string &wrong, const std::vector<std::string> &words)
     {
@@ -87,7 +87,7 @@ namespace fuga
         broken.insert(section.path);
       else
         attempt(section.path, [&]() { add_section(section); });
-    // What stands in sections that are not known is not looked at.
+    // The contents of unknown sections are not examined.
     errors.throw_if_any();
     find_units(scan);
     const auto is_constant = [](const ScannedEntry &entry) {
@@ -215,7 +215,7 @@ namespace fuga
   }
 
 
-  // What depends on a constant that has an error of its own is not complained of.
+  // Anything that depends on a constant with an error of its own is not reported.
   ScannedEntry
   ParameterValues::with_numbers(const ScannedEntry &entry,
                                 const EntryDeclaration &declaration) const
@@ -239,7 +239,7 @@ namespace fuga
   ParameterValues::set(const ScannedEntry &entry, const EntryDeclaration &declaration)
   {
     if (entry.value.empty())
-      return; // what the entry is written with has an error of its own, or empty is its default
+      return; // the constants of the entry have an error of their own, or its default is empty
     const std::string problem = declaration.problem(entry.value);
     if (!problem.empty())
       entry.fail(fmt::format("{}. Allowed: {}. {}",

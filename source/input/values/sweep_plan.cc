@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** More variants than this are a slip of the pen. */
+    /** Largest number of variants; more than this are a slip of the pen. */
     constexpr std::size_t max_variants = 20000;
 
     const SweepEntries &
@@ -30,7 +30,8 @@ namespace fuga
       return entries_of<StageEntries>().name;
     }
 
-    /** Takes the other form of an entry that is varied out of @p scan, unless it is varied as well. */
+    /** Remove the other form of an entry that is varied from @p scan, unless it is varied as
+     * well. */
     void
     take_out_alternative(const ScannedEntry &varied, ParameterScan &scan)
     {
@@ -45,7 +46,7 @@ namespace fuga
                          scan.entries.end());
     }
 
-    /** Whether section Sweep varies an entry of joints by its own name. */
+    /** Return whether section Sweep varies an entry of joints by its own name. */
     bool
     is_older(const std::string &name)
     {
@@ -74,7 +75,7 @@ namespace fuga
       return n;
     }
 
-    /** Leaves the stages of a sequence, in its order. */
+    /** Keep only the stages of a sequence, in its order. */
     void
     put_stages_in_order(const std::string &sequence, ParameterScan &scan)
     {
@@ -118,7 +119,7 @@ namespace fuga
       else if (entry.name.find('/') != std::string::npos)
         add_line(entry);
       else if (entry.value.empty())
-        continue; // told where declared entries are read
+        continue; // this is reported where declared entries are read
       else if (is_older(entry.name))
         add_older_line(entry);
       else if (entry.name == entries().stages.name())

@@ -16,10 +16,10 @@ namespace fuga
 {
   namespace
   {
-    /** A range with more values than this is a slip of the pen. */
+    /** Largest number of values of a range; more than this are a slip of the pen. */
     constexpr double max_values = 20000.;
 
-    /** The pieces between separators outside of brackets; '||' separates nothing. */
+    /** Return the pieces between separators outside of brackets; '||' separates nothing. */
     std::vector<std::string>
     split_outside(const std::string &text, const char separator)
     {
@@ -41,7 +41,8 @@ namespace fuga
       return pieces;
     }
 
-    /** The constants of a file, as far as they are right: what is wrong is told elsewhere. */
+    /** Return the constants of a file, as far as they are correct; errors are reported
+     * elsewhere. */
     ConstantExpressions
     constants_of(const ParameterScan &file)
     {

@@ -27,7 +27,8 @@ namespace fuga
 {
   namespace
   {
-    /** Quick, and without the time of day: equal runs have equal files. */
+    /** Return flags for fast output without the time of day, so that equal runs have equal
+     * files. */
     dealii::DataOutBase::VtkFlags
     vtk_flags()
     {
@@ -38,7 +39,7 @@ namespace fuga
       return flags;
     }
 
-    /** The comment of a PVD or PVTU file is the time of day. */
+    /** Return @p text without the comment of a PVD or PVTU file, which contains the time of day. */
     std::string
     without_comment(const std::string &text)
     {
@@ -50,8 +51,9 @@ namespace fuga
 
     using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    /** Displacements by Discretization::dof(), of which every process has all, as deal.II numbers
-     * them and divides them among processes; zero where no body is there. */
+    /** Return displacements by Discretization::dof(), all of which every process has, in the
+     * numbering of deal.II and distributed among processes as deal.II does; zero where no body is
+     * there. */
     template <int dim>
     DistributedVector
     distributed(const Discretization<dim> &space, const dealii::Vector<double> &u)
@@ -104,7 +106,7 @@ namespace fuga
     write_collection(name, collection);
   }
 
-  // The record appears when all pieces are there.
+  // The record is written when all pieces are there.
   template <int dim>
   void
   FieldWriter<dim>::add_bodies(const double t, const dealii::DataOut<dim, dim> &output)

@@ -13,11 +13,13 @@ namespace fuga
 {
   namespace
   {
-    /** How far a lip is moved in the exploded view, as share of the extent of all joints. */
+    /** Distance by which a lip is moved in the exploded view, as a share of the extent of all
+     * joints. */
     constexpr double explosion = 0.03;
     /** State of a node without contact element. */
     constexpr double bonded = 3.;
-    /** Columns of what belongs to an element as a whole: state, area, dissipation, number. */
+    /** Columns of quantities that belong to an element as a whole: state, area, dissipation,
+     * number. */
     constexpr unsigned int first_of_element = 8, last_of_element = 11;
 
     std::vector<std::string>
@@ -47,8 +49,8 @@ namespace fuga
       return result;
     }
 
-    /** Node numbers of the cells by which a face with @p n nodes is drawn: p lines, p² squares, or a
-     *  triangle. */
+    /** Return the node numbers of the cells by which a face with @p n nodes is drawn: p lines, p²
+     * squares, or a triangle. */
     std::vector<std::vector<unsigned int>>
     cells_of_face(const unsigned int dim, const unsigned int n)
     {

@@ -11,8 +11,8 @@ namespace fuga
 {
   namespace
   {
-    /** The largest first. In the plane deal.II's function refuses a shear whose square underflows.
-     */
+    /** Return the principal values, the largest first. In the plane deal.II's function rejects a
+     * shear whose square underflows. */
     std::array<double, 2>
     principal_values(const dealii::SymmetricTensor<2, 2> &stress)
     {
@@ -78,7 +78,7 @@ namespace fuga
 
   namespace
   {
-    /** u_r / r, and its limit on the axis. */
+    /** Return u_r / r, or its limit on the axis. */
     template <int dim>
     double
     hoop_strain(const dealii::DataPostprocessorInputs::Vector<dim> &inputs, const std::size_t q)

@@ -25,7 +25,7 @@ namespace fuga
 
     constexpr const char *lock_file_name = "run.lock";
 
-    /** What the lock file tells whoever comes second. */
+    /** Return what the lock file tells a second run. */
     std::string
     description_of_this_process()
     {
@@ -69,12 +69,13 @@ namespace fuga
     if (descriptor < 0)
       return;
     const std::string text = description_of_this_process();
-    // Whether this succeeds matters to a message only.
+    // Success of this matters only to a message.
     if (ftruncate(descriptor, 0) != 0 || write(descriptor, text.data(), text.size()) < 0)
       return;
   }
 
-  // A run that ends removes its file. Who opened the file just before holds the lock of nothing.
+  // A run that ends removes its file. A run that opened the file just before then holds a lock of
+  // nothing.
   bool
   DirectoryLock::take_file()
   {

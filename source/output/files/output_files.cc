@@ -27,7 +27,7 @@ namespace fuga
                            : fmt::format("{:.1f} MB", n_bytes / 1e6);
     }
 
-    /** What was begun is taken away: on a full disk others need the room. */
+    /** Remove the incomplete file and throw: on a full disk others need the room. */
     [[noreturn]] void
     fail_to_write(const std::string &path, const std::size_t size, const int reason)
     {
@@ -52,8 +52,9 @@ namespace fuga
 
   namespace
   {
-    // How often a table is published while it grows is a matter of the clock: what counts is every
-    // file in its last form; a checkpoint not at all, for it has what is not published yet.
+    // The number of times that a table is published while it grows depends on the clock, so every
+    // file is counted in its last form only. A checkpoint is not counted at all, because it
+    // contains what is not published yet.
     void
     count_bytes(const std::string &path, const std::size_t size)
     {
@@ -108,7 +109,8 @@ namespace fuga
              name.compare(name.size() - end.size(), std::string::npos, end) == 0;
     }
 
-    /** Whether a file in a result directory was written by an earlier run of this program. */
+    /** Return whether a file in a result directory was written by an earlier run of this
+     * program. */
     bool
     is_own_file(const std::string &name)
     {
@@ -137,7 +139,8 @@ namespace fuga
       return ends_with(name, ".part");
     }
 
-    /** The pieces "x.0.vtu", "x.1.vtu" ... are kept with the record "x.pvtu" that names them. */
+    /** Return whether a file is kept. The pieces "x.0.vtu", "x.1.vtu" ... are kept with the record
+     * "x.pvtu" that names them. */
     bool
     is_kept(const std::string &name, const std::set<std::string> &kept)
     {
@@ -166,7 +169,7 @@ namespace fuga
   {
     if (!processes::is_first())
       return;
-    // Collections and checkpoint first: they may not name a file that is gone.
+    // Collections and checkpoint come first, because they must not name a file that is gone.
     for (const bool references : {true, false})
       for (const auto &entry : fs::directory_iterator(directory))
         {

@@ -11,7 +11,7 @@ namespace fuga
 {
   namespace
   {
-    /** Characters of UTF-8 text. */
+    /** Return the number of characters of UTF-8 text. */
     std::size_t
     width_of(const std::string &text)
     {

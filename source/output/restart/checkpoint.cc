@@ -13,8 +13,8 @@ namespace fuga
 {
   namespace
   {
-    /** To be raised with every change of what the stored numbers mean that no name of a field
-     * shows. */
+    /** Format number, to be increased with every change in the meaning of stored numbers that no
+     * name of a field shows. */
     constexpr int format = 4;
 
     using archive::Json;

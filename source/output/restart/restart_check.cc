@@ -18,7 +18,8 @@ namespace fuga
     using Echo   = std::vector<Entry>;
     using Values = std::map<std::string, std::string>;
 
-    /** Whether the path does not depend on it. The mesh is told by its content. */
+    /** Return whether the path does not depend on an entry. The mesh is identified by its
+     * content. */
     bool
     may_change(const std::string &full_name)
     {
@@ -26,7 +27,7 @@ namespace fuga
       return entry != nullptr && entry->decides == Decides::nothing;
     }
 
-    /** The stage that an entry belongs to, or nothing. */
+    /** Return the stage that an entry belongs to, or nothing. */
     std::string
     stage_of_entry(const std::string &path)
     {
@@ -49,7 +50,7 @@ namespace fuga
       return stages;
     }
 
-    /** The stages of @p now behind those of @p before; none if these do not come first. */
+    /** Return the stages of @p now after those of @p before; none if these do not come first. */
     std::set<std::string>
     added_stages(const Echo &before, const Echo &now)
     {
@@ -60,7 +61,7 @@ namespace fuga
       return {stages.begin() + static_cast<std::ptrdiff_t>(old_stages.size()), stages.end()};
     }
 
-    /** The entries that the path up to the checkpoint may depend on. */
+    /** Return the entries that the path up to the checkpoint may depend on. */
     Echo
     problem(const Echo &echo, const std::set<std::string> &without_stages)
     {

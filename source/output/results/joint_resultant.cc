@@ -25,7 +25,8 @@ namespace fuga
       }
     };
 
-    /** Length that an element stands for; @p members in the order along the joint. */
+    /** Return the length that an element stands for; @p members are in the order along the
+     * joint. */
     double
     length_of(const std::size_t number,
               const std::vector<std::size_t> &members,
@@ -42,8 +43,8 @@ namespace fuga
              (number + 1 < members.size() ? distance(number, number + 1) / 2. : 0.);
     }
 
-    /** The mean normal is that of the chord: rings of a joint around an axis count by their
-     * lengths, so that the vertical sides of a key do not turn it. */
+    /** Return the mean frame. The mean normal is that of the chord: rings of a joint around an axis
+     * count by their lengths, so that the vertical sides of a key do not turn it. */
     MeanFrame
     mean_frame(const std::vector<std::size_t> &members,
                const std::vector<ContactElement> &elements,
@@ -56,7 +57,7 @@ namespace fuga
         {
           const std::size_t k = members[i];
           const double A      = elements[k].area;
-          // A single ring has no neighbour that says how long it is, and needs none.
+          // A single ring has no neighbour that determines its length, and needs none.
           const double L = members.size() > 1 ? length_of(i, members, elements, across_plane) : 1.;
           frame.area += A;
           frame.x += A * elements[k].position[0];
@@ -68,7 +69,7 @@ namespace fuga
       frame.x /= frame.area;
       frame.y /= frame.area;
       const double length = std::hypot(frame.n_x, frame.n_y);
-      // A closed ring has no mean normal: its resultant is given in global axes.
+      // A closed ring has no mean normal, so its resultant is given in global axes.
       const double shortest = 1e-9;
       frame.n_y             = length > shortest * whole_length ? frame.n_y / length : 1.;
       frame.n_x             = length > shortest * whole_length ? frame.n_x / length : 0.;
@@ -81,7 +82,7 @@ namespace fuga
       return frame;
     }
 
-    /** Lengths of the open parts; @p members in the order along the joint. */
+    /** Measure the lengths of the open parts; @p members are in the order along the joint. */
     void
     measure_cracks(const std::vector<std::size_t> &members,
                    const std::vector<ContactElement> &elements,
@@ -104,7 +105,7 @@ namespace fuga
         resultant.crack_from_last += length(i - 1);
     }
 
-    /** Where the resultant stands, from N and M. */
+    /** Compute the position of the resultant from N and M. */
     void
     locate(const MeanFrame &frame, JointResultant &resultant)
     {

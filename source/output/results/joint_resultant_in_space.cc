@@ -49,7 +49,7 @@ namespace fuga
           frame.n += elements[k].area * tensor(frames[k].normal);
         }
       frame.center /= frame.area;
-      // A closed surface has no mean normal: its resultant is given in global axes.
+      // A closed surface has no mean normal, so its resultant is given in global axes.
       if (frame.n.norm() <= 1e-9 * frame.area)
         {
           frame.n    = Tensor();
@@ -74,7 +74,7 @@ namespace fuga
       resultant.smallest_pressure = members.empty() ? 0. : infinity;
       double strength             = 0.;
       Tensor sum,
-        moment; // the moment of the forces on the plus side, which are minus those of bars
+        moment; // the moment of the forces on the plus side, which are the negative bar forces
       for (const std::size_t k : members)
         {
           const ElementResult &result = results[k];

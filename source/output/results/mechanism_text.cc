@@ -13,12 +13,12 @@ namespace fuga
 {
   namespace
   {
-    /** A motion below this share is not worth a word. */
+    /** Share below which a motion is not mentioned. */
     constexpr double smallest_share = 1e-3;
 
-    /** Sizes of the motion of one joint. In the plane also the rigid motion v + w e_z x r of the
-     * plus face against the minus face that fits best, by sums over the elements weighted with the
-     * area. */
+    /** Sizes of the motion of one joint. In the plane they also include the rigid motion v + w e_z
+     * x r of the plus face against the minus face that fits best, computed by sums over the
+     * elements weighted with the area. */
     class Motion
     {
     public:

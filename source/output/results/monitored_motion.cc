@@ -34,8 +34,8 @@ namespace fuga
     samples.of_frame.push_back(of_frame);
   }
 
-  // There is no second difference at the first and at the last step: that of their neighbour
-  // counts.
+  // There is no second difference at the first and at the last step, where that of the neighbouring
+  // step is used.
   std::vector<std::array<GroundMotion, 3>>
   MonitoredMotion::accelerations() const
   {

@@ -12,7 +12,8 @@ namespace fuga
 {
   namespace
   {
-    /** By face the body it is a face of: the one of the cell that has all of its vertices. */
+    /** Return for each face the body that it is a face of, i.e. the body of the cell that has all
+     * of its vertices. */
     std::vector<unsigned int>
     bodies_of_faces(const JointedMesh &mesh)
     {

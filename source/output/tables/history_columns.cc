@@ -28,7 +28,7 @@ namespace fuga
       return {"certificate", "", [](const Row &row) { return row.moment.certificate; }};
     }
 
-    /** What drives the stage, beside its share that is done. */
+    /** Return the columns of what drives the stage, besides the share of the stage that is done. */
     template <typename Row>
     Columns<Row>
     drive()
@@ -37,7 +37,7 @@ namespace fuga
               {"drive", "", [](const Row &row) { return row.moment.drive.value; }}};
     }
 
-    /** The three coordinates of the element of a row. */
+    /** Return the three coordinates of the element of a row. */
     template <typename Row>
     Columns<Row>
     place_of_element(const Units &u)
@@ -54,7 +54,7 @@ namespace fuga
       return row.result.*member;
     }
 
-    /** Appends the columns @p names of the joint of a row. */
+    /** Append the columns @p names of the joint of a row. */
     template <typename Row>
     void
     append_of_joint(const Units &u, const std::string &names, Columns<Row> &columns)

@@ -177,7 +177,7 @@ namespace fuga
         motion->add({t, moment, context.joint_names[joint], joint_resultants[joint]});
   }
 
-  // An oscillator of the period 0 goes with the motion.
+  // An oscillator of period 0 follows the motion.
   void
   HistoryWriter::add_accelerations(const std::size_t stage,
                                    const std::vector<std::array<GroundMotion, 3>> &of_monitors)

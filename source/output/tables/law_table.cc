@@ -46,7 +46,7 @@ namespace fuga
               {"limit", u.length, [](const LawRow &row) { return row.law.deformation_limit(); }}};
     }
 
-    /** A thousandth of the softest modulus: where a law has no scale of its own. */
+    /** Return a thousandth of the softest modulus, for laws that have no scale of their own. */
     double
     typical_stress(const Parameters &parameters)
     {

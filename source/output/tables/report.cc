@@ -24,7 +24,8 @@ namespace fuga
 
     constexpr const char *python = "/usr/bin/python3";
 
-    /** Beside the installed program, else in the source folder it was built from. */
+    /** Find the script beside the installed program, or else in the source folder that it was built
+     * from. */
     fs::path
     find_script()
     {
@@ -46,7 +47,7 @@ namespace fuga
   int
   make_report(const std::string &directory, const bool quiet)
   {
-    std::fflush(stdout); // what was said so far comes first
+    std::fflush(stdout); // earlier output comes first
     const std::string script       = find_script().string();
     std::vector<std::string> words = {python, script, directory};
     std::vector<char *> arguments;

@@ -14,7 +14,7 @@ namespace fuga
       return resultant.*member;
     }
 
-    /** A component of a vector of a joint. */
+    /** Return a component of a vector of a joint. */
     template <std::array<double, 3> JointResultant::*member, std::size_t component>
     TableField
     component_of(const JointResultant &resultant)

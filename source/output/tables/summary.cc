@@ -76,7 +76,8 @@ namespace fuga
       return result;
     }
 
-    /** Where friction was seen beyond its critical value, and what could go on there how. */
+    /** Return where friction was found to be beyond its critical value, and in which ways the path
+     * could go on there. */
     Json
     critical_section(const Summary &summary)
     {

@@ -17,13 +17,14 @@ namespace fuga
 {
   namespace
   {
-    /** What earthquakes reach that are computed [g]. */
+    /** Range of peak accelerations of earthquakes that are computed [g]. */
     constexpr double smallest_peak = 0.005, largest_peak = 2.;
 
-    /** Of the largest velocity and displacement: more is left by a lost baseline. */
+    /** Shares of the largest velocity and displacement; only a lost baseline leaves more than
+     * that. */
     constexpr double velocity_left = 0.05, displacement_left = 0.2;
 
-    /** Of the peak: what a stage may leave out of a record. */
+    /** Share of the peak acceleration that a stage may leave out of a record. */
     constexpr double acceleration_left = 0.05;
 
     constexpr double longest_step = 0.02, part_of_period = 0.1, largest_damping = 0.2;
@@ -91,7 +92,7 @@ namespace fuga
         return path_name({e.name, e.records[axis].name()});
       }
 
-      /** Is there in a stage in which it may move. */
+      /** Return whether a body exists in a stage in which it may move. */
       bool
       moves(const Material &material) const
       {

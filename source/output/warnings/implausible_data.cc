@@ -16,11 +16,11 @@ namespace fuga
     /** A quantity in a unit of the user. */
     struct Quantity
     {
-      /** What it is, for the beginning of the sentence. */
+      /** Name of the quantity, for the beginning of the sentence. */
       std::string name;
       double value = 0.;
       std::string unit;
-      /** Newtons, metres and their products in the unit. */
+      /** The unit in terms of newtons, metres and their products. */
       double unit_size = 1.;
     };
 
@@ -158,7 +158,7 @@ namespace fuga
                 newton / (metre * metre * metre)};
       }
 
-      /** Warns of a quantity outside the range [@p low, @p high]. */
+      /** Warn of a quantity outside the range [@p low, @p high]. */
       void
       check(const Quantity &quantity,
             const double low,
@@ -186,7 +186,8 @@ namespace fuga
     };
 
 
-    /** A slip of units shows in the modulus of the layer, whatever the units are. */
+    /** Compare the layers: a mistake in units shows in the modulus of the layer, whatever the units
+     * are. */
     void
     compare_layers(const Parameters &parameters, std::vector<std::string> &warnings)
     {

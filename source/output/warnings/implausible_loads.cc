@@ -18,10 +18,10 @@ namespace fuga
 {
   namespace
   {
-    /** Places that are less apart, in units of the extent of the model, are the same. */
+    /** Distance, in units of the extent of the model, below which places are the same. */
     constexpr double same_place = 1e-9;
 
-    /** What two loads have in common; an empty list means everything. */
+    /** Return what two loads have in common; an empty list means everything. */
     std::vector<std::string>
     common_targets(const LoadDefinition &a, const LoadDefinition &b)
     {
@@ -151,8 +151,9 @@ namespace fuga
   }
 
 
-  // The free face begins where the loaded one ends, at its upper rim: in the plane a node, in space
-  // an edge (beside the rim a face may end at a joint between blocks that is no part of the model).
+  // The free face begins where the loaded one ends, at its upper rim, which is a node in the plane
+  // and an edge in space (beside the rim a face may end at a joint between blocks that is not part
+  // of the model).
   template <int dim>
   void
   ImplausibleLoads<dim>::find_dry_faces(const unsigned int stage)
@@ -214,8 +215,8 @@ namespace fuga
   }
 
 
-  // Water in the joint, divided by the area of an element, against that on the face which the
-  // joint meets there. The pressure of an element is a mean over its area, also beyond a drain.
+  // Water in the joint, divided by the area of an element, is compared with that on the face which
+  // the joint meets there. The pressure of an element is a mean over its area, also beyond a drain.
   template <int dim>
   void
   ImplausibleLoads<dim>::compare_ends(const LoadDefinition &uplift,

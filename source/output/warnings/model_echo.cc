@@ -24,7 +24,7 @@ namespace fuga
       lines.insert(lines.end(), more.begin(), more.end());
     }
 
-    /** A title and the table under it; nothing without rows. */
+    /** Return a title and the table under it; nothing without rows. */
     std::vector<std::string>
     titled(const std::string &title, const TextTable &table)
     {
@@ -268,7 +268,7 @@ namespace fuga
     bool any = false;
     for (unsigned int c = 0; c < dim; ++c)
       {
-        // All round the axis the radial forces are in balance.
+        // Around the whole axis the radial forces are in balance.
         const bool round   = system.discretization().is_axisymmetric();
         const double force = round && c == 0 ? 0. : action.resultant.force(c);
         if (force == 0.)

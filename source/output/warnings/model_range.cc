@@ -15,10 +15,10 @@ namespace fuga
 {
   namespace
   {
-    /** Of the length of a joint: lips that slip by more do not lie opposite to each other. */
+    /** Share of the length of a joint: lips that slip by more do not lie opposite to each other. */
     constexpr double largest_slip = 0.05;
 
-    /** Behind it the cosine of a rotation is not 1. */
+    /** Rotation beyond which its cosine is not 1. */
     constexpr double largest_turn = 0.1;
 
     void
@@ -32,7 +32,7 @@ namespace fuga
         excess = {value, limit, t, element.number, element.position};
     }
 
-    // A joint of one element has the length that its area tells.
+    // A joint of one element has the length that follows from its area.
     std::vector<double>
     lengths_of_joints(const std::vector<ContactElement> &elements, const std::size_t n_joints)
     {
@@ -55,8 +55,8 @@ namespace fuga
       const bool in_space = have_two_tangents(elements);
       std::vector<double> lengths;
       for (std::size_t joint = 0; joint < n_joints; ++joint)
-        lengths.push_back(std::max(std::sqrt(squares[joint]),
-                                   in_space ? std::sqrt(areas[joint]) : areas[joint]));
+        lengths.push_back(
+          std::max(std::sqrt(squares[joint]), in_space ? std::sqrt(areas[joint]) : areas[joint]));
       return lengths;
     }
 

@@ -21,11 +21,11 @@ namespace fuga
 {
   namespace
   {
-    /** Above this size of all results a run is asked about [bytes]. */
+    /** Size of all results above which the user is asked about a run [bytes]. */
     constexpr double large_output = 5e9;
 
-    /** Measured on the shipped dams [bytes per level]: a row of joint_history.csv, a row of
-     *  resultants.csv; in the fields a contact element, and a node with its share of cells. */
+    /** Sizes measured on the shipped dams [bytes per level]: a row of joint_history.csv, a row of
+     * resultants.csv; in the fields a contact element, and a node with its share of cells. */
     constexpr double history_row = 250., resultants_row = 450., field_element = 300.,
                      field_node_in_plane = 100., field_node_in_space = 220.;
 
@@ -58,7 +58,8 @@ namespace fuga
                       fields / 1e9));
     }
 
-    /** By body the largest distance of nodes that a wave from below passes one after the other. */
+    /** Return for each body the largest distance between nodes that a wave from below passes one
+     * after the other. */
     template <int dim>
     Vector
     steps_upwards(const Discretization<dim> &space, const std::size_t n_bodies)
@@ -80,8 +81,9 @@ namespace fuga
       return result;
     }
 
-    /** Cells that are high for the waves of a record (R. L. Kuhlemeyer, J. Lysmer, Finite element
-     * method accuracy for wave propagation problems, J. Soil Mech. Found. Div. ASCE 99, 1973). */
+    /** Warn of cells that are high for the waves of a record (R. L. Kuhlemeyer, J. Lysmer, Finite
+     * element method accuracy for wave propagation problems, J. Soil Mech. Found. Div. ASCE 99,
+     * 1973). */
     template <int dim>
     void
     warn_of_waves(const Parameters &parameters,
@@ -124,8 +126,8 @@ namespace fuga
         }
     }
 
-    /** Of the corners of one cell the largest distance to the smallest; the largest of all cells.
-     */
+    /** Return the ratio of the largest to the smallest distance between corners of one cell; the
+     * largest of all cells. */
     template <int dim>
     double
     stretch_of_cells(const Discretization<dim> &space)
@@ -147,7 +149,8 @@ namespace fuga
       return result;
     }
 
-    /** Multigrid that joins neighbours alike in all directions smooths badly along thin cells. */
+    /** Warn of thin cells: multigrid that joins neighbours alike in all directions smooths badly
+     * along them. */
     template <int dim>
     void
     warn_of_stretched_cells(const Parameters &parameters,

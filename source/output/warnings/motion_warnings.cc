@@ -9,9 +9,10 @@ namespace fuga
 {
   namespace
   {
-    /** Share of the largest energy that the integration in time should not take. */
+    /** Share of the largest energy that the time integration should not exceed. */
     constexpr double much_energy = 0.01;
-    /** Share that its terms should not leave unexplained: they are exact but for rounding. */
+    /** Share that the terms of the energy should not leave unexplained: they are exact up to
+     * rounding. */
     constexpr double much_lacking = 1e-8;
   } // namespace
 

@@ -8,7 +8,8 @@ namespace fuga
 {
   namespace
   {
-    /** With Checkpoint = events: the run goes on so many times as long as the last one took. */
+    /** With Checkpoint = events, the run goes on for this many times the duration of the last
+     * checkpoint. */
     constexpr double time_between = 100.;
   } // namespace
 
@@ -23,7 +24,7 @@ namespace fuga
   bool
   CheckpointKeeper<dim>::is_wanted() const
   {
-    // When bodies have come to rest is found from all of the motion: a restart repeats it.
+    // All of the motion is needed to find when bodies have come to rest, so a restart repeats it.
     const PhaseRun<dim> &phase = journal.phase;
     return phase.parameters.output.checkpoint != CheckpointOutput::never &&
            !phase.model.construction.until_rest;

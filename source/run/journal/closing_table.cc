@@ -130,7 +130,7 @@ namespace fuga
         log.warning(warning);
     }
 
-    /** What joint @p r carries. */
+    /** Return the forces and moments that joint @p r carries. */
     template <int dim>
     std::string
     resultant_text(const JointResultant &r, const Units &u)
@@ -149,7 +149,7 @@ namespace fuga
       return text;
     }
 
-    /** Those of the last state. */
+    /** Log the resultants of the last state. */
     template <int dim>
     void
     log_resultants(RunJournal<dim> &journal)

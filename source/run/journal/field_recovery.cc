@@ -18,10 +18,10 @@ namespace fuga
       certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
     }
 
-    // What the path takes for the stiffness of the bodies differs from theirs by rounding. Either
-    // it is the forces that are wrong by this, or the jumps: by which share, the certificate says
-    // of both. The lips of u move to where the bodies are in balance with the forces on them, if
-    // the residual is worth it and both errors are smaller then. Returns whether they did.
+    // The stiffness of the bodies that the path uses differs from theirs by rounding. Either the
+    // forces are wrong by this, or the jumps; the certificate tells for both by which share. The
+    // lips of u move to where the bodies are in balance with the forces on them, if the residual is
+    // worth it and both errors are then smaller. The return value tells whether they did.
     template <int dim>
     bool
     balance_lips(const PhaseRun<dim> &phase,

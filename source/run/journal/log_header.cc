@@ -39,7 +39,7 @@ namespace fuga
       return model.laws[2 * j + 1]->description();
     }
 
-    /** Length of a joint [m]; in space the side of a square as large. */
+    /** Return the length of a joint [m]; in space, the side of a square of the same area. */
     template <int dim>
     double
     size_of_joint(const CondensedSystem<dim> &bodies, const unsigned int j)
@@ -53,8 +53,8 @@ namespace fuga
       return dim == 2 ? size : std::sqrt(size);
     }
 
-    // A slip of units shows in the modulus of the layer, or in its stiffness against that of the
-    // bodies.
+    // Log the layers: a mistake in units shows in the modulus of the layer, or in its stiffness
+    // relative to that of the bodies.
     template <int dim>
     void
     log_layers(RunJournal<dim> &journal)

@@ -134,7 +134,7 @@ namespace fuga
                                 const dealii::Vector<double> &displacement)
   {
     const Model<dim> &model = phase.model;
-    // Beyond a limit load the load time does not grow, but the times of a film must.
+    // Beyond a limit load the load time does not grow, but the times of an animation must.
     const double time = state.t + history.path_length();
     dealii::Vector<double> velocity;
     if (phase.motion && phase.parameters.output.field_interval > 0.)

@@ -20,7 +20,8 @@ namespace fuga
 {
   namespace
   {
-    /** The coupling of a joint whose laws are the last two of the model; none without one. */
+    /** Return the coupling of a joint whose laws are the last two of the model; a nullptr without
+     * one. */
     const ShearCoupling *
     add_coupling(const JointParameters &joint, JointModel &model)
     {
@@ -64,9 +65,9 @@ namespace fuga
       return gap;
     }
 
-    // Neither coordinates in double precision nor a path that takes a gap of 1e-12 of the largest
-    // one for closed know anything of smaller ones. Lips that are apart by so little would close
-    // before any load could be a measure for them.
+    // Gaps below this size are unknown both to coordinates in double precision and to a path that
+    // considers a gap of 1e-12 of the largest one closed. Lips that are apart by so little would
+    // close before any load could be a measure for them.
     void
     close_gaps_of_rounding(std::vector<ContactElement> &elements)
     {
@@ -87,7 +88,7 @@ namespace fuga
     /** Share of the bodies' own compliance that makes the forces of repeated rigid bars unique. */
     constexpr double crossing_compliance = 1e-4;
 
-    /** Softer bars share their forces by themselves. [m/MPa] */
+    /** Return the smallest compliance with which bars share their forces by themselves [m/MPa]. */
     double
     smallest_compliance(const ContactElement &element, const double stiffness)
     {
@@ -115,8 +116,8 @@ namespace fuga
       return rigid;
     }
 
-    /** For every bar: is it rigid, and do its jump and those of other rigid bars depend on each
-     * other, so that forces in them may balance? */
+    /** Return for every bar whether it is rigid and its jump and those of other rigid bars depend
+     * on each other, so that forces in them may balance. */
     std::vector<bool>
     find_repeated(const SparseOperator &B,
                   const std::vector<ContactElement> &elements,

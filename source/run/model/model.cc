@@ -68,7 +68,7 @@ namespace fuga
   std::shared_ptr<const JointedMesh>
   Model<dim>::read_mesh() const
   {
-    // Of the program: later models do not wait for it.
+    // The time is that of the program; later models do not wait for it.
     static const double start = seconds_since_process_start();
     timer.book("start", start);
     auto result = std::make_shared<const JointedMesh>(
@@ -77,7 +77,7 @@ namespace fuga
     return result;
   }
 
-  // Whoever has the bodies may go on using them behind the model.
+  // The caller that holds the bodies may use them after the model is gone.
   template <int dim>
   std::shared_ptr<CondensedSystem<dim>>
   Model<dim>::make_bodies(const unsigned int stage,
@@ -112,7 +112,7 @@ namespace fuga
     return definitions;
   }
 
-  // All that can be wrong in joints and loads is found before the bodies are condensed.
+  // All errors in joints and loads are found before the bodies are condensed.
   template <int dim>
   LoadProgram
   Model<dim>::make_loads(const PhaseEnd *before, const Condensation condensation)
@@ -293,7 +293,7 @@ namespace fuga
     return options;
   }
 
-  // What is prescribed without inertia must stand still where bodies move.
+  // Prescribed quantities without inertia must be constant where bodies move.
   template <int dim>
   bool
   Model<dim>::goes_on_in_motion(const PathResult &result) const

@@ -16,8 +16,8 @@ namespace fuga
 {
   namespace
   {
-    // A body takes the temperature that it has when it is built for its own, so that what is shown
-    // as its stress would not be.
+    // A body takes the temperature that it has when it is built as its own, so that the stress
+    // shown for it would be wrong.
     void
     check_temperatures(const ModelDefinition &definition,
                        const LoadProgram &program,
@@ -102,7 +102,7 @@ namespace fuga
       carried_loads(bodies, definition, construction, program.patterns, factors);
     program.patterns.push_back(std::move(carried.carried));
     program.patterns.push_back(std::move(carried.released));
-    // Little is out of balance behind a motion, and it is not to disturb what follows.
+    // After a motion little is out of balance, and this must not disturb what follows.
     const double released = construction.begins_stage()
                               ? construction.stage + 1.
                               : definition.dynamics.end_of_continuation(construction.begin);

@@ -99,7 +99,7 @@ namespace fuga
         const ContactElement &element = with_laws[k];
         if (!grouted[element.joint] || state.states[k] != ContactState::open)
           continue;
-        // The slip of an open element follows the jump: there is no shear.
+        // The slip of an open element follows the jump, so there is no shear.
         state.states[k]                        = ContactState::stick;
         state.dislocations[element.normal_bar] = -element.initial_gap;
         state.dilations[k]                     = 0.;

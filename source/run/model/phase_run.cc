@@ -17,7 +17,8 @@ namespace fuga
 {
   namespace
   {
-    /** Only the compliances of the bars enter a layered system; friction and cohesion do not. */
+    /** Return whether a layered system belongs to these elements. Only the compliances of the bars
+     * enter it; friction and cohesion do not. */
     bool
     is_of(const LayeredSystem &system, const std::vector<ContactElement> &elements)
     {
@@ -32,7 +33,8 @@ namespace fuga
       });
     }
 
-    /** Joints whose lips have no mass, because a layer of theirs is rigid: see lumped_mass(). */
+    /** Return the joints whose lips have no mass, because one of their layers is rigid; see
+     * lumped_mass(). */
     std::vector<bool>
     massless_joints(const std::vector<JointParameters> &joints)
     {
@@ -42,7 +44,7 @@ namespace fuga
       return result;
     }
 
-    /** A path that goes on. */
+    /** Return the result of a path that goes on. */
     PathResult
     without_loss(PathResult result)
     {
@@ -145,8 +147,9 @@ namespace fuga
     return static_cast<DynamicPath &>(*path);
   }
 
-  // What the judge calls the energy of moving bodies is the work on the stiffness of the steps. The
-  // tables have no columns for what is kinetic, or was damped: they tell of the rest of the work.
+  // The energy of moving bodies, as the judge computes it, is the work on the stiffness of the
+  // steps. The tables have no columns for kinetic energy, or for damping; they contain the rest of
+  // the work.
   template <int dim>
   EnergyLedger
   PhaseRun<dim>::energies() const
@@ -230,7 +233,7 @@ namespace fuga
     if (motion)
       {
         judge.end_motion(energies().bodies);
-        // Columns of a free field begin at rest, and so does what is between them.
+        // Columns of a free field begin at rest, and so does everything between them.
         const ModelDefinition &definition = parameters.model;
         if (until_rest || (definition.stages[end.next.stage].is_dynamic() &&
                            definition.dynamics.free_field.names.empty()))
@@ -261,7 +264,7 @@ namespace fuga
     const PhaseTransfer transfer(before, joint.elements, model.bodies.identities());
     Checkpoint checkpoint = before.checkpoint;
     JointState &state = checkpoint.cut.state = model.first_state;
-    // Water in what is grouted is squeezed out.
+    // The water in a joint that is grouted is squeezed out.
     const Vector factors = model.loads.history.factors(state.t);
     const Vector no_force(layered.n_bars(), 0.);
     renew_water(joint.elements, layered, factors, no_force, WaterRelief::allowed, state);

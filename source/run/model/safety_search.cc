@@ -13,7 +13,7 @@ namespace fuga
 {
   namespace
   {
-    /** A joint moves in a mechanism if its jump is more than this share of the largest. */
+    /** Share of the largest jump above which a joint moves in a mechanism. */
     constexpr double smallest_motion = 1e-6;
   } // namespace
 
@@ -57,7 +57,7 @@ namespace fuga
         begins(start.state);
         PathOptions options = model.path_options();
         options.follow      = PathOptions::Follow::events;
-        // A mechanism is what is looked for, not an obstacle on the way.
+        // The search looks for a mechanism, which is not an obstacle on the way.
         options.beyond_limit = false;
 
         const LoadHistory history = history_of(s);

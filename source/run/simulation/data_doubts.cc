@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** Smallest and largest of positive numbers. */
+    /** The smallest and the largest of positive numbers. */
     class Range
     {
     public:
@@ -52,8 +52,8 @@ namespace fuga
       return range;
     }
 
-    /** By what the data move the answer as far as it is wrong by @p error; of a path that failed, by
-     * what they move its end. */
+    /** Return the change of the data that moves the answer by as much as it is wrong by @p error;
+     * for a path that failed, the change that moves its end. */
     std::string
     what_moves(const Conditioning &found, const double error, const bool is_certified)
     {
@@ -71,7 +71,7 @@ namespace fuga
     }
   } // namespace
 
-  // Only bodies that are condensed and at rest are asked.
+  // The question is only asked for bodies that are condensed and at rest.
   template <int dim>
   std::string
   doubt_about_data(const PhaseRun<dim> &phase, const Certificate &worst, RunLog &log)
@@ -81,7 +81,7 @@ namespace fuga
     const std::vector<ContactElement> &elements = phase.joint.elements;
     PathOptions options                         = phase.model.path_options();
     options.beyond_limit                        = false;
-    // The certificate is in doubt or, of a path that failed, its end.
+    // The certificate is in doubt or, for a path that failed, its end.
     const bool is_certified = worst.worst() <= phase.parameters.solver.certificate_bound;
     const auto is_explained = [&](const Conditioning &conditioning) {
       return is_certified ? conditioning.other_end : conditioning.explains(worst.worst());
@@ -121,10 +121,10 @@ namespace fuga
 
   namespace
   {
-    /** No finite stress reaches the closure limit of a normal law, but few powers of ten lead to
-     * where no digit is left between a closure and the limit. Where the shear stiffness grows with
-     * closure, lips without shear reach the closure at which it is infinite, and sheared ones come
-     * so near that no digit is left between both. */
+    /** Return the text for a law that ends. No finite stress reaches the closure limit of a normal
+     * law, but a few powers of ten lead to where no digit is left between a closure and the limit.
+     * Where the shear stiffness grows with closure, lips without shear reach the closure at which
+     * it is infinite, and sheared ones come so near that no digit is left between both. */
     std::string
     what_ends(const ContactElement &element, const double closure, const Units &units)
     {

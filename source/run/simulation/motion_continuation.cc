@@ -21,7 +21,8 @@ namespace fuga
   {
   }
 
-  // The stage behind is that of a slow path without changes of structure, in which supports hold.
+  // The stage after this is that of a slow path without changes of structure, in which supports
+  // hold.
   template <int dim>
   bool
   MotionContinuation<dim>::still_move(const PathResult &result) const

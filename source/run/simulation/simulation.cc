@@ -169,8 +169,8 @@ namespace fuga
     outcome.path.t = journal.record.last_state.t;
   }
 
-  // Every search begins with the state at the end of the loads, also where another one came before
-  // it.
+  // Every search begins with the state at the end of the loads, even where another search came
+  // before it.
   template <int dim>
   std::vector<SafetyFactor>
   Simulation<dim>::find_safety(const PathResult &loaded)
@@ -201,7 +201,7 @@ namespace fuga
                               : std::string();
   }
 
-  // What a finished motion has to say of the monitors stands in the tables.
+  // The results of a finished motion for the monitors are in the tables.
   template <int dim>
   PathResult
   Simulation<dim>::resume_motion(const Checkpoint &checkpoint)

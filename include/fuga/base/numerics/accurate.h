@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  /** A vector in extended precision, for residuals: three digits more than double has. */
+  /** A vector in extended precision for residuals, with three digits more than double. */
   using Accurate = std::vector<long double>;
 
   inline Accurate
@@ -17,7 +17,7 @@ namespace fuga
     return {x.begin(), x.end()};
   }
 
-  /** y += a x, for n numbers; nothing is done for a = 0. */
+  /** Add a x to y, for n numbers; does nothing for a = 0. */
   template <typename Number>
   void
   add_scaled(const std::size_t n, const long double a, const Number *x, long double *y)
@@ -27,14 +27,14 @@ namespace fuga
         y[i] += a * x[i];
   }
 
-  /** y += a x. */
+  /** Add a x to y. */
   inline void
   add_scaled(const long double a, const Accurate &x, Accurate &y)
   {
     add_scaled(x.size(), a, x.data(), y.data());
   }
 
-  /** y += sign A x. */
+  /** Add sign A x to y. */
   void
   add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y);
 

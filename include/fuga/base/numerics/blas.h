@@ -8,8 +8,8 @@
 
 #include <cstddef>
 
-// The Fortran names of BLAS, not cblas_*: deal.II brings the GNU Scientific Library along, whose
-// slow reference versions of the latter are found first by the dynamic linker.
+// We use the Fortran names of BLAS instead of cblas_*: deal.II links to the GNU Scientific Library,
+// whose slow reference versions of the latter are found first by the dynamic linker.
 extern "C"
 {
   void
@@ -68,7 +68,10 @@ extern "C"
 
 namespace fuga
 {
-  /** Thin wrappers of BLAS; matrices by columns with leading dimension lda, vectors contiguous. */
+  /**
+   * Thin wrappers of BLAS. Matrices are stored by columns with leading dimension lda, vectors
+   * contiguously.
+   */
   namespace blas
   {
     inline int
@@ -77,7 +80,7 @@ namespace fuga
       return static_cast<int>(n);
     }
 
-    /** y += a x. */
+    /** Compute y += a x. */
     inline void
     axpy(const std::size_t n, const double a, const double *x, double *y)
     {
@@ -94,7 +97,7 @@ namespace fuga
       return ddot_(&size, x, &one, y, &one);
     }
 
-    /** y = op(A) x, op = 'N' or 'T', A is m x n. */
+    /** Compute y = op(A) x with op = 'N' or 'T', where A is m x n. */
     inline void
     gemv(const char op,
          const std::size_t m,
@@ -111,9 +114,9 @@ namespace fuga
     }
 
     /**
-     * y = A x for a symmetric A of order n, of which the upper triangle is read: with the lower
-     * one, OpenBLAS's kernels for old processors read 16 bytes behind y, in LAPACK's eigenvalues
-     * too (version 0.3.21).
+     * Compute y = A x for a symmetric A of order n, of which the upper triangle is read: with the
+     * lower one, OpenBLAS's kernels for old processors read 16 bytes past the end of y, also in
+     * LAPACK's eigenvalue solvers (version 0.3.21).
      */
     inline void
     symv(const std::size_t n, const double *A, const std::size_t lda, const double *x, double *y)
@@ -125,7 +128,7 @@ namespace fuga
       dsymv_(&upper, &order, &one, A, &stride, x, &unit, &zero, y, &unit);
     }
 
-    /** A += alpha x yᵀ. */
+    /** Compute A += alpha x yᵀ. */
     inline void
     ger(const std::size_t m,
         const std::size_t n,
@@ -140,7 +143,7 @@ namespace fuga
       dger_(&rows, &columns, &alpha, x, &unit, y, &unit, A, &stride);
     }
 
-    /** C = op(A) B, C is m x n, the inner dimension k. */
+    /** Compute C = op(A) B, where C is m x n and the inner dimension is k. */
     inline void
     gemm(const char op,
          const std::size_t m,

@@ -6,15 +6,17 @@
 
 namespace fuga::blas
 {
-  /** How many threads the BLAS uses; one where it does not say. */
+  /** Return the number of threads that the BLAS uses; 1 if the BLAS cannot be asked. */
   int
   threads();
 
-  /** Does nothing where it cannot be told. */
+  /** Set the number of threads of the BLAS; does nothing if the BLAS does not allow it. */
   void
   set_threads(const int n);
 
-  /** One thread as long as this lives: many small products wait for threads longer than they take.
+  /**
+   * Restricts the BLAS to one thread as long as the object lives: many small products wait for
+   * threads longer than they take.
    */
   class OneThread
   {

@@ -8,9 +8,11 @@
 
 namespace fuga
 {
-  /** Singular values, decreasing, and right singular vectors (columns of V) of a matrix with any
-   * number of rows; values that are missing for want of rows are zero.
-   * @throws NumericalFailure if LAPACK's iteration does not converge. */
+  /**
+   * Singular values in decreasing order and right singular vectors (columns of V) of a matrix with
+   * any number of rows; values missing because there are too few rows are zero.
+   * @throws NumericalFailure if LAPACK's iteration does not converge.
+   */
   struct RightSingularVectors
   {
     explicit RightSingularVectors(const DenseMatrix &A);
@@ -20,9 +22,9 @@ namespace fuga
   };
 
   /**
-   * The point of the polyhedral cone {x : E x = 0, C x ≥ 0} next to @p q: zero if and only if no
-   * point of the cone has a positive product with q. Rows of E and C are to be of size one or less;
-   * what is below 1e-7 in E x is zero.
+   * Return the point of the polyhedral cone {x : E x = 0, C x ≥ 0} closest to @p q: it is zero if
+   * and only if no point of the cone has a positive product with q. The rows of E and C have to
+   * have norm one or less; entries of E x below 1e-7 count as zero.
    */
   Vector
   nearest_in_cone(const DenseMatrix &E, const DenseMatrix &C, const Vector &q);

@@ -23,12 +23,14 @@ namespace fuga
     double
     slope(const double x) const;
 
-    /** Smallest value on [0, 1]. */
+    /** Return the smallest value on [0, 1]. */
     double
     minimum() const;
 
-    /** The first x in [0, 1] where the cubic goes from positive (or zero) to negative; 1 if there
-     * is none. */
+    /**
+     * Return the first x in [0, 1] where the cubic changes from positive (or zero) to negative; 1
+     * if there is none.
+     */
     double
     first_descending_root() const;
 
@@ -40,19 +42,24 @@ namespace fuga
     double c0, c1, c2, c3;
   };
 
-  /** ∫ force d(jump), exact for cubics. */
+  /** Return ∫ force d(jump), exact for cubics. */
   double
   work_of(const CubicOnUnitInterval &force, const CubicOnUnitInterval &jump);
 
-  /** |f × s'| at @p x: how far a slip s, by its two tangents, leads across the force f. */
+  /**
+   * Return |f × s'| at @p x: how far a slip s, given by its two tangential components, leads across
+   * the force f.
+   */
   double
   work_across(const std::array<CubicOnUnitInterval, 2> &force,
               const std::array<CubicOnUnitInterval, 2> &slip,
               const double x);
 
-  /** How much longer the way along two cubics is than the chord between its ends, by Gauss's rule
-   * with three points: ∫ |s'| - e·s' with e along the chord. Without a turn it is zero, whatever
-   * rounding says. */
+  /**
+   * Return by how much the path along two cubics is longer than the chord between its ends, by
+   * Gauss's rule with three points: ∫ |s'| - e·s' with e along the chord. Without a turn it is
+   * exactly zero, despite rounding.
+   */
   double
   detour(const CubicOnUnitInterval &first, const CubicOnUnitInterval &second);
 } // namespace fuga

@@ -12,7 +12,7 @@ namespace fuga
   using Vector = std::vector<double>;
 
   /**
-   * A dense matrix stored by columns, as BLAS and LAPACK want it. It only owns the numbers; the
+   * A dense matrix stored by columns, as BLAS and LAPACK need it. It only owns the numbers; the
    * operations below are calls to those libraries.
    */
   class DenseMatrix
@@ -20,7 +20,7 @@ namespace fuga
   public:
     DenseMatrix() = default;
 
-    /** A zero matrix. */
+    /** Create a zero matrix. */
     DenseMatrix(const std::size_t n_rows, const std::size_t n_columns)
       : rows(n_rows), columns(n_columns), values(n_rows * n_columns, 0.)
     {
@@ -86,62 +86,64 @@ namespace fuga
     std::vector<double> values;
   };
 
-  /** y = A x. */
+  /** Return A x. */
   Vector
   multiply(const DenseMatrix &A, const Vector &x);
 
-  /** y = Aᵀ x. */
+  /** Return Aᵀ x. */
   Vector
   multiply_transposed(const DenseMatrix &A, const Vector &x);
 
-  /** C = A B. */
+  /** Return A B. */
   DenseMatrix
   multiply(const DenseMatrix &A, const DenseMatrix &B);
 
-  /** C = Aᵀ B. */
+  /** Return Aᵀ B. */
   DenseMatrix
   multiply_transposed(const DenseMatrix &A, const DenseMatrix &B);
 
   double
   dot(const Vector &x, const Vector &y);
 
-  /** y += factor x, for as many entries as x has. */
+  /** Add factor x to y, for as many entries as x has. */
   void
   add_multiple(const double factor, const Vector &x, Vector &y);
 
-  /** origin + τ rates, where there are rates. */
+  /** Return origin + τ rates; entries of @p origin beyond the end of @p rates remain unchanged. */
   Vector
   along(Vector origin, const double tau, const Vector &rates);
 
-  /** The largest absolute value, 0 for an empty vector. */
+  /** Return the largest absolute value, 0 for an empty vector. */
   double
   max_abs(const Vector &x);
 
-  /** The largest absolute value of an entry. */
+  /** Return the largest absolute value of an entry. */
   double
   max_abs(const DenseMatrix &A);
 
-  /** The largest diagonal entry, 0 if none is positive. */
+  /** Return the largest diagonal entry, 0 if none is positive. */
   double
   largest_diagonal(const DenseMatrix &A);
 
   /**
-   * Overwrites B by A⁻¹ B for a symmetric positive definite A (Cholesky). Returns false, with both
+   * Overwrite B by A⁻¹ B for a symmetric positive definite A (Cholesky). Return false, with both
    * arguments in an undefined state, if A is not positive definite to working precision.
    */
   bool
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B);
 
-  /** A ← A⁻¹ of a symmetric positive definite matrix; false as above. For as many right-hand sides
-   * as A has columns this is half of the work. */
+  /**
+   * Replace a symmetric positive definite matrix A by A⁻¹; return false as above. For as many
+   * right-hand sides as A has columns this is half of the work.
+   */
   bool
   invert_positive_definite(DenseMatrix &A);
 
   /**
    * LU factors of a square matrix with partial pivoting. Unless its scaling is to be kept, its rows
-   * and columns are brought to one size before by powers of two: bars of any stiffness stand side
-   * by side. The matrix is given away; reciprocal_condition() tells LAPACK's estimate in the 1-norm
-   * for the matrix so scaled, 0 when a pivot vanished.
+   * and columns are first scaled to equal size by powers of two, since bars of any stiffness stand
+   * side by side. The matrix is consumed; reciprocal_condition() returns LAPACK's estimate in the
+   * 1-norm for the scaled matrix, 0 if a pivot vanished.
    */
   class LuFactors
   {
@@ -149,8 +151,10 @@ namespace fuga
     enum class Scaling
     {
       equilibrated,
-      /** Rows and columns have their natural size: one that is small against the others is zero but
-       * for rounding. */
+      /**
+       * Rows and columns have their natural size: one that is small compared with the others is
+       * zero up to rounding.
+       */
       as_given
     };
 
@@ -162,19 +166,19 @@ namespace fuga
       return rcond;
     }
 
-    /** Sign of det A; 0 if a pivot vanished. */
+    /** Return the sign of det A; 0 if a pivot vanished. */
     int
     determinant_sign() const;
 
-    /** Overwrites b by A⁻¹ b. */
+    /** Overwrite b by A⁻¹ b. */
     void
     solve(Vector &b) const;
 
-    /** Overwrites B by A⁻¹ B. */
+    /** Overwrite B by A⁻¹ B. */
     void
     solve(DenseMatrix &B) const;
 
-    /** Gives the inverse; the factors cannot be used afterwards. */
+    /** Return the inverse; the factors cannot be used afterwards. */
     DenseMatrix
     release_inverse();
 
@@ -189,8 +193,10 @@ namespace fuga
     double rcond = 0.;
   };
 
-  /** The null vector, largest entry one, of a singular matrix to which rounding was added: inverse
-   * iteration, three steps, enough for a motion that is to be shown. */
+  /**
+   * Return the null vector, with largest entry one, of a matrix that is singular up to rounding, by
+   * three steps of inverse iteration: enough for a motion that is only to be shown.
+   */
   Vector
   null_vector(DenseMatrix &&shifted);
 } // namespace fuga

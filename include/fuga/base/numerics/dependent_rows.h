@@ -10,8 +10,10 @@
 
 namespace fuga
 {
-  /** For every row of A whether it has a share in a combination of rows that vanishes.
-   * @throws NumericalFailure */
+  /**
+   * Return, for every row of A, whether it is part of a linear combination of rows that vanishes.
+   * @throws NumericalFailure
+   */
   std::vector<bool>
   dependent_rows(const DenseMatrix &A);
 } // namespace fuga

@@ -10,22 +10,27 @@
 
 namespace fuga
 {
-  /** Eigenvalues, and orthonormal eigenvectors by columns. */
+  /** Eigenvalues and orthonormal eigenvectors, stored by columns. */
   struct Eigenpairs
   {
     Vector values;
     DenseMatrix vectors;
   };
 
-  /** All of a symmetric matrix, of which the lower triangle is read; the largest eigenvalue first.
-   * @throws NumericalFailure if LAPACK's iteration does not converge. */
+  /**
+   * Return all eigenpairs of a symmetric matrix, of which the lower triangle is read; the largest
+   * eigenvalue comes first.
+   * @throws NumericalFailure if LAPACK's iteration does not converge.
+   */
   Eigenpairs
   eigenpairs(DenseMatrix A);
 
-  /** The largest eigenvalues, @p count < n of them, of a symmetric matrix of order n that is known by
-   * its products (ARPACK's Lanczos iteration with implicit restarts), the largest one first. Every
-   * call does the same.
-   * @throws NumericalFailure if the iteration does not converge. */
+  /**
+   * Return the @p count < n largest eigenpairs of a symmetric matrix of order n that is given by
+   * its products with vectors (ARPACK's Lanczos iteration with implicit restarts), the largest one
+   * first. Results are reproducible: every call does the same.
+   * @throws NumericalFailure if the iteration does not converge.
+   */
   Eigenpairs
   largest_eigenpairs(const std::size_t n,
                      const std::size_t count,

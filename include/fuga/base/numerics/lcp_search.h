@@ -8,24 +8,30 @@
 
 namespace fuga
 {
-  /** What counts as a solution of a linear complementarity problem, and is not to be ruled out. */
+  /**
+   * Tolerances within which a point counts as a solution of a linear complementarity problem and
+   * must not be ruled out.
+   */
   struct LcpNoise
   {
-    /** By which an entry of q + M z may be off zero or below it. */
+    /** Amount by which an entry of q + M z may differ from zero or be below it. */
     Vector reserves;
-    /** The same for an entry of z, and what an entry of q + M z is allowed besides: their parts of
-     * a number that grows with all z from what it is at z = 0, by `growth` per unit of each. */
+    /**
+     * The same amount for an entry of z, and what an entry of q + M z is allowed in addition: both
+     * are given as multiples of a number that grows with all z from its value `at_rest` at z = 0 by
+     * `growth` per unit of each.
+     */
     Vector unknowns, shares;
     double at_rest = 0.;
     Vector growth;
-    /** No entry of z is larger. */
+    /** Upper bound of all entries of z. */
     double largest_unknown = 0.;
   };
 
-  /** How a search through the complementary parts of an LCP ended. */
+  /** The outcome of a search through the complementary parts of an LCP. */
   enum class SearchEnd
   {
-    /** Solved, but for rounding errors of the search: to be checked. */
+    /** A solution was found up to the rounding errors of the search; it has to be checked. */
     found,
     /** There is no solution within the noise: every part was ruled out by a proof. */
     none,
@@ -36,20 +42,21 @@ namespace fuga
   struct LcpSearch
   {
     SearchEnd end = SearchEnd::undecided;
-    /** If found. */
+    /** The solution, if one was found. */
     Vector z;
     /** Exchanges of a basic variable, O(n²) each. */
     std::size_t n_pivots = 0;
   };
 
   /**
-   * Depth-first search for a solution of  z ≥ 0,  w = q + M z ≥ 0,  z·w = 0. A part of it is given
-   * by pairs of which one variable is zero; all others only have to be nonnegative. Where this
-   * linear relaxation has a solution, the pair that violates z·w = 0 most is divided; where it has
-   * none, a combination y of the equations says so (Farkas' lemma): in yᵀw - yᵀM z = yᵀq no term on
-   * the left can be negative, and the right is. It is formed anew from M and q and ends the part
-   * only if the right is further below zero than @p noise may take the left. The search is complete
-   * if it ends. Work is counted in entries of the tableau that change, at most @p most_work.
+   * Depth-first search for a solution of z ≥ 0, w = q + M z ≥ 0, z·w = 0. A part of the search is
+   * given by pairs of which one variable is zero; all others only have to be nonnegative. If this
+   * linear relaxation has a solution, the search branches on the pair that violates z·w = 0 most;
+   * if it has none, a combination y of the equations proves it (Farkas' lemma): in yᵀw - yᵀM z =
+   * yᵀq no term on the left can be negative, and the right-hand side is. The combination is formed
+   * again from M and q and ends the part only if the right-hand side is further below zero than
+   * @p noise may take the left. The search is complete if it ends. Work is counted in entries of
+   * the tableau that change, at most @p most_work.
    */
   LcpSearch
   search_lcp(const DenseMatrix &M,

@@ -12,8 +12,8 @@
 namespace fuga
 {
   /**
-   * A Jacobian of which some unknowns, the *weak* ones, hardly enter any equation but their own:
-   * LU factors of the rest, from which the weak ones follow.
+   * Factors of a Jacobian some of whose unknowns, the *weak* ones, hardly enter any equation but
+   * their own: LU factors of the rest, from whose solution the weak unknowns follow.
    */
   class NearlyTriangularFactors
   {
@@ -38,17 +38,20 @@ namespace fuga
   private:
     std::vector<std::size_t> strong, weak;
     std::optional<LuFactors> factors;
-    /** What the strong unknowns add to the equations of the weak ones, and their own entries. */
+    /**
+     * The entries of the strong unknowns in the equations of the weak ones, and the diagonal
+     * entries of the latter.
+     */
     DenseMatrix rows;
     Vector diagonal;
   };
 
   /**
-   * Factors of the Jacobian of a system of equations at a point near the present one, corrected
-   * by what steps with them have shown (Broyden's good method, as products of rank-one factors:
-   * C. T. Kelley, Iterative Methods for Linear and Nonlinear Equations, SIAM 1995, section 7.3).
-   * The few directions in which the Jacobian has changed most are learnt first, and are remembered
-   * for the next right-hand sides.
+   * Factors of the Jacobian of a system of equations at a point near the present one, corrected by
+   * the results of earlier steps (Broyden's good method, as products of rank-one factors: C. T.
+   * Kelley, Iterative Methods for Linear and Nonlinear Equations, SIAM 1995, section 7.3). The few
+   * directions in which the Jacobian has changed most are learnt first and are remembered for the
+   * next right-hand sides.
    */
   class SecantFactors
   {
@@ -64,7 +67,7 @@ namespace fuga
       return *factors;
     }
 
-    /** The same factors, which know nothing of later points. */
+    /** Return the same factors without the corrections learnt at later points. */
     SecantFactors
     without_corrections() const
     {
@@ -73,13 +76,19 @@ namespace fuga
       return result;
     }
 
-    /** The step that takes off @p residual. @p last_step, by these factors, has led to it; empty if
-     * there was none, or if it is not to be learnt from. */
+    /**
+     * Return the step that removes @p residual. The residual is the result of @p last_step, which
+     * was computed with these factors; @p last_step is empty if there was none, or if nothing is to
+     * be learnt from it.
+     */
     Vector
     solve(const Vector &residual, const Vector &last_step);
 
   private:
-    /** H r = z + missed (step·z) / gain, with z by the factors and the corrections before. */
+    /**
+     * H r = z + missed (step·z) / gain, where z results from the factors and the earlier
+     * corrections.
+     */
     struct Correction
     {
       Vector step, missed;

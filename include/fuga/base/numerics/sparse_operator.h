@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** A matrix with a few entries in every row, or the identity of any size. */
+  /** A matrix with a few entries in every row, or the identity, of any size. */
   class SparseOperator
   {
   public:
@@ -20,10 +20,10 @@ namespace fuga
       double factor;
     };
 
-    /** The identity. */
+    /** Create the identity. */
     SparseOperator() = default;
 
-    /** Factors of the same place are added. */
+    /** Create a matrix from its entries; factors of entries at the same place are added. */
     SparseOperator(const std::size_t n_rows,
                    const std::size_t n_columns,
                    const std::vector<Entry> &entries);
@@ -34,7 +34,7 @@ namespace fuga
       return begin.empty();
     }
 
-    /** 0 of the identity, whose size is that of what it is applied to. */
+    /** Return the number of rows; 0 for the identity, whose size is that of its operand. */
     std::size_t
     n_rows() const
     {
@@ -47,7 +47,9 @@ namespace fuga
       return columns;
     }
 
-    /** Calls @p action(column, factor) for the entries of a row, by increasing columns. */
+    /**
+     * Call @p action(column, factor) for the entries of a row, in the order of increasing columns.
+     */
     template <typename Action>
     void
     for_each_in_row(const std::size_t row, const Action &action) const
@@ -61,56 +63,59 @@ namespace fuga
 
   private:
     std::size_t columns = 0;
-    /** Column and factor, row by row. */
+    /** Column and factor of all entries, row by row. */
     std::vector<std::pair<std::size_t, double>> entries;
-    /** Where in `entries` each row begins, and the last one ends. */
+    /** Positions in `entries` where each row begins, and where the last one ends. */
     std::vector<std::size_t> begin;
   };
 
-  /** y = B x. */
+  /** Return B x. */
   Vector
   multiply(const SparseOperator &B, const Vector &x);
 
-  /** y = Bᵀ x. */
+  /** Return Bᵀ x. */
   Vector
   multiply_transposed(const SparseOperator &B, const Vector &x);
 
-  /** y += sign B x. */
+  /** Add sign B x to y. */
   void
   add_product(const long double sign, const SparseOperator &B, const Accurate &x, Accurate &y);
 
-  /** y += sign Bᵀ x. */
+  /** Add sign Bᵀ x to y. */
   void
   add_transposed_product(const long double sign,
                          const SparseOperator &B,
                          const Accurate &x,
                          Accurate &y);
 
-  /** K += Bᵀ C B with a diagonal matrix C. */
+  /** Add Bᵀ C B to K, with a diagonal matrix C. */
   void
   add_congruent(const SparseOperator &B, const Vector &C, DenseMatrix &K);
 
-  /** Some rows and columns of B, which is not the identity. */
+  /** Return the submatrix of B, which is not the identity, with the given rows and columns. */
   DenseMatrix
   submatrix(const SparseOperator &B,
             const std::vector<std::size_t> &rows,
             const std::vector<std::size_t> &columns);
 
-  /** Rows that hang together by common columns, and these columns. */
+  /** Rows that are connected by common columns, together with these columns. */
   struct SparseBlock
   {
     std::vector<std::size_t> rows, columns;
   };
 
-  /** The blocks of B, which is not the identity, by their first rows; only those rows count that
-   * are @p chosen (empty: all). */
+  /**
+   * Return the blocks of B, which is not the identity, ordered by their first rows; only the rows
+   * in @p chosen count (empty: all).
+   */
   std::vector<SparseBlock>
   blocks_of(const SparseOperator &B, const std::vector<bool> &chosen = {});
 
   /**
-   * D with Dᵀ B = 1: Dᵀ δ is the solution x of B x = δ by least squares, with the @p weights of its
-   * rows (empty: one each), and D q forces p with Bᵀ p = q. D has entries only in the blocks of B.
-   * @throws NumericalFailure if B x = 0 does not need x = 0.
+   * Return D with Dᵀ B = 1: Dᵀ δ is the least-squares solution x of B x = δ with the @p weights of
+   * its rows (empty: all one), and D q are forces p with Bᵀ p = q. D has entries only in the blocks
+   * of B.
+   * @throws NumericalFailure if B x = 0 does not imply x = 0.
    */
   SparseOperator
   dual_of(const SparseOperator &B, const Vector &weights = {});

@@ -40,9 +40,9 @@ namespace fuga
   {
   public:
     /**
-     * Discretises and checks. @p frictionless: joints that never carry shear; they get no tangential
-     * bars, provided that the structure is held without them. @p stage: the bodies that are there in
-     * it.
+     * Discretise and check the bodies. @p frictionless joints never carry shear and get no
+     * tangential bars, provided that the structure is held without them. @p stage determines which
+     * bodies exist.
      * @throws InputError
      */
     BodyModel(const JointedMesh &mesh,
@@ -52,15 +52,20 @@ namespace fuga
 
     ~BodyModel();
 
-    /** Contact elements with their geometry; gaps and laws are for others to fill in. */
+    /**
+     * Return the contact elements with their geometry; gaps and laws have to be added by the
+     * caller.
+     */
     const std::vector<ContactElement> &
     elements() const;
 
-    /** Local frame of an element: the unit normal, from the minus to the plus side. */
+    /** Return the unit normal of an element, from the minus to the plus side. */
     std::array<double, 3>
     normal(const std::size_t element) const;
 
-    /** The rest of it, see fuga::tangents(); in the plane the second one is zero. */
+    /**
+     * Return the tangents of an element, see fuga::tangents(); in the plane the second one is zero.
+     */
     std::array<std::array<double, 3>, 2>
     tangents(const std::size_t element) const;
 
@@ -76,30 +81,35 @@ namespace fuga
       return *geometry;
     }
 
-    /** The pattern of load @p number of the model at load time @p t. */
+    /** Return the pattern of load @p number of the model at load time @p t. */
     LoadPattern
     assemble_load(const std::size_t number, const double t) const;
 
-    /** The assembly of load @p number, which is an uplift. */
+    /** Return the assembly of load @p number, which is an uplift. */
     const UpliftAssembly<dim> &
     uplift(const std::size_t number) const;
 
-    /** @throws InputError for a settlement that tears the two sides of a joint apart. */
+    /**
+     * Check load patterns. @throws InputError for a settlement that tears the two sides of a joint
+     * apart.
+     */
     void
     check_load_patterns(const std::vector<LoadPattern> &patterns) const;
 
     std::vector<ElementIdentity>
     identities() const;
 
-    /** Gᵀ p, entry node * dim + component. */
+    /** Return Gᵀ p, entry node * dim + component. */
     Vector
     bar_forces(const Vector &p) const;
 
-    /** Jump of every bar. */
+    /** Return the jump of every bar. */
     Vector
     jumps(const dealii::Vector<double> &u) const;
 
-    /** Strain energy of every cell; u by nodes, entry node * dim + component. */
+    /**
+     * Return the strain energy of every cell; u is given by nodes, entry node * dim + component.
+     */
     Vector
     cell_energies(const Vector &u) const;
 
@@ -115,25 +125,30 @@ namespace fuga
       return mesh;
     }
 
-    /** Whether the component of a node (entry node * dim + component) is held. */
+    /** Return whether each component of a node (entry node * dim + component) is held. */
     const std::vector<bool> &
     fixed_dofs() const
     {
       return fixed;
     }
 
-    /** Errors of the full model for displacement u, bar forces p and nodal forces @p loads (entry node
-     * * dim + component; empty: none). @p motion: a rigid motion that was taken out of u, to whose
-     * last digits the jumps are uncertain. */
+    /**
+     * Return the errors of the full model for displacement u, bar forces p and nodal forces
+     * @p loads (entry node * dim + component; empty: none). @p motion is a rigid motion that was
+     * subtracted from u, up to whose last digits the jumps are uncertain.
+     */
     EquilibriumError
     equilibrium_error_under(const Vector &loads,
                             const dealii::Vector<double> &u,
                             const Vector &p,
                             const dealii::Vector<double> &motion) const;
 
-    /** The same of bodies that move, where inertia is one of the @p loads. @p u, the displacement, is
-     * right to its last digits, which may be more than all of what K feels of it, the @p
-     * deformation (both by nodes). @p acting: see fuga::equilibrium_error(). */
+    /**
+     * Return the errors for bodies that move, where inertia is one of the @p loads. @p u, the
+     * displacement, is correct to its last digits, which may be coarser than the entire part of it
+     * that K feels, the @p deformation (both by nodes). For @p acting, see
+     * fuga::equilibrium_error().
+     */
     EquilibriumError
     equilibrium_error_in_motion(const Vector &loads,
                                 const Vector &u,
@@ -141,11 +156,11 @@ namespace fuga
                                 const Vector &p,
                                 const Vector &acting) const;
 
-    /** Cᵀ (P - K u), of vectors by nodes. */
+    /** Return Cᵀ (P - K u) for vectors by nodes. */
     Vector
     out_of_balance(const Vector &loads, const Vector &u) const;
 
-    /** Of a vector by nodes. */
+    /** Convert a vector by nodes to one by degrees of freedom. */
     dealii::Vector<double>
     by_degrees_of_freedom(const Vector &u) const;
 
@@ -155,7 +170,7 @@ namespace fuga
       return model;
     }
 
-    /** Whether supports are released: inertia acts, and nothing has to hold the bodies. */
+    /** Return whether supports are released: inertia acts, and nothing has to hold the bodies. */
     bool
     is_released() const
     {
@@ -186,14 +201,14 @@ namespace fuga
       return *pieces;
     }
 
-    /** By number of load the assemblies of uplifts that were asked for. */
+    /** Return the assemblies of uplifts created so far, by number of load. */
     const std::vector<std::unique_ptr<UpliftAssembly<dim>>> &
     uplift_assemblies() const
     {
       return uplifts;
     }
 
-    /** Lines for the log. */
+    /** Return the lines for the log. */
     const std::vector<std::string> &
     report() const
     {
@@ -206,7 +221,7 @@ namespace fuga
       lines.push_back(line);
     }
 
-    /** Time and memory of every phase so far. */
+    /** Return time and memory of every phase so far. */
     PhaseTimer &
     phases() const
     {
@@ -237,7 +252,7 @@ namespace fuga
     std::unique_ptr<ContactBars<dim>> bars;
     std::unique_ptr<ElasticBodies<dim>> bodies;
     std::unique_ptr<InterfaceCoordinates<dim>> coordinates;
-    /** By number of load; made when first asked for. */
+    /** Assemblies of uplifts by number of load, created when first needed. */
     mutable std::vector<std::unique_ptr<UpliftAssembly<dim>>> uplifts;
     std::vector<JointFace> faces;
     std::vector<std::string> lines;

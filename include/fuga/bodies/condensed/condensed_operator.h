@@ -19,10 +19,10 @@ namespace fuga
 
 
   /**
-   * Everything but the jumps of the joints eliminated from a body model by one partial
-   * factorisation: the stiffness S of the jumps, the loads condensed to them, and the way back to
-   * the displacements. The processes of a run share the work (doc/parallel.md); every one has the
-   * whole result.
+   * The result of eliminating everything but the jumps of the joints from a body model by one
+   * partial factorisation: the stiffness S of the jumps, the loads condensed to them, and the
+   * recovery of the displacements. The processes of a run share the work (doc/parallel.md); each of
+   * them has the whole result.
    */
   template <int dim>
   class CondensedOperator
@@ -33,7 +33,7 @@ namespace fuga
 
     ~CondensedOperator();
 
-    /** Assembles and factorises. @throws NumericalFailure */
+    /** Assemble and factorise. @throws NumericalFailure */
     void
     factorise();
 
@@ -55,41 +55,43 @@ namespace fuga
       return S;
     }
 
-    /** Jumps of the bars in the rigid motions of the bodies that can move freely. */
+    /** Return the jumps of the bars in the rigid motions of the bodies that can move freely. */
     const DenseMatrix &
     rigid_motions() const
     {
       return motions;
     }
 
-    /** The interface coordinates of these motions. */
+    /** Return the interface coordinates of these motions. */
     const DenseMatrix &
     rigid_coordinates() const
     {
       return motion_coordinates;
     }
 
-    /** Amounts of the motions nearest to given interface coordinates. */
+    /** Return the amounts of the motions closest to given interface coordinates. */
     Vector
     motion_of(const Vector &x) const
     {
       return projection->motion_of(x);
     }
 
-    /** S x and solutions with bars where S is not known. */
+    /** Return S x. Like solve_with_bars(), this function is used if S is not known. */
     Vector
     resistance(const Vector &x) const;
 
-    /** S⁻¹ f, without motions of the bodies and work on them; empty if S is not known or singular
-     * besides. */
+    /**
+     * Return S⁻¹ f, without motions of the bodies and work on them; empty if S is not known, or
+     * singular apart from these motions.
+     */
     Vector
     coordinates_under(Vector f) const;
 
-    /** TangentSolver::stiffness_of_lips(). */
+    /** See TangentSolver::stiffness_of_lips(). */
     Vector
     stiffness_of_lips() const;
 
-    /** TangentSolver::refine(). */
+    /** See TangentSolver::refine(). */
     void
     refine(TangentSolver::Solution &solution) const;
 
@@ -99,25 +101,32 @@ namespace fuga
                     const TangentSolver::Solution &so_far,
                     const double tolerance) const;
 
-    /** Condensed loads of the patterns, by columns; @p motion_loads: their work on the motions. */
+    /**
+     * Return the condensed loads of the patterns, by columns; @p motion_loads is their work on the
+     * motions.
+     */
     DenseMatrix
     condense(const std::vector<LoadPattern> &patterns, const DenseMatrix &motion_loads) const;
 
-    /** The same of coordinate loads, which are overwritten. */
+    /** Return the condensed loads of coordinate loads, which are overwritten. */
     DenseMatrix
     condense(DenseMatrix &loads, const DenseMatrix &motion_loads) const;
 
-    /** Adds to u the response to what is out of balance under @p loads, with the jumps as they are.
-     * Both by nodes. */
+    /**
+     * Add the response to the residual forces under @p loads to u, with the jumps unchanged. Both
+     * vectors are by nodes.
+     */
     void
     add_bonded_response(const Vector &loads, Vector &u) const;
 
-    /** Columns of nodal forces become those of the displacements under them, with the jumps as they
-     * are and without refinement. */
+    /**
+     * Replace columns of nodal forces by the displacements that they cause, with the jumps
+     * unchanged and without refinement.
+     */
     void
     solve_bonded(DenseMatrix &columns) const;
 
-    /** None before factorise(). */
+    /** Return the work done so far; none before factorise(). */
     BodiesWork
     work() const;
 
@@ -146,34 +155,37 @@ namespace fuga
     DenseMatrix
     loads_out_of_balance(const std::vector<LoadPattern> &patterns) const;
 
-    /** What a motion of the bodies with these jumps does inside; empty if they have no motions. */
+    /**
+     * Return the eliminated coordinates in the rigid motion closest to these jumps; empty if the
+     * bodies have no motions.
+     */
     Vector
     interior_of_motion(const Vector &jumps) const;
 
-    /** S x by columns, from the displacements that the jumps x cause. */
+    /** Return S x by columns, computed from the displacements that the jumps x cause. */
     DenseMatrix
     resistance_of_bodies(const DenseMatrix &x) const;
 
-    /** Adds to every u the bonded response to what is out of balance under its loads. */
+    /** Add the bonded response to the residual forces under its loads to every u. */
     void
     solve_bonded(const std::vector<Vector> &loads,
                  std::vector<Vector> &u,
                  const InteriorSolver::Digits digits) const;
 
-    /** Columns for which one pass over the factors serves. */
+    /** Number of columns solved in one pass over the factors. */
     static constexpr std::size_t at_once = 16;
 
     BodyModel<dim> &model;
     std::unique_ptr<InteriorSolver> solver;
-    /** The same solver if S is not known. */
+    /** Points to `solver` if S is not known, otherwise null. */
     IterativeSolver *matrix_free_solver = nullptr;
     std::unique_ptr<RigidProjection> projection;
     BodySolver used_solver = BodySolver::direct;
-    /** If the program had to choose. */
+    /** The estimate from which the solver was chosen; only if the program had to choose. */
     std::optional<SolverEstimate> estimate;
     /** Diagonal of K in the interface coordinates [MN/m]. */
     Vector lips;
-    /** Of the jump operator. */
+    /** The dual of the jump operator. */
     SparseOperator dual;
     DenseMatrix S, motions, motion_coordinates;
   };

@@ -14,11 +14,13 @@ namespace fuga
   class JointWaterModel;
 
 
-  /** When the bodies are factorised: the expensive part. */
+  /** The time at which the bodies are factorised, which is the expensive part. */
   enum class Condensation
   {
     at_once,
-    /** By set_load_patterns(): a mistake in loads or joints is found before anything is computed.
+    /**
+     * By set_load_patterns(), so that an error in loads or joints is found before anything is
+     * computed.
      */
     with_loads,
     /** Not at all: the input is checked and nothing is computed. */
@@ -26,17 +28,17 @@ namespace fuga
   };
 
   /**
-   * The finite element model as the contact layer sees it: the condensed operator with the loads
-   * that are set, and the fields that go with its states. Where supports are released it is
-   * not condensed, for what holds then is the operator of the steps (BodiesInMotion), and the
-   * bodies need no supports.
+   * The finite element model as the contact layer sees it: the condensed operator with the present
+   * load patterns, and the fields that belong to its states. If supports are released it is not
+   * condensed, since then the operator of the steps applies (BodiesInMotion), and the bodies need
+   * no supports.
    */
   template <int dim>
   class CondensedSystem : public BodyModel<dim>, public ContactSystem, public TangentSolver
   {
   public:
     /**
-     * Makes the body model and, if told so, factorises it.
+     * Create the body model and, if requested, factorise it.
      * @throws InputError, NumericalFailure
      */
     CondensedSystem(const JointedMesh &mesh,
@@ -125,19 +127,24 @@ namespace fuga
     const WaterInJoints *
     water_in_joints() const override;
 
-    /** Water in the closed joint: n_bars x n_patterns [MN]; empty without water. */
+    /**
+     * Return the forces of water in the closed joint: n_bars x n_patterns [MN]; empty without
+     * water.
+     */
     const DenseMatrix &
     closed_water() const
     {
       return water_of_closed;
     }
 
-    /** Condenses the patterns; they stay here for recover() and equilibrium_error(). */
+    /** Condense the patterns; they are kept for recover() and equilibrium_error(). */
     void
     set_load_patterns(std::vector<LoadPattern> patterns);
 
-    /** Says that pattern @p number is what an earlier phase of construction left, and that the bars
-     *  feel @p jumps of it. To be called behind set_load_patterns(). */
+    /**
+     * Declare that pattern @p number is the load left by an earlier phase of construction, and that
+     * the bars feel @p jumps of it. To be called after set_load_patterns().
+     */
     void
     set_carried_load(const std::size_t number, const Vector &jumps);
 
@@ -147,7 +154,7 @@ namespace fuga
       return carried;
     }
 
-    /** Displacements in which bodies built later are free of stress. */
+    /** Set the displacements at which bodies built later are free of stress. */
     void
     set_stress_free_shapes(std::vector<StressFreeShape> new_shapes)
     {
@@ -160,8 +167,10 @@ namespace fuga
       return shapes;
     }
 
-    /** What strains the bodies that were built in @p stage: a displacement of all degrees of
-     * freedom less the shape in which these are free of stress. */
+    /**
+     * Return the displacement that strains the bodies built in @p stage: a displacement of all
+     * degrees of freedom minus the shape in which these bodies are free of stress.
+     */
     template <typename VectorType>
     VectorType
     straining(VectorType displacement, const unsigned int stage) const
@@ -173,33 +182,44 @@ namespace fuga
       return displacement;
     }
 
-    /** Work of nodal forces (entry node * dim + component) on the shape of bodies built in @p stage. */
+    /**
+     * Return the work of nodal forces (entry node * dim + component) on the shape of bodies built
+     * in @p stage.
+     */
     double
     stress_free_value(const Vector &force, const unsigned int stage) const;
 
-    /** The displacement of all degrees of freedom for load factors @p a and interface coordinates @p
-     * x. */
+    /**
+     * Return the displacement of all degrees of freedom for load factors @p a and interface
+     * coordinates @p x.
+     */
     dealii::Vector<double>
     recover(const Vector &a, const Vector &x) const;
 
-    /** Nodal forces of the load patterns with the factors @p a; empty if there are none. */
+    /**
+     * Return the nodal forces of the load patterns with the factors @p a; empty if there are none.
+     */
     Vector
     applied_forces(const Vector &a) const
     {
       return combination(a, &LoadPattern::forces);
     }
 
-    /** The displacement under nodal forces (entry node * dim + component; empty: none) and
-     * interface coordinates (empty: zero), without supports that move. */
+    /**
+     * Return the displacement under nodal forces (entry node * dim + component; empty: none) and
+     * interface coordinates (empty: zero), without supports that move.
+     */
     dealii::Vector<double>
     bonded_field(const Vector &forces, const Vector &x) const;
 
-    /** The same by nodes. */
+    /** Return this displacement by nodes. */
     Vector
     bonded_field_by_nodes(const Vector &forces, const Vector &x) const;
 
-    /** Columns of nodal forces become those of the displacements under them, with the jumps as they
-     * are and without refinement. */
+    /**
+     * Replace columns of nodal forces by the displacements that they cause, with the jumps
+     * unchanged and without refinement.
+     */
     void
     solve_bonded(DenseMatrix &columns) const
     {
@@ -207,30 +227,37 @@ namespace fuga
     }
 
     /**
-     * The work of the nodal forces @p force (entry node * dim + component) on the displacement, for
-     * any x and a: what recover() would give, without recovering (doc/theory.md, section 1).
+     * Return the work of the nodal forces @p force (entry node * dim + component) on the
+     * displacement, for any x and a: the result that recover() would give, without recovering
+     * (doc/theory.md, section 1).
      */
     LinearResponse
     response(const Vector &force) const;
 
-    /** Interface coordinates as a rigid motion of the bodies that can move freely and the rest. */
+    /**
+     * Interface coordinates, split into a rigid motion of the bodies that can move freely and the
+     * rest.
+     */
     struct RigidPart
     {
-      /** Displacement of all degrees of freedom in the rigid motion nearest to the coordinates. */
+      /** Displacement of all degrees of freedom in the rigid motion closest to the coordinates. */
       dealii::Vector<double> motion;
       /** Coordinates without that motion. */
       Vector remainder;
     };
 
     /**
-     * Splits interface coordinates: a body that soft joints hold moves by far more than it deforms,
+     * Split interface coordinates: a body held by soft joints moves by far more than it deforms,
      * and recover() of the remainder alone keeps the digits of the deformation.
      */
     RigidPart
     rigid_part(const Vector &x) const;
 
-    /** Errors of the full model for displacement u, bar forces p and load factors a. @p motion: a
-     * rigid motion that was taken out of u, to whose last digits the jumps are uncertain. */
+    /**
+     * Return the errors of the full model for displacement u, bar forces p and load factors a.
+     * @p motion is a rigid motion that was subtracted from u, up to whose last digits the jumps are
+     * uncertain.
+     */
     EquilibriumError
     equilibrium_error(const dealii::Vector<double> &u,
                       const Vector &p,
@@ -238,10 +265,10 @@ namespace fuga
                       const dealii::Vector<double> &motion = {}) const;
 
     /**
-     * S and the stiffness of the full model differ by the rounding of the elimination, which may
-     * leave the lips out of balance by more than that of their displacements. Moves the lips of @p
-     * u to where K u balances the bar forces @p p and the loads. Returns the largest jump by which
-     * they moved.
+     * Move the lips of @p u to the position where K u balances the bar forces @p p and the loads. S
+     * and the stiffness of the full model differ by the rounding of the elimination, which may
+     * leave the lips out of balance by more than the rounding of their displacements. Return the
+     * largest jump by which they moved.
      */
     double
     balance_lips(const Vector &p, const Vector &a, dealii::Vector<double> &u) const;

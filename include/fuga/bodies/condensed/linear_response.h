@@ -8,14 +8,16 @@
 
 namespace fuga
 {
-  /** A linear quantity of the full model in terms of the small one; see
-   * CondensedSystem::response(). */
+  /**
+   * A linear quantity of the full model, expressed by the condensed one, see
+   * CondensedSystem::response().
+   */
   struct LinearResponse
   {
-    /** Per interface coordinate, and per load pattern at factor one. */
+    /** Values per interface coordinate, and per load pattern at factor one. */
     Vector coordinates, patterns;
 
-    /** For interface coordinates @p x and load factors @p a. */
+    /** Return the quantity for interface coordinates @p x and load factors @p a. */
     double
     value(const Vector &x, const Vector &a) const;
   };

@@ -12,34 +12,35 @@
 
 namespace fuga
 {
-  /** ρ c_p and ρ c_s: what plane waves have of stress per velocity [MPa s/m]. */
+  /** ρ c_p and ρ c_s: the stress per velocity of plane waves [MPa s/m]. */
   struct Impedances
   {
     double pressure = 0., shear = 0.;
   };
 
-  /** Of all bodies. */
+  /** Return the impedances of all bodies. */
   template <int dim>
   std::vector<Impedances>
   impedances(const BodyModel<dim> &model);
 
-  /** By node, the force per velocity of the ground behind a boundary [MN s/m]. */
+  /** Force per velocity of the ground behind a boundary, by node [MN s/m]. */
   template <int dim>
   using Dashpots = std::map<unsigned int, dealii::SymmetricTensor<2, dim>>;
 
   /**
-   * Dashpots at the nodes of @p boundaries, which take plane waves that arrive along the normal n,
+   * Return dashpots at the nodes of @p boundaries, which absorb plane waves that arrive along the
+   * normal n,
    *
    *     ∫ N (ρ c_p n nᵀ + ρ c_s (1 - n nᵀ)) dA,
    *
-   * and most of the others (J. Lysmer, R. L. Kuhlemeyer, Finite dynamic model for infinite media,
-   * J. Eng. Mech. Div. ASCE 95, 1969).
+   * and most of the other waves (J. Lysmer, R. L. Kuhlemeyer, Finite dynamic model for infinite
+   * media, J. Eng. Mech. Div. ASCE 95, 1969).
    */
   template <int dim>
   Dashpots<dim>
   make_dashpots(const BodyModel<dim> &model, const std::vector<std::string> &boundaries);
 
-  /** Adds their forces at the velocity @p v, times @p factor. Vectors by nodes. */
+  /** Add the forces of the dashpots at the velocity @p v, times @p factor. Vectors are by nodes. */
   template <int dim>
   void
   add_dashpot_forces(const double factor,

@@ -12,19 +12,21 @@
 namespace fuga
 {
   /**
-   * What drives the bodies in motion, beyond what acted on them before: loads that change, at once
-   * to what they are at the end where the stage has no duration, and the ground. With a rigid base
-   * it is the inertia of the moving ground, with a compliant one the force 2 C_b v of a wave with
-   * the velocity v that comes up through dashpots C_b: half of it moves the ground behind them (W.
-   * B. Joyner, A. T. F. Chen, Calculation of nonlinear ground response in earthquakes, Bull. Seism.
-   * Soc. Am. 65, 1975).
+   * The forces that drive the bodies in motion, in addition to those that acted on them before:
+   * changes of the loads, which assume their final values at once if the stage has no duration, and
+   * the ground. With a rigid base it is the inertia of the moving ground, with a compliant one the
+   * force 2 C_b v of an upward wave with the velocity v that arrives through dashpots C_b: half of
+   * it moves the ground behind them (W. B. Joyner, A. T. F. Chen, Calculation of nonlinear ground
+   * response in earthquakes, Bull. Seism. Soc. Am. 65, 1975).
    */
   template <int dim>
   class DrivingForces
   {
   public:
-    /** @p history: up to the end of the motion; @p begin: of its phase; @p mass of the degrees of
-     * freedom, as in lumped_mass(). Model, definition and history must live as long as this object.
+    /**
+     * @p history extends to the end of the motion, @p begin is the state at the beginning of its
+     * phase, @p mass that of the degrees of freedom, as in lumped_mass(). Model, definition and
+     * history must live as long as this object.
      */
     DrivingForces(const CondensedSystem<dim> &model,
                   const DynamicsDefinition &dynamics,
@@ -32,23 +34,23 @@ namespace fuga
                   const ConstructionState &begin,
                   const Vector &mass);
 
-    /** @p time since the beginning of the motion [s]; forces by nodes [MN]. */
+    /** Return the forces by nodes [MN] at @p time since the beginning of the motion [s]. */
     Vector
     at(const double time) const;
 
-    /** Of the load patterns, less those with which the motion began. */
+    /** Return the factors of the load patterns, minus those with which the motion began. */
     Vector
     load_factors(const double time) const;
 
-    /** By axes [m/s²]: what the record says. */
+    /** Return the acceleration of the ground as recorded, by axes [m/s²]. */
     std::array<double, 3>
     ground_acceleration(const double time) const;
 
-    /** The wave that comes up through a compliant base, by axes [m/s]. */
+    /** Return the velocity of the upward wave through a compliant base, by axes [m/s]. */
     std::array<double, dim>
     upward_wave(const double time) const;
 
-    /** The dashpots of the compliant base. */
+    /** Return the dashpots of the compliant base. */
     const Dashpots<dim> &
     base() const
     {
@@ -59,12 +61,12 @@ namespace fuga
     const CondensedSystem<dim> &model;
     const DynamicsDefinition &dynamics;
     const LoadHistory &history;
-    /** Load time. */
+    /** Load time at the beginning of the motion. */
     const double begin;
     const bool is_first;
-    /** Of the stage [s]. */
+    /** Duration of the stage [s]. */
     const double duration;
-    /** The ground moves in this stage. */
+    /** Whether the ground moves in this stage. */
     const bool shakes;
     const Vector mass;
     const Dashpots<dim> base_dashpots;

@@ -14,9 +14,10 @@
 namespace fuga
 {
   /**
-   * A column of ground of unit section whose points move as far as their height says: waves of
-   * shear and of pressure between its foot and its free surface, in the steps of the bodies beside
-   * it. Entry dim node + component, the last component of which is vertical; nodes from below.
+   * A column of ground with unit cross-section whose points move as a function of their height
+   * only: waves of shear and of pressure between its foot and its free surface, computed with the
+   * time steps of the bodies beside it. Vectors have entries dim node + component, where the last
+   * component is vertical; nodes are numbered from below.
    */
   template <int dim>
   class FreeColumn
@@ -25,29 +26,31 @@ namespace fuga
     /** A finite element of ground. */
     struct Cell
     {
-      /** Heights [m]. */
+      /** Heights of foot and top [m]. */
       double foot = 0., top = 0.;
-      /** [MN s²/m⁴] */
+      /** Mass density [MN s²/m⁴]. */
       double density = 0.;
       /** Lamé's λ and μ [MPa]. */
       double lambda = 0., mu = 0.;
     };
 
-    /** What is below, by components: a dashpot [MPa s/m], or a support. */
+    /** The condition at the foot, by components: a dashpot [MPa s/m], or a support. */
     struct Foot
     {
       std::array<double, dim> dashpots = {};
       std::array<bool, dim> held       = {};
     };
 
-    /** αM + βK is the damping of the ground. */
+    /** The coefficients of the damping αM + βK of the ground. */
     struct Damping
     {
       double of_mass = 0., of_stiffness = 0.;
     };
 
-    /** @p cells from below; @p degree of their polynomials; @p radius: spectral, of the integration
-     * in time. */
+    /**
+     * @p cells are ordered from below, @p degree is that of their polynomials, @p radius the
+     * spectral radius of the integration in time.
+     */
     FreeColumn(const std::vector<Cell> &cells,
                const unsigned int degree,
                const Foot &foot,
@@ -55,40 +58,49 @@ namespace fuga
                const double radius,
                const unsigned int n_rungs);
 
-    /** A place of the column: the cell and the functions of its nodes, from its first one on. */
+    /**
+     * A place in the column: the cell and the shape functions of its nodes, starting with the first
+     * one.
+     */
     struct Place
     {
       const Cell *cell       = nullptr;
       std::size_t first_node = 0;
-      /** The functions and their derivatives [1/m]. */
+      /** The shape functions and their derivatives [1/m]. */
       Vector values, slopes;
     };
 
-    /** Of the cell nearest to @p height. */
+    /** Return the place at @p height, in the nearest cell. */
     Place
     place(const double height) const;
 
-    /** What drives it, by components: the ground on which a rigid base moves [m/s²], or the
-     * velocity of the wave that comes up [m/s]. */
+    /**
+     * The excitation of the column, by components: the acceleration of the ground with a rigid base
+     * [m/s²], or the velocity of the upward wave [m/s].
+     */
     struct Drive
     {
       std::array<double, dim> acceleration = {}, wave = {};
     };
 
-    /** At rest. */
+    /** Begin at rest. */
     void
     begin(const Drive &drive);
 
-    /** A step of the length @p h and number @p rung, at whose end @p drive acts. It may be tried
-     * again. */
+    /**
+     * Compute a step of length @p h and number @p rung, at whose end @p drive acts. It may be tried
+     * again.
+     */
     void
     try_step(const unsigned int rung, const double h, const Drive &drive);
 
-    /** Takes the step that was tried last. */
+    /** Accept the step that was tried last. */
     void
     finish_step();
 
-    /** Goes on from what integration() was between two steps, with the present @p drive. */
+    /**
+     * Continue from an earlier state of integration() between two steps, with the present @p drive.
+     */
     void
     restore(const IntegrationMemory &memory, const Drive &drive);
 
@@ -98,7 +110,7 @@ namespace fuga
       return now->memory();
     }
 
-    /** u + β v and v at the end of the step that was tried last. */
+    /** Return u + β v at the end of the step that was tried last; velocity() returns v. */
     Vector
     strained() const;
 
@@ -118,13 +130,13 @@ namespace fuga
     Vector
     damping_times(const Vector &v) const;
 
-    /** K + a1 C + a0 M of a step of the length @p h. */
+    /** Return K + a1 C + a0 M for a step of length @p h. */
     DenseMatrix
     stiffness_of_step(const double h) const;
 
     const std::vector<Cell> cells;
     const unsigned int degree;
-    /** Of the nodes of a cell on (0, 1). */
+    /** Shape functions of the nodes of a cell on (0, 1). */
     const std::vector<dealii::Polynomials::Polynomial<double>> polynomials;
     const Foot foot;
     const Damping damping;

@@ -12,13 +12,14 @@
 namespace fuga
 {
   /**
-   * Second-order effect of the stresses σ with which a motion begins [MN/m]:
+   * Add the second-order effect of the stresses σ with which a motion begins [MN/m]:
    *
    *     uᵀ K_g u = ∫ σ : (∇u)ᵀ∇u dV.                    (doc/theory.md, section 19, eq. 39)
    *
-   * For a rigid block that rocks it is what the weight loses of its arm, -W h/2 θ². @p displacement
-   * (Discretization::dof()) and @p temperature: when the motion begins; without a displacement
-   * nothing is stressed. Adds to a @p matrix by nodes, of the own cells.
+   * For a rocking rigid block it is the reduction of the lever arm of the weight, -W h/2 θ².
+   * @p displacement (Discretization::dof()) and @p temperature are those at the beginning of the
+   * motion; without a displacement there are no stresses. The result is added to a @p matrix by
+   * nodes, for the own cells.
    */
   template <int dim>
   void

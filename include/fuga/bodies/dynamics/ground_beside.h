@@ -9,11 +9,11 @@
 
 namespace fuga
 {
-  /** Vertical boundary faces in one plane, with one side of it. */
+  /** Vertical boundary faces in one plane that face the same way. */
   template <int dim>
   using SideOfGround = std::vector<typename Discretization<dim>::BoundaryFace>;
 
-  /** The sides that the boundaries of a free field consist of. */
+  /** Return the sides of which the boundaries of a free field consist. */
   template <int dim>
   std::vector<SideOfGround<dim>>
   sides_of_ground(const BodyModel<dim> &model);
@@ -35,9 +35,10 @@ namespace fuga
   heights_of(const BodyModel<dim> &model, const SideOfGround<dim> &side);
 
   /**
-   * Cells of a column of the ground beside a side, from below: its layers, and in each of them the
-   * rows in which the faces stand, or as many equal cells where they stand in none.
-   * @throws InputError for a side that is no rectangle, or whose layers are not horizontal.
+   * Return the cells of a column of the ground beside a side, from below: its layers, and in each
+   * of them the rows in which the faces are arranged, or as many equal cells if they are not
+   * arranged in rows.
+   * @throws InputError for a side that is not a rectangle, or whose layers are not horizontal.
    */
   template <int dim>
   std::vector<typename FreeColumn<dim>::Cell>

@@ -8,16 +8,20 @@
 
 namespace fuga
 {
-  /** The acceleration @p t seconds after the beginning [m/s²]: 0 before it and behind the end. */
+  /**
+   * Return the acceleration @p t seconds after the beginning [m/s²]: 0 before it and after the end.
+   */
   double
   acceleration_at(const GroundMotion &motion, const double t);
 
-  /** From the first sample to the last one [s]. */
+  /** Return the time from the first sample to the last one [s]. */
   double
   duration_of(const GroundMotion &motion);
 
-  /** Velocities [m/s] and displacements [m] at the samples, from rest, exact for accelerations that
-   * are linear in between. */
+  /**
+   * Velocities [m/s] and displacements [m] at the samples, starting from rest, exact for
+   * accelerations that are linear in between.
+   */
   struct IntegratedMotion
   {
     Vector velocities, displacements;
@@ -26,22 +30,24 @@ namespace fuga
   IntegratedMotion
   integrated(const GroundMotion &motion);
 
-  /** The velocity @p t seconds after the beginning [m/s], with the velocities of integrated():
-   * behind the end it remains what it is there. */
+  /**
+   * Return the velocity @p t seconds after the beginning [m/s], from the velocities of
+   * integrated(); after the end it remains constant.
+   */
   double
   velocity_at(const GroundMotion &motion, const Vector &velocities, const double t);
 
   /**
-   * 2π √(∫a² dt / ∫ȧ² dt) [s]: the mean period of the crossings of zero of a stationary random
+   * Return 2π √(∫a² dt / ∫ȧ² dt) [s]: the mean period of the zero crossings of a stationary random
    * motion (S. O. Rice, Mathematical analysis of random noise, Bell System Tech. J. 24, 1945, eq.
-   * 3.3-11), of a harmonic one its period. Infinite if the acceleration does not change.
+   * 3.3-11); for a harmonic motion, its period. Infinite if the acceleration does not change.
    */
   double
   mean_period(const GroundMotion &motion);
 
   /**
-   * The motion less c₀ + c₁ t + c₂ t², with the coefficients for which the integral of the square
-   * of its velocity is smallest (G. V. Berg, G. W. Housner, Integrated velocity and displacement of
+   * Return the motion minus c₀ + c₁ t + c₂ t², with the coefficients that minimise the integral of
+   * the square of its velocity (G. V. Berg, G. W. Housner, Integrated velocity and displacement of
    * strong earthquake ground motion, Bull. Seism. Soc. Am. 51, 1961).
    */
   GroundMotion

@@ -9,18 +9,18 @@
 namespace fuga
 {
   /**
-   * Masses of the nodes [MN s²/m]: those of the cells in proportion to the diagonal of their
-   * consistent mass matrix (E. Hinton, T. Rock, O. C. Zienkiewicz, A note on mass lumping and
+   * Return the masses of the nodes [MN s²/m]: those of the cells in proportion to the diagonal of
+   * their consistent mass matrix (E. Hinton, T. Rock, O. C. Zienkiewicz, A note on mass lumping and
    * related processes in the finite element method, Earthquake Eng. Struct. Dyn. 4, 1976), positive
-   * for all elements, and on quadrilaterals and hexahedra those of the Gauss–Lobatto rule. The
-   * water that moves with boundaries adds to it what it has along the axes. Entry node * dim +
-   * component; zero where a support holds.
+   * for all elements, and on quadrilaterals and hexahedra equal to those of the Gauss–Lobatto rule.
+   * The components along the axes of the mass of water that moves with boundaries are added. Entry
+   * node * dim + component; zero where a support holds.
    *
-   * The lips of @p massless_joints, which are rigid, have none: their contact is then static in the
-   * displacements of the lips, so that it conserves energy and its pressure does not oscillate
+   * The lips of @p massless_joints, which are rigid, have no mass: their contact is then static in
+   * the displacements of the lips, so that it conserves energy and its pressure does not oscillate
    * (H. B. Khenous, P. Laborde, Y. Renard, Mass redistribution method for finite element contact
-   * problems in elastodynamics, Eur. J. Mech. A/Solids 27, 2008). The other nodes of their cells
-   * have got it. Lips of a body that could then turn without inertia keep theirs.
+   * problems in elastodynamics, Eur. J. Mech. A/Solids 27, 2008). Their mass is given to the other
+   * nodes of their cells. Lips of a body that could then turn without inertia keep their mass.
    */
   template <int dim>
   Vector

@@ -8,15 +8,17 @@
 
 namespace fuga
 {
-  /** The number of the first dynamic stage; that of all stages if there is none. */
+  /** Return the index of the first dynamic stage; the number of stages if there is none. */
   unsigned int
   first_dynamic_stage(const ModelDefinition &model);
 
   bool
   has_dynamic_stage(const ModelDefinition &model);
 
-  /** The number of equal steps of a dynamic stage: so many that none is longer than the time step
-   * and that every level is the end of one. */
+  /**
+   * Return the number of equal steps of a dynamic stage, chosen such that none is longer than the
+   * time step and that every level is the end of a step.
+   */
   double
   number_of_time_steps(const DynamicsDefinition &dynamics, const StageDefinition &stage);
 } // namespace fuga

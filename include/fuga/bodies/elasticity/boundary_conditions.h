@@ -11,21 +11,28 @@ namespace fuga
   template <int dim>
   class Discretization;
 
-  /** @throws InputError with coordinates if faces of the outer boundary belong to no group. */
+  /**
+   * Check the outer boundary. @throws InputError with coordinates if faces of it belong to no
+   * group.
+   */
   template <int dim>
   void
   check_outer_faces(const Discretization<dim> &discretization);
 
-  /** @throws InputError if bodies without mass end at the absorbing boundaries, the compliant base
-   *  is not horizontal, or the sides of a free field are not vertical. */
+  /**
+   * Check the absorbing boundaries. @throws InputError if bodies without mass end there, the
+   * compliant base is not horizontal, or the sides of a free field are not vertical.
+   */
   template <int dim>
   void
   check_absorbing_faces(const Discretization<dim> &discretization,
                         const JointedMesh &mesh,
                         const ModelDefinition &model);
 
-  /** Which degrees of freedom the supports but those of the boundaries @p released, and the axis of
-   *  revolution, hold: entry node * dim + direction. */
+  /**
+   * Return which degrees of freedom are held by the axis of revolution and by the supports, except
+   * for those of the boundaries @p released: entry node * dim + direction.
+   */
   template <int dim>
   std::vector<bool>
   find_fixed_dofs(const Discretization<dim> &discretization,
@@ -33,7 +40,9 @@ namespace fuga
                   const ModelDefinition &model,
                   const std::vector<std::string> &released = {});
 
-  /** All nodes of the boundary or of the points that are called @p name, in increasing order. */
+  /**
+   * Return all nodes of the boundary or of the points that are called @p name, in increasing order.
+   */
   template <int dim>
   std::vector<unsigned int>
   nodes_of_target(const Discretization<dim> &discretization,

@@ -9,8 +9,10 @@
 
 namespace fuga
 {
-  /** Stiffness matrices of one cell after the other; entry (node * dim + component). A cell of the
-   * shape and body of the one before has its matrix too. */
+  /**
+   * Computes the stiffness matrices of one cell after the other; entry (node * dim + component). A
+   * cell with the same shape and body as the previous one reuses its matrix.
+   */
   template <int dim>
   class CellStiffness
   {
@@ -19,15 +21,15 @@ namespace fuga
     CellStiffness(const Discretization<dim> &discretization,
                   const std::vector<LameConstants> &materials);
 
-    /** All entries, row by row. */
+    /** Return all entries, row by row. */
     const double *
     of(const std::size_t cell);
 
     /**
-     * Displacements of the nodes of @p cell, that of the last call of of(), without a rigid motion: a
-     * shift, and the rotation at a point of the cell. It causes no force, and no rounding error
-     * either, which in a slender cell that turns would be larger than the forces. In axisymmetry a
-     * shift along the axis only.
+     * Compute the displacements of the nodes of @p cell, which is that of the last call of of(),
+     * without a rigid motion: a translation, and the rotation at a point of the cell. The rigid
+     * motion causes no force, and no rounding error either, which in a slender cell that turns
+     * would be larger than the forces. In axisymmetry only a translation along the axis is removed.
      */
     void
     take_deformation(const std::size_t cell, const Vector &u, Vector &local) const;
@@ -36,11 +38,11 @@ namespace fuga
     void
     compute();
 
-    /** From ∫ ∇N_a ⊗ ∇N_b. */
+    /** Return the block of two nodes computed from ∫ ∇N_a ⊗ ∇N_b. */
     dealii::Tensor<2, dim>
     plane_block(const dealii::Tensor<2, dim> &product) const;
 
-    /** What the hoop strain u_r / r adds. */
+    /** Add the contribution of the hoop strain u_r / r. */
     void
     add_hoop(const std::size_t a, const std::size_t b, dealii::Tensor<2, dim> &block) const;
 

@@ -17,9 +17,10 @@ namespace fuga
 
   /**
    * The stiffness of the elastic bodies. No global matrix in nodal displacements is ever stored:
-   * the matrix in the coordinates goes straight into MUMPS' triplets, and products with it
-   * (residuals, energies, reactions) are sums over cells. Vectors: entry node * dim + component.
-   * Every process computes on its own cells and has to call alike; sums are the same on all.
+   * the matrix in the coordinates is assembled directly into MUMPS' triplets, and products with it
+   * (residuals, energies, reactions) are sums over cells. Vectors have entries node * dim +
+   * component. Every process computes on its own cells and all have to call the functions alike;
+   * sums are the same on all.
    */
   template <int dim>
   class ElasticBodies
@@ -29,35 +30,44 @@ namespace fuga
                   const JointedMesh &mesh,
                   const ModelDefinition &model);
 
-    /** By node, the largest modulus λ + 2μ of the bodies there [MPa]. */
+    /** Return for each node the largest modulus λ + 2μ of the bodies there [MPa]. */
     Vector
     node_moduli() const;
 
-    /** Cᵀ K C, one triangle, with C of @p coordinates; of the own cells. */
+    /** Return one triangle of Cᵀ K C with C of @p coordinates, for the own cells. */
     SymmetricTriplets
     assemble(const InterfaceCoordinates<dim> &coordinates) const;
 
-    /** K by degrees of freedom, of the own cells; @p pattern must live as long as @p matrix. */
+    /**
+     * Assemble K by degrees of freedom, for the own cells; @p pattern must live as long as
+     * @p matrix.
+     */
     void
     assemble_by_nodes(dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
 
-    /** K u: the nodal forces that hold the displacement u; of all bodies, or by their numbers @p only
-     *  some. */
+    /**
+     * Return K u: the nodal forces that hold the displacement u; of all bodies, or of those marked
+     * in @p only by their numbers.
+     */
     Vector
     forces(const Vector &u, const std::vector<bool> *only = nullptr) const;
 
-    /** The same; @p terms: Σ|Kᵢⱼwⱼ|, what the rounding errors of forces and displacements are in
-     * proportion to where u comes from displacements w, @p rounded. */
+    /**
+     * Return K u, and in @p terms Σ|Kᵢⱼwⱼ|, to which the rounding errors of forces and
+     * displacements are proportional if u was computed from displacements w, @p rounded.
+     */
     Vector
     forces(const Vector &u, const Vector &rounded, Vector &terms) const;
 
-    /** Strain energy ½ uᵀ K u of every cell. */
+    /** Return the strain energy ½ uᵀ K u of every cell. */
     Vector
     cell_energies(const Vector &u) const;
 
   private:
-    /** Calls @p action(cell, u of the cell without its rigid motion, forces, stiffness) for every
-     * own cell, or those of some bodies only. */
+    /**
+     * Call @p action(cell, u of the cell without its rigid motion, forces, stiffness) for every own
+     * cell, or only for those of some bodies.
+     */
     template <typename Action>
     void
     for_each_cell_force(const Vector &u,

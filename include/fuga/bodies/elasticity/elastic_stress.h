@@ -14,15 +14,15 @@ namespace fuga
   template <int dim>
   struct StressState
   {
-    /** In space all of it. */
+    /** Components in the plane; in space, all components. */
     dealii::SymmetricTensor<2, dim> in_plane;
-    /** Across the plane; in axisymmetry the hoop stress. */
+    /** Stress across the plane; in axisymmetry, the hoop stress. */
     double across = 0.;
   };
 
   /**
-   * Hooke's law for the strain less the thermal strain αΔT. @p gradient: ∂u_i/∂x_j; @p hoop_strain:
-   * u_r/r in axisymmetry, else 0.
+   * Evaluate Hooke's law for the strain minus the thermal strain αΔT. @p gradient is ∂u_i/∂x_j;
+   * @p hoop_strain is u_r/r in axisymmetry, otherwise 0.
    */
   template <int dim>
   StressState<dim>

@@ -13,21 +13,28 @@ namespace fuga
   template <int dim>
   class RigidPieces;
 
-  /** How well a solution satisfies the equations of the full model; forces relative to the largest.
+  /**
+   * The error of a solution in the equations of the full model; forces are relative to the largest
+   * one.
    */
   struct EquilibriumError
   {
-    /** Largest entry of K u + Gᵀ p - P a over all free degrees of freedom, less what the rounding
-     * of u explains. */
+    /**
+     * Largest entry of K u + Gᵀ p - P a over all free degrees of freedom, minus the part explained
+     * by the rounding of u.
+     */
     double residual = 0.;
-    /** Largest resultant (force or moment) on a body without support, and which body. */
+    /** Largest resultant (force or moment) on a body without support, and the name of this body. */
     double resultant = 0.;
     std::string body;
   };
 
-  /** From the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry node * dim +
-   * component). @p acting: forces that others balance within P a or Gᵀ p, say weight by inertia where a
-   * body falls; errors are relative to them as well. Empty if there are none. */
+  /**
+   * Compute the error from the nodal forces K u with its @p terms Σ|Kᵢⱼuⱼ|, Gᵀ p and P a (entry
+   * node * dim + component). @p acting are forces that others balance within P a or Gᵀ p, e.g.
+   * weight by inertia if a body falls; errors are relative to them as well. Empty if there are
+   * none.
+   */
   template <int dim>
   EquilibriumError
   equilibrium_error(const Vector &elastic,

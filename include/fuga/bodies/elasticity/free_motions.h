@@ -14,50 +14,54 @@ namespace fuga
   class RigidPieces;
 
   /**
-   * The rigid motions that the supports leave to the bodies. A body that flies moves by far more
-   * than it deforms: K u has resultants that are all rounding then, and inertia would follow them,
-   * unless the motion, which K does not feel, is taken out of u before.
+   * The rigid motions of the bodies that the supports allow. A flying body moves by far more than
+   * it deforms: the resultants of K u are then nothing but rounding, and inertia would follow them,
+   * unless the motion, which K does not feel, is removed from u before.
    */
   class FreeMotions
   {
   public:
-    /** @p mass: the diagonal of M. */
+    /** @p mass is the diagonal of M. */
     template <int dim>
     FreeMotions(const RigidPieces<dim> &pieces, const Vector &mass);
 
-    /** @p u (entry node * dim + component) without its rigid part. */
+    /** Return @p u (entry node * dim + component) without its rigid part. */
     Vector
     deformation(Vector u) const;
 
-    /** The same to the last digit of u, for the displacement that has added up since the motion
-     * began: K makes forces of that digit, and both who moves the bodies and who judges them must
-     * mean the same ones. */
+    /**
+     * Return the deformation to the last digit of u, for the displacement accumulated since the
+     * motion began: K converts this digit to forces, and both the integration of the motion and the
+     * judge must use the same ones.
+     */
     Vector
     deformation_of_far(const Vector &u) const;
 
-    /** What deformation() takes off. */
+    /** Return the part that deformation() removes. */
     Vector
     rigid_part(const Vector &u) const;
 
-    /** M R (Rᵀ M R)⁻¹ Rᵀ f, R these motions of bodies with mass: the resultants of forces f as
-     * inertia forces. */
+    /**
+     * Return M R (Rᵀ M R)⁻¹ Rᵀ f, where R are these motions of bodies with mass: the resultants of
+     * forces f as inertia forces.
+     */
     Vector
     inertia_of_resultants(const Vector &forces) const;
 
   private:
-    /** φ, and W φ with the weights of the scalar product, of the nodes that move. */
+    /** φ, and W φ with the weights of the scalar product, at the nodes that move. */
     struct Motion
     {
       std::vector<std::size_t> entries;
       Vector values, dual;
     };
 
-    /** φᵀ W φ' is 0 or 1; motions without weight are not among them. */
+    /** Return motions for which φᵀ W φ' is 0 or 1; motions without weight are left out. */
     template <int dim>
     static std::vector<Motion>
     orthonormal(const RigidPieces<dim> &pieces, const Vector &weights);
 
-    /** Σ shape (factors · given) over @p motions. */
+    /** Return the sum of shape (factors · given) over @p motions. */
     static Vector
     project(const std::vector<Motion> &motions,
             const Vector Motion::*const factors,
@@ -68,7 +72,7 @@ namespace fuga
     static void
     remove(const Motion &motion, std::vector<Number> &u);
 
-    /** By nodes, and by mass. */
+    /** The motions, orthonormal with equal weights of the nodes and with the mass, respectively. */
     std::vector<Motion> motions, momenta;
   };
 } // namespace fuga

@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  /** The two numbers of isotropic elasticity, σ = λ tr(ε) 1 + 2μ ε in the plane. */
+  /** The two constants of isotropic elasticity, σ = λ tr(ε) 1 + 2μ ε in the plane. */
   struct LameConstants
   {
     double lambda = 0.;
@@ -18,7 +18,10 @@ namespace fuga
   LameConstants
   lame_constants(const Material &material, const PlaneAssumption assumption);
 
-  /** Stress that holds back a thermal strain αΔT in the plane, per strain: σ = C ε - this · αΔT. */
+  /**
+   * Return the stress per strain that restrains a thermal strain αΔT in the plane: σ = C ε - this ·
+   * αΔT.
+   */
   double
   thermal_modulus(const Material &material, const PlaneAssumption assumption);
 } // namespace fuga

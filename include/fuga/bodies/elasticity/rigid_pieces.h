@@ -11,10 +11,10 @@
 namespace fuga
 {
   /**
-   * The connected pieces of the open mesh as rigid bodies. Before anything is factorised they tell
+   * The connected pieces of the open mesh as rigid bodies. Before anything is factorised they show
    * whether supports and closed joints hold the structure, and if not, what moves and how. A piece
    * is connected through faces; pieces that share a single vertex (or an edge) are hinged there. In
-   * axisymmetry the shift along the axis is the only rigid motion.
+   * axisymmetry the translation along the axis is the only rigid motion.
    */
   template <int dim>
   class RigidPieces
@@ -24,33 +24,40 @@ namespace fuga
                 const JointedMesh &mesh,
                 const std::vector<bool> &fixed);
 
-    /** Supports and these bars (all taken as rigid) exclude every rigid motion. */
+    /** Return whether supports and these bars (all assumed rigid) exclude every rigid motion. */
     bool
     are_held_by(const ContactBars<dim> &bars) const;
 
-    /** @throws InputError naming a body that is not held, its motion and the remedy. */
+    /**
+     * Check that the bodies are held. @throws InputError naming a body that is not held, its motion
+     * and the remedy.
+     */
     void
     require_held_by(const ContactBars<dim> &bars) const;
 
-    /** Number of rigid motions that the supports leave to the bodies. */
+    /** Return the number of rigid motions of the bodies that the supports allow. */
     std::size_t
     n_free_motions() const
     {
       return free_motions.size();
     }
 
-    /** Displacement of all nodes (entry node * dim + component) in one of these motions: of the
-     * size of one, also at the corner that a rotation moves farthest. */
+    /**
+     * Return the displacement of all nodes (entry node * dim + component) in one of these motions:
+     * of the order of one, also at the corner that a rotation moves farthest.
+     */
     Vector
     free_motion(const std::size_t number) const;
 
-    /** Name of the body (of its first cell) that moves in one of these motions. */
+    /** Return the name of the body (of its first cell) that moves in one of these motions. */
     const std::string &
     moving_body(const std::size_t number) const;
 
   private:
-    /** Per piece: dim shifts, then the rotations scaled by the size of the piece (one in the plane;
-     *  about x, y, z in space). */
+    /**
+     * Number of motions per piece: dim translations, then the rotations scaled by the size of the
+     * piece (one in the plane; about x, y, z in space).
+     */
     static constexpr unsigned int n_motions = dim == 2 ? 3 : 6;
 
     /** Amounts of these motions. */
@@ -59,8 +66,10 @@ namespace fuga
     /** Coefficients of one linear form of the motions of all pieces. */
     using Row = std::vector<std::pair<unsigned int, double>>;
 
-    /** The work of a force in @p direction, at @p arm from the center, on every motion; rotations
-     *  divided by @p size. */
+    /**
+     * Return the work of a force in @p direction, at @p arm from the center, on every motion;
+     * rotations are divided by @p size.
+     */
     static Motion
     work_on_motions(const dealii::Tensor<1, dim> &direction,
                     const dealii::Tensor<1, dim> &arm,
@@ -78,7 +87,7 @@ namespace fuga
     DenseMatrix
     gram_matrix(const ContactBars<dim> &bars) const;
 
-    /** Null vectors of the Gram matrix, as columns. */
+    /** Return the null vectors of the Gram matrix, as columns. */
     DenseMatrix
     null_space(const ContactBars<dim> &bars) const;
 
@@ -90,7 +99,7 @@ namespace fuga
 
     const Discretization<dim> &discretization;
     const JointedMesh &mesh;
-    /** Which of the motions of a piece are rigid. */
+    /** The motions of a piece that are rigid. */
     std::vector<unsigned int> motions;
     std::vector<unsigned int> piece_of_node;
     std::vector<unsigned int> body_of_piece;

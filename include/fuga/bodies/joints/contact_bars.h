@@ -14,8 +14,8 @@ namespace fuga
 {
   /**
    * The contact elements of all joints and their bars. A bar whose jump the supports exclude does
-   * not exist; an element without normal bar does not exist either; nor does one at a tip inside a
-   * body, nor one without area, on the axis of revolution.
+   * not exist; neither does an element without normal bar, at a tip inside a body, or without area
+   * on the axis of revolution.
    */
   template <int dim>
   class ContactBars
@@ -40,8 +40,8 @@ namespace fuga
     };
 
     /**
-     * @p fixed: held degrees of freedom, node * dim + component; @p frictionless: joints without
-     * tangential bars, but for the nodes where they cross or touch others.
+     * @p fixed marks held degrees of freedom, node * dim + component; @p frictionless marks joints
+     * without tangential bars, except at the nodes where they cross or touch others.
      * @throws InputError if a support holds both lips in a direction oblique to the joint.
      */
     ContactBars(const JointGeometry<dim> &geometry,
@@ -49,7 +49,9 @@ namespace fuga
                 const std::vector<bool> &fixed,
                 const std::vector<bool> &frictionless);
 
-    /** Geometry and numbers only; the laws are for others to fill in. */
+    /**
+     * Return the elements with geometry and numbers only; the laws have to be added by the caller.
+     */
     const std::vector<ContactElement> &
     elements() const
     {
@@ -62,15 +64,17 @@ namespace fuga
       return geometry.pairs()[pairs[element]];
     }
 
-    /** The tangents of an element: those of its pair, or, where the supports exclude a jump along
-     * the first but not along the second, both turned by a right angle. */
+    /**
+     * Return the tangents of an element: those of its pair, or, if the supports exclude a jump
+     * along the first but not along the second, both turned by a right angle.
+     */
     const std::array<dealii::Tensor<1, dim>, dim - 1> &
     tangents_of_element(const std::size_t element) const
     {
       return its_tangents[element];
     }
 
-    /** Along how many of its tangents, the first ones, the supports allow a jump. */
+    /** Return the number of its first tangents along which the supports allow a jump. */
     unsigned int
     n_free_tangents(const std::size_t element) const
     {
@@ -92,20 +96,22 @@ namespace fuga
     /** Contact elements, with their weights. */
     using Shares = std::vector<std::pair<unsigned int, double>>;
 
-    /** What the jump of a pair of the geometry is made of: its element; of a hanging pair those of
-     *  its masters; nothing where lips are bonded or held. */
+    /**
+     * Return the elements that make up the jump of a pair of the geometry: its element; for a
+     * hanging pair those of its masters; none where lips are bonded or held.
+     */
     Shares
     shares_of_pair(const unsigned int pair) const;
 
-    /** Jump of every bar; entry node * dim + component of @p u. */
+    /** Return the jump of every bar; @p u has entries node * dim + component. */
     Vector
     jumps(const Vector &u) const;
 
-    /** Adds @p factor times the nodal forces Gᵀ p. */
+    /** Add @p factor times the nodal forces Gᵀ p. */
     void
     add_forces(const double factor, const Vector &p, Vector &forces) const;
 
-    /** One line per joint with elements left out. */
+    /** Return one line per joint with elements left out. */
     const std::vector<std::string> &
     report() const
     {
@@ -113,7 +119,7 @@ namespace fuga
     }
 
   private:
-    /** What the supports leave of the jump of a pair. */
+    /** The part of the jump of a pair that the supports allow. */
     struct Jump
     {
       bool normal = true;

@@ -11,22 +11,21 @@
 namespace fuga
 {
   /**
-   * The change of variables that puts the jumps in the place of one lip: u⁺ = u⁻ + Q δ, or
-   * u⁻ = u⁺ - Q δ, so that the softer lip moves: what elimination leaves of the stiffness of a
-   * stiff lip on a soft body would be rounding. In the new coordinates δ = 0 is the bonded
-   * structure, so that everything but the jumps can be eliminated even if the joints alone hold a
-   * body.
+   * The change of variables that replaces one lip by the jumps: u⁺ = u⁻ + Q δ, or u⁻ = u⁺ - Q δ, so
+   * that the softer lip moves: after the elimination, nothing but rounding would be left of the
+   * stiffness of a stiff lip on a soft body. In the new coordinates δ = 0 is the bonded structure,
+   * so that everything but the jumps can be eliminated even if a body is held only by the joints.
    *
    * Every degree of freedom (entry node * dim + component) is a sum of coordinates with factors,
-   * plus a prescribed part: that of the support it hangs on. Coordinates are numbered from 0; the
-   * interface coordinates come last. Where more than two nodes meet (joints cross or touch) the
-   * interface coordinates are offsets from one of the nodes in global directions; there, and where
-   * several elements tie the same nodes (the corner of a joint), the jump operator is not the
-   * identity. Hanging nodes have the coordinates of their masters.
+   * plus a prescribed part: that of the support to which it is attached. Coordinates are numbered
+   * from 0; the interface coordinates come last. Where more than two nodes meet (joints cross or
+   * touch) the interface coordinates are offsets from one of the nodes in global directions; there,
+   * and where several elements connect the same nodes (the corner of a joint), the jump operator is
+   * not the identity. Hanging nodes have the coordinates of their masters.
    *
-   * deal.II's AffineConstraints hold all of this: its unknowns are the degrees of freedom, and
-   * behind them the jumps. Those without constraint are coordinates, but for the supports, which
-   * have values.
+   * All of this is stored in deal.II's AffineConstraints, whose unknowns are the degrees of freedom
+   * followed by the jumps. Unknowns without constraint are coordinates, except for the supports,
+   * which have values.
    */
   template <int dim>
   class InterfaceCoordinates
@@ -38,7 +37,7 @@ namespace fuga
       double factor           = 0.;
     };
 
-    /** @p stiffness: by node, of any unit; the nodes with less of it move. */
+    /** @p stiffness is given by node, in any unit; the nodes with the smaller one move. */
     InterfaceCoordinates(const Discretization<dim> &discretization,
                          const ContactBars<dim> &bars,
                          const std::vector<bool> &fixed,
@@ -62,7 +61,7 @@ namespace fuga
       return n_coordinates - interface_count;
     }
 
-    /** All degrees of freedom of the node are coordinates themselves. */
+    /** Return whether all degrees of freedom of the node are coordinates themselves. */
     bool
     is_plain(const std::size_t node) const
     {
@@ -72,14 +71,14 @@ namespace fuga
       return true;
     }
 
-    /** The coordinate which a degree of freedom of a plain node is. */
+    /** Return the coordinate that equals a degree of freedom of a plain node. */
     unsigned int
     plain_coordinate(const std::size_t dof) const
     {
       return static_cast<unsigned int>(numbers[dof]);
     }
 
-    /** The coordinate that a degree of freedom is, if it is one. */
+    /** Return the coordinate that equals a degree of freedom, if it is one. */
     std::optional<unsigned int>
     coordinate_of(const std::size_t dof) const
     {
@@ -88,23 +87,23 @@ namespace fuga
       return plain_coordinate(dof);
     }
 
-    /** Replaces @p terms by those of a degree of freedom (none if it is held). */
+    /** Set @p terms to those of a degree of freedom (none if it is held). */
     void
     terms_of(const std::size_t dof, std::vector<Term> &terms) const;
 
-    /** C y + u (which may be empty). */
+    /** Return C y + u, where u may be empty. */
     Vector
     distribute(const double *y, const Vector &u) const;
 
-    /** Cᵀ f. */
+    /** Return Cᵀ f. */
     Vector
     gather(const Vector &forces) const;
 
-    /** Gives the degrees of freedom that hang on a support its prescribed displacement. */
+    /** Assign the prescribed displacement of a support to the degrees of freedom attached to it. */
     void
     extend_prescribed(Vector &prescribed) const;
 
-    /** Jumps of the bars from the interface coordinates. */
+    /** Return the operator that computes the jumps of the bars from the interface coordinates. */
     const SparseOperator &
     jump_operator() const
     {
@@ -119,7 +118,7 @@ namespace fuga
     number(const std::vector<bool> &fixed, const std::vector<bool> &has_bar);
 
     dealii::AffineConstraints<double> constraints;
-    /** By unknown its coordinate; -1 for what is constrained or held. */
+    /** Coordinate of each unknown; -1 if it is constrained or held. */
     std::vector<int> numbers;
     std::size_t n_dofs           = 0;
     unsigned int n_coordinates   = 0;

@@ -16,26 +16,27 @@
 namespace fuga
 {
   /**
-   * The constraints at the joints: which degrees of freedom (node * dim + component) are sums of
-   * others and of jumps, which are numbered behind them; and the jumps of all bars by the interface
-   * coordinates.
+   * The constraints at the joints: they express degrees of freedom (node * dim + component) by
+   * others and by jumps, which are numbered after them; and the jumps of all bars as functions of
+   * the interface coordinates.
    *
-   * Elements that tie the same two nodes (one, or at a corner one for every straight part) have the
-   * jumps along an orthonormal frame, that of the first of them, as coordinates. Where more nodes
-   * meet, coordinates are offsets from one of them in global directions.
+   * Elements that connect the same two nodes (one, or at a corner one for every straight part) have
+   * the jumps along an orthonormal frame, that of the first of them, as coordinates. Where more
+   * nodes meet, coordinates are offsets from one of them in global directions.
    */
   template <int dim>
   class InterfaceRows
   {
   public:
-    /** Adds to @p constraints, which the caller closes. */
+    /** Add the constraints to @p constraints, which the caller closes. */
     InterfaceRows(const ContactBars<dim> &bars,
                   const std::vector<bool> &fixed,
                   const Vector &stiffness,
                   dealii::AffineConstraints<double> &constraints);
 
-    /** By jump, whether a bar resists it, which makes it an interface coordinate. Others are
-     * slides.
+    /**
+     * Return for each jump whether a bar resists it, which makes it an interface coordinate. Others
+     * are free slides.
      */
     const std::vector<bool> &
     has_bar() const
@@ -43,7 +44,7 @@ namespace fuga
       return jump_has_bar;
     }
 
-    /** Jumps of the bars from the interface coordinates. */
+    /** Return the operator that computes the jumps of the bars from the interface coordinates. */
     SparseOperator
     jump_operator() const;
 
@@ -57,26 +58,26 @@ namespace fuga
     {
       dealii::Tensor<1, dim> direction;
       dealii::types::global_dof_index unknown;
-      /** If a bar resists it. */
+      /** Number of the interface coordinate, if a bar resists it. */
       unsigned int coordinate;
     };
 
     using Cluster = std::vector<unsigned int>;
 
-    /** Whether all elements tie the same two nodes. */
+    /** Return whether all elements connect the same two nodes. */
     bool
     is_pair(const Cluster &cluster) const;
     void
     add_pair(const Cluster &cluster);
-    /** An orthonormal frame of all jumps that the supports allow. */
+    /** Return an orthonormal frame of all jumps that the supports allow. */
     std::vector<LocalDirection>
     frame_of_jumps(const Cluster &cluster);
-    /** Adds to the frame what @p direction has besides it, if that is anything. */
+    /** Add the part of @p direction that is orthogonal to the frame to it, unless it vanishes. */
     void
     add_direction(dealii::Tensor<1, dim> direction,
                   const bool by_bar,
                   std::vector<LocalDirection> &frame);
-    /** Returns its number among the unknowns. */
+    /** Add a jump and return its number among the unknowns. */
     dealii::types::global_dof_index
     new_jump(const bool by_bar);
 
@@ -88,7 +89,7 @@ namespace fuga
     void
     set_row(const std::size_t dof, const Terms &terms);
 
-    /** u of a degree of freedom = u of another one + sign * terms. */
+    /** Set u of a degree of freedom = u of another one + sign * terms. */
     void
     attach(const std::size_t dof, const std::size_t base, Terms terms, const double sign);
 
@@ -101,7 +102,7 @@ namespace fuga
     dealii::AffineConstraints<double> &constraints;
     std::vector<bool> jump_has_bar;
     unsigned int interface_count = 0;
-    /** By bars and interface coordinates. */
+    /** Entries of the jump operator, by bars and interface coordinates. */
     std::vector<SparseOperator::Entry> jumps;
     bool has_junction = false;
   };

@@ -13,7 +13,10 @@
 
 namespace fuga
 {
-  /** Whether faces with these unit normals meet at a corner: at more than @p corner_angle degrees. */
+  /**
+   * Return whether faces with these unit normals meet at a corner, i.e. at more than
+   * @p corner_angle degrees.
+   */
   template <int dim>
   bool
   is_corner(const dealii::Tensor<1, dim> &a,
@@ -21,16 +24,19 @@ namespace fuga
             const double corner_angle);
 
   /**
-   * The straight part to which each of the faces around one node pair belongs, by their unit
-   * @p normals. Faces are in one part if a chain of faces leads from one to the other, each of
-   * which meets the next at no corner. Parts are numbered from 0 in the order of their first faces.
+   * Return the straight part to which each of the faces around one node pair belongs, from their
+   * unit @p normals. Faces are in one part if a chain of faces leads from one to the other in which
+   * no two consecutive faces meet at a corner. Parts are numbered from 0 in the order of their
+   * first faces.
    */
   template <int dim>
   std::vector<unsigned int>
   straight_parts(const std::vector<dealii::Tensor<1, dim>> &normals, const double corner_angle);
 
-  /** One line for the log per joint with corners: how many node pairs have several elements, and
-   * where the first ones are. */
+  /**
+   * Return one line for the log per joint with corners: the number of node pairs with several
+   * elements, and the positions of the first ones.
+   */
   template <int dim>
   std::vector<std::string>
   corner_report(const std::vector<NodePair<dim>> &pairs, const JointedMesh &mesh);

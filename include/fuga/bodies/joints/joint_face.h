@@ -14,14 +14,19 @@ namespace fuga
   struct JointFace
   {
     unsigned int joint = 0;
-    /** By node its contact element with the weight 1; where it hangs those of its masters; none
-     * where the lips are bonded. */
+    /**
+     * Contact element of each node with the weight 1; at a hanging node those of its masters; none
+     * where the lips are bonded.
+     */
     std::vector<std::vector<std::pair<unsigned int, double>>> shares;
     std::vector<std::array<double, 3>> positions;
-    /** The face of a cell that is the plus lip, and which of the boundary's nodes each one is. */
+    /**
+     * Cell and face number of the plus lip, and whether the nodes are numbered against those of
+     * this face.
+     */
     unsigned int cell = 0, number = 0;
     bool backwards = false;
-    /** On the plus lip [m²]. */
+    /** Area on the plus lip [m²]. */
     double area = 0.;
   };
 } // namespace fuga

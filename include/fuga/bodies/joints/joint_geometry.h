@@ -22,22 +22,26 @@ namespace fuga
   {
     unsigned int joint     = 0;
     unsigned int plus_node = 0;
-    /** Discretization::no_node for the obstacle. */
+    /** Node on the minus side; Discretization::no_node for the obstacle. */
     unsigned int minus_node = 0;
-    /** Number of the straight part among those that meet at these nodes; 0 but at corners. */
+    /** Number of the straight part among those that meet at these nodes; 0 except at corners. */
     unsigned int part = 0;
     /** Unit vector from the minus to the plus side. */
     dealii::Tensor<1, dim> normal;
     dealii::Point<dim> position;
-    /** Tributary area, with the extent across the plane; 0 on the axis of revolution for degrees
-     *  above 1. */
+    /**
+     * Tributary area, including the extent across the plane; 0 on the axis of revolution for
+     * degrees above 1.
+     */
     double area = 0.;
-    /** Of a pair whose nodes hang: the pairs it moves with, and their weights. It has no area of
-     * its own, as forces on hanging nodes go to their masters. */
+    /**
+     * The pairs with which a pair of hanging nodes moves, and their weights. It has no area of its
+     * own, as forces on hanging nodes go to their masters.
+     */
     std::vector<std::pair<unsigned int, double>> masters;
   };
 
-  /** The other vector of the local frame: (tangent, normal) is right-handed as (x, y). */
+  /** Return the other vector of the local frame: (tangent, normal) is right-handed like (x, y). */
   inline std::array<dealii::Tensor<1, 2>, 1>
   tangents(const dealii::Tensor<1, 2> &normal)
   {
@@ -47,9 +51,11 @@ namespace fuga
     return t;
   }
 
-  /** The other vectors of the local frame: (t1, t2, normal) is right-handed as (x, y, z), and t1 is
-   * the direction of x in the plane of the joint; where the normal is within 25.8 degrees of x
-   * (|n_x| > 0.9), that of y. */
+  /**
+   * Return the other vectors of the local frame: (t1, t2, normal) is right-handed like (x, y, z),
+   * and t1 is the direction of x projected onto the plane of the joint; if the normal is within
+   * 25.8 degrees of x (|n_x| > 0.9), that of y.
+   */
   inline std::array<dealii::Tensor<1, 3>, 2>
   tangents(const dealii::Tensor<1, 3> &normal)
   {
@@ -61,8 +67,8 @@ namespace fuga
   }
 
   /**
-   * Node pairs of all joints. The lips are matched face by face, not node by node, so that where
-   * joints cross every pair of copies that really faces each other is found. At a corner
+   * The node pairs of all joints. The lips are matched face by face, not node by node, so that
+   * where joints cross every pair of copies that really faces each other is found. At a corner
    * (JointedMesh::Joint::corner_angle) the nodes have a pair for every straight part, with the area
    * and the normal of the faces of this part alone. Within a part the normal is the average of the
    * neighbouring faces weighted by tributary areas.
@@ -75,16 +81,18 @@ namespace fuga
     struct Face
     {
       unsigned int joint = 0;
-      /** Indices; in the plane in the direction of numbering, in space in the order of the nodes of
-       * the face. */
+      /**
+       * Indices of the pairs; in the plane in the direction of numbering, in space in the order of
+       * the nodes of the face.
+       */
       std::vector<unsigned int> pairs;
-      /** On the plus lip. */
+      /** The face on the plus lip. */
       typename Discretization<dim>::BoundaryFace boundary;
       double area = 0.;
-      /** The direction of numbering is against that of the face. */
+      /** Whether the direction of numbering is opposite to that of the face. */
       bool backwards = false;
 
-      /** The pair at node @p k of the boundary face. */
+      /** Return the pair at node @p k of the boundary face. */
       unsigned int
       pair_of_node(const std::size_t k) const
       {
@@ -95,8 +103,11 @@ namespace fuga
     /** @throws InputError with coordinates where the lips do not match. */
     JointGeometry(const Discretization<dim> &discretization, const JointedMesh &mesh);
 
-    /** By joints; in the plane from one end of each to the other: the one with the smaller x, then
-     * y, first; in space by their faces in the order of the x, then y, then z of their centers. */
+    /**
+     * Return the pairs by joints; in the plane from one end of each joint to the other: the one
+     * with the smaller x, then y, first; in space by their faces in the order of the x, then y,
+     * then z of their centers.
+     */
     const std::vector<NodePair<dim>> &
     pairs() const
     {
@@ -112,7 +123,7 @@ namespace fuga
   private:
     using Normal = dealii::Tensor<1, dim>;
 
-    /** A pair, and the normals of the faces that made it. */
+    /** A pair, and the normals of the faces to which it belongs. */
     struct KnownPair
     {
       unsigned int index = 0;
@@ -126,15 +137,15 @@ namespace fuga
     void
     add_joint(const unsigned int joint, const JointedMesh::Joint &definition);
 
-    /** The parts that the faces belong to, for every node of each. */
+    /** Return the parts to which the faces belong, for every node of each. */
     std::vector<std::vector<unsigned int>>
     parts_of_faces(const std::vector<MatchedFace<dim>> &faces, const double corner_angle) const;
 
-    /** Of the first point, from the minus to the plus side. */
+    /** Return the normal at the first point, from the minus to the plus side. */
     Normal
     normal_of(const MatchedFace<dim> &face) const;
 
-    /** ∫ N over the area of a face, for all its nodes. */
+    /** Return ∫ N over the area of a face, for all its nodes. */
     Vector
     node_areas(const MatchedFace<dim> &face) const;
 
@@ -144,22 +155,25 @@ namespace fuga
              const std::vector<unsigned int> &parts,
              KnownPairs &known);
 
-    /** The pair of a part of the nodes; parts come in the order of their numbers. */
+    /** Return the pair of a part of the nodes; parts are created in the order of their numbers. */
     KnownPair &
     find_or_add(const unsigned int joint,
                 const Nodes &nodes,
                 const unsigned int part,
                 KnownPairs &known);
 
-    /** Gives the areas of hanging pairs to their masters. */
+    /** Move the areas of hanging pairs to their masters. */
     void
     move_to_masters(const double corner_angle, KnownPairs &known);
 
-    /** The pairs a hanging pair moves with. */
+    /** Find the pairs with which a hanging pair moves. */
     void
     find_masters(const KnownPair &hanging_pair, const double corner_angle, KnownPairs &known);
 
-    /** The part of the nodes in which the normals of a hanging pair are; a new one if none is. */
+    /**
+     * Return the part of the nodes that contains the normals of a hanging pair; a new one if there
+     * is none.
+     */
     unsigned int
     part_of_master(const std::vector<KnownPair> &of_master,
                    const std::vector<Normal> &normals,

@@ -11,21 +11,23 @@
 
 namespace fuga
 {
-  /** A face of the plus lip of a joint and the nodes of both lips along it, in the direction of
-   * numbering. */
+  /**
+   * A face of the plus lip of a joint, and the nodes of both lips along it, in the direction of
+   * numbering.
+   */
   template <int dim>
   struct MatchedFace
   {
     const typename Discretization<dim>::BoundaryFace *plus = nullptr;
     /** Minus nodes are Discretization::no_node for a rigid obstacle. */
     std::vector<unsigned int> plus_nodes, minus_nodes;
-    /** The direction of numbering is against that of the face. */
+    /** Whether the direction of numbering is opposite to that of the face. */
     bool backwards = false;
   };
 
   /**
-   * The faces of a joint in the order of JointGeometry::pairs(); none if the bodies along it are
-   * not there. The lips are matched face by face.
+   * Return the faces of a joint in the order of JointGeometry::pairs(); none if the bodies along it
+   * do not exist. The lips are matched face by face.
    * @throws InputError with coordinates where the lips do not match, and if only parts of the joint
    * have bodies on both sides.
    */

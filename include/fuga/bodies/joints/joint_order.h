@@ -12,9 +12,9 @@
 namespace fuga
 {
   /**
-   * The order in which the faces of a joint are numbered, whatever their order in the mesh, from
-   * their corners: in the plane along the line, and whether each face is walked backwards; in space
-   * by the x, then y, then z of their centers.
+   * Return the order in which the faces of a joint are numbered, independent of their order in the
+   * mesh, from their corners: in the plane along the line, and whether each face is traversed
+   * backwards; in space by the x, then y, then z of their centers.
    */
   template <int dim>
   std::vector<std::pair<unsigned int, bool>>

@@ -10,11 +10,11 @@
 namespace fuga
 {
   /**
-   * Adds the nodal forces of a depth pressure on the boundaries whose labels are marked in @p
-   * loaded, for one level. Faces are cut at the level, and integration is exact on both kinds of
-   * terms: along √d instead of d everything is a polynomial. In space a face is swept by lines, and
-   * exact if the depth changes along the lines only; else across them √d and what is left of a
-   * corner have the error of Gauss' rule.
+   * Add the nodal forces of a depth pressure on the boundaries whose labels are marked in
+   * @p loaded, for one level. Faces are cut at the level, and integration is exact for both kinds
+   * of terms: along √d instead of d everything is a polynomial. In space a face is swept by lines,
+   * and the integral is exact if the depth changes only along the lines; otherwise √d across them
+   * and the rest of a corner have the error of Gauss' rule.
    */
   template <int dim>
   void
@@ -25,10 +25,9 @@ namespace fuga
                      Vector &forces);
 
   /**
-   * The levels at which the nodal forces of water on these faces change otherwise than smoothly
-   * with the level, in increasing order: the lowest and the highest place of the faces, every
-   * horizontal
-   * one, which gets wet at once, and the @p others. Without faces there are none.
+   * Return the levels at which the nodal forces of water on these faces do not change smoothly with
+   * the level, in increasing order: the lowest and the highest position of the faces, every
+   * horizontal one, which gets wet at once, and the @p others. Without faces there are none.
    */
   template <int dim>
   std::vector<double>

@@ -10,8 +10,8 @@
 namespace fuga
 {
   /**
-   * The imposed jumps of all bars [m] for a load of kind imposed_gap: its value at the elements of
-   * its joints, in their normal bars.
+   * Return the imposed jumps of all bars [m] for a load of kind imposed_gap: its value at the
+   * elements of its joints, in their normal bars.
    * @throws InputError if the expression has no value there.
    */
   template <int dim>
@@ -22,7 +22,7 @@ namespace fuga
               const JointedMesh &mesh,
               const ContactBars<dim> &bars);
 
-  /** E of doc/theory.md, eq. 2a: a column per pattern; empty if none imposes jumps. */
+  /** Return E of doc/theory.md, eq. 2a: a column per pattern; empty if none imposes jumps. */
   DenseMatrix
   imposed_jumps_of(const std::vector<LoadPattern> &patterns, const std::size_t n_bars);
 } // namespace fuga

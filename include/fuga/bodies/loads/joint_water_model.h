@@ -20,14 +20,17 @@ namespace fuga
   class JointWaterModel : public WaterInJoints
   {
   public:
-    /** @p assemblies by number of load, null for other loads; all must outlive this object. */
+    /**
+     * @p assemblies are by number of load, null for other loads; all arguments must outlive this
+     * object.
+     */
     JointWaterModel(const std::vector<std::unique_ptr<UpliftAssembly<dim>>> &assemblies,
                     const std::vector<LoadPattern> &patterns,
                     const ModelDefinition &model,
                     const Discretization<dim> &discretization,
                     const ContactBars<dim> &bars);
 
-    /** Whether the water of any pattern follows the opening. */
+    /** Return whether the water of any pattern follows the opening. */
     static bool
     is_needed(const std::vector<LoadPattern> &patterns);
 
@@ -43,7 +46,7 @@ namespace fuga
   private:
     using Assemblies = std::vector<std::unique_ptr<UpliftAssembly<dim>>>;
 
-    /** Forces of one access for all patterns, as far as they were asked for. */
+    /** Forces of one access for all patterns, as far as they were needed. */
     struct Known
     {
       std::vector<WaterAccess> access;
@@ -61,7 +64,7 @@ namespace fuga
     const Discretization<dim> &discretization;
     const ContactBars<dim> &bars;
     WaterNetwork its_network;
-    /** The last two accesses that were asked for: before and after an event. */
+    /** The last two accesses that were needed: before and after an event. */
     mutable std::array<Known, 2> memory;
     mutable std::size_t last_used = 0;
   };

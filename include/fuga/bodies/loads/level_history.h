@@ -14,11 +14,13 @@ namespace fuga
   class LevelHistory
   {
   public:
-    /** The level of a depth pressure, or of the reservoir of an uplift; @p load must outlive this
-     * object. @throws InputError, as evaluation does. */
+    /**
+     * Create the history of the level of a depth pressure, or of the reservoir of an uplift;
+     * @p load must outlive this object. @throws InputError, like the evaluation.
+     */
     LevelHistory(const LoadDefinition &load, const std::map<std::string, double> &constants);
 
-    /** @p level, of that @p load, must outlive this object. */
+    /** Create the history of @p level, which belongs to @p load and must outlive this object. */
     LevelHistory(const LevelDefinition &level,
                  const LoadDefinition &load,
                  const std::map<std::string, double> &constants);
@@ -26,12 +28,17 @@ namespace fuga
     double
     operator()(const double t) const;
 
-    /** Load times strictly between @p begin and @p end at which the level has a corner: it is
-     *  linear in between, if is_piecewise_linear(). */
+    /**
+     * Return the load times strictly between @p begin and @p end at which the level has a corner;
+     * it is linear in between, if is_piecewise_linear().
+     */
     std::vector<double>
     corners(const double begin, const double end) const;
 
-    /** A table, or an expression that is linear between @p begin and @p end. */
+    /**
+     * Return whether the level is a table, or an expression that is linear between @p begin and
+     * @p end.
+     */
     bool
     is_piecewise_linear(const double begin, const double end) const;
 
@@ -40,13 +47,13 @@ namespace fuga
     mutable FieldExpression<2> expression;
   };
 
-  /** Both levels of an uplift at load time @p t. @throws InputError */
+  /** Return both levels of an uplift at load time @p t. @throws InputError */
   WaterLevels
   levels_of_water(const LoadDefinition &load,
                   const std::map<std::string, double> &constants,
                   const double t);
 
-  /** Whether a level is not the same at all times. */
+  /** Return whether a level changes with time. */
   bool
   level_changes(const LevelDefinition &level);
 } // namespace fuga

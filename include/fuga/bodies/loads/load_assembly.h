@@ -13,33 +13,36 @@ namespace fuga
   template <int dim>
   class FieldExpression;
 
-  /** What a load does to the bodies; entry node * dim + component. */
+  /** The effect of a load on the bodies; entry node * dim + component. */
   struct LoadPattern
   {
     /** Nodal forces. */
     Vector forces;
     /** Displacements of held degrees of freedom; empty if nothing is moved. */
     Vector prescribed;
-    /** For water in joints, per bar: forces that press the two sides apart, in the closed joint
-     * (`forces` contains them), and in addition if all of it were a crack from the reservoir. Empty
-     * for other loads, the latter also if water does not follow the opening. */
+    /**
+     * For water in joints, the forces per bar that press the two sides apart: those in the closed
+     * joint (contained in `forces`), and the additional ones if all of it were a crack connected
+     * with the reservoir. Empty for other loads, the latter also if water does not follow the
+     * opening.
+     */
     Vector closed_water = {}, opening_water = {};
-    /** Of water that follows the opening: the number of the load, and both levels. */
+    /** For water that follows the opening, the number of the load, and both levels. */
     std::size_t number_of_load = 0;
     WaterLevels levels         = {};
     /** Imposed jumps of the bars [m]; empty if there are none. */
     Vector jumps = {};
   };
 
-  /** "file:line: Load 'name'", for messages. */
+  /** Return "file:line: Load 'name'", for messages. */
   std::string
   load_title(const LoadDefinition &load);
 
-  /** Whether the pattern of a load changes with the load time. */
+  /** Return whether the pattern of a load changes with the load time. */
   bool
   depends_on_time(const LoadDefinition &load);
 
-  /** Turns load definitions into nodal forces and displacements. */
+  /** Converts load definitions to nodal forces and displacements. */
   template <int dim>
   class LoadAssembly
   {
@@ -50,9 +53,9 @@ namespace fuga
                  const std::vector<bool> &fixed);
 
     /**
-     * The pattern of a load at load time @p t.
+     * Return the pattern of a load at load time @p t.
      * @throws InputError for expressions that cannot be evaluated or are too many or too few, for
-     * points that are not there or not unique, for loads without target.
+     * points that do not exist or are not unique, for loads without target.
      */
     LoadPattern
     assemble(const LoadDefinition &load, const double t) const;
@@ -63,12 +66,14 @@ namespace fuga
                const FieldExpression<dim> &direction,
                Vector &forces) const;
 
-    /** ∫ ∇N (3λ + 2μ) αΔT (and N/r of it around the axis): the forces that would hold the bodies
-     * back, with the other sign. */
+    /**
+     * Add ∫ ∇N (3λ + 2μ) αΔT (and N/r of it around the axis): the forces that would restrain the
+     * bodies, with the opposite sign.
+     */
     void
     add_temperature(const LoadDefinition &load, const double t, Vector &forces) const;
 
-    /** Pressure (one component, against the outer normal) or traction. */
+    /** Add a pressure (one component, against the outer normal) or a traction. */
     void
     add_surface_load(const LoadDefinition &load,
                      const FieldExpression<dim> &intensity,

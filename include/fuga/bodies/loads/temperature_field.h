@@ -14,11 +14,14 @@ namespace fuga
   class TemperatureField
   {
   public:
-    /** No change of temperature. */
+    /** Create a field without change of temperature. */
     TemperatureField() = default;
 
-    /** Adds @p factor times the change of temperature of @p load (which is one) at load time @p t.
-     *  @throws InputError for an expression that cannot be evaluated. */
+    /**
+     * Add @p factor times the change of temperature of @p load (which is a temperature load) at
+     * load time @p t. @throws InputError for an expression that cannot be evaluated.
+     * @throws InputError for an expression that cannot be evaluated.
+     */
     void
     add(const ModelDefinition &model,
         const std::vector<std::string> &body_names,
@@ -39,7 +42,7 @@ namespace fuga
     struct Term
     {
       std::unique_ptr<FieldExpression<dim>> temperature;
-      /** Factor times α of every body that the load names. */
+      /** Factor times α of every body named by the load. */
       std::vector<double> expansion;
     };
 

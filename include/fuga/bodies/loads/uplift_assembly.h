@@ -12,32 +12,36 @@
 namespace fuga
 {
   /**
-   * Turns the water of one uplift into forces between the two sides of contact elements: ∫ N u dA
-   * along the faces of the joints, exact also where the line of the water or of its distribution
+   * Converts the water of one uplift to forces between the two sides of contact elements: ∫ N u dA
+   * along the faces of the joints, exact also if the water line or the distribution of the pressure
    * has a corner within a face.
    */
   template <int dim>
   class UpliftAssembly
   {
   public:
-    /** All must outlive this object. @throws InputError, see UpliftWay. */
+    /** All arguments must outlive this object. @throws InputError, see UpliftWay. */
     UpliftAssembly(const LoadDefinition &load,
                    const Discretization<dim> &discretization,
                    const JointGeometry<dim> &geometry,
                    const ContactBars<dim> &bars,
                    const JointedMesh &mesh);
 
-    /** The pattern for one pair of levels. */
+    /** Return the pattern for one pair of levels. */
     LoadPattern
     assemble(const WaterLevels &levels) const;
 
-    /** Forces that press the two sides of every bar apart, for each of @p levels, if the water has
-     * this access to the elements; empty @p access: to the closed joint. */
+    /**
+     * Return the forces that press the two sides of every bar apart, for each of @p levels, if the
+     * water has this access to the elements; with empty @p access, those in the closed joint.
+     */
     std::vector<Vector>
     forces(const std::vector<WaterAccess> &access, const std::vector<WaterLevels> &levels) const;
 
-    /** The levels at which the forces change otherwise than smoothly, increasing: see
-     * fuga::levels_of_kinks(). */
+    /**
+     * Return the levels at which the forces do not change smoothly, in increasing order, see
+     * fuga::levels_of_kinks().
+     */
     std::vector<double>
     levels_of_kinks() const;
 
@@ -50,7 +54,7 @@ namespace fuga
   private:
     using FacePoint = typename FaceMap<dim>::FacePoint;
 
-    /** What one element occupies of a way: the reach that it is when it is open. */
+    /** The part of a way that one element occupies, which is its reach when it is open. */
     struct Extent
     {
       std::size_t element = 0, way = 0;
@@ -62,7 +66,7 @@ namespace fuga
     struct QuadraturePoint
     {
       double along = 0., height = 0., area = 0.;
-      /** Of the shape functions of the nodes of the face. */
+      /** Values of the shape functions of the nodes of the face. */
       std::vector<double> values;
     };
 
@@ -71,42 +75,44 @@ namespace fuga
     {
       std::size_t face = 0;
       typename FaceMap<dim>::Line line;
-      /** At its begin and its end. */
+      /** Values at the beginning and the end of the line. */
       double along[2] = {}, height[2] = {};
       double across = 0.;
-      /** For integrands without a corner on the line. */
+      /** Quadrature points for integrands without a corner on the line. */
       std::vector<QuadraturePoint> points = {};
     };
 
     void
     find_extents();
 
-    /** Lines that sweep all faces, exactly if the pressure has corners only at the distances
-     * @p corners from the upstream end and at the heights of @p levels. */
+    /**
+     * Return lines that sweep all faces; the integral is exact if the pressure has corners only at
+     * the distances @p corners from the upstream end and at the heights of @p levels.
+     */
     std::vector<Line>
     make_lines(const std::vector<double> &corners, const std::vector<WaterLevels> &levels) const;
 
-    /** Points of a part of a line, from one position on it to another. */
+    /** Return the quadrature points of a part of a line, from one position on it to another. */
     std::vector<QuadraturePoint>
     points_between(const Line &line, const double begin, const double end) const;
 
-    /** ∫ N u dA over all @p lines, with the access that makes reaches. */
+    /** Return ∫ N u dA over all @p lines, with the @p access that determines the reaches. */
     std::vector<Vector>
     integrate(const std::vector<Line> &lines,
               const std::vector<WaterAccess> &access,
               const std::vector<WaterLevels> &levels) const;
 
-    /** The reaches that a line meets. */
+    /** Return the reaches that a line crosses. */
     std::vector<WaterReach>
     reaches(const std::vector<WaterAccess> &access,
             const std::size_t way,
             const double across) const;
 
-    /** Pressures on a way in which these reaches are open. */
+    /** Return the pressures on a way in which these reaches are open. */
     WaterLine
     water_line(const std::size_t way, std::vector<WaterReach> open) const;
 
-    /** Adds ∫ N u dA along one line. */
+    /** Add ∫ N u dA along one line. */
     void
     add_line(const Line &line,
              const WaterLine &water,
@@ -119,15 +125,15 @@ namespace fuga
                const std::vector<WaterLevels> &levels,
                std::vector<Vector> &forces) const;
 
-    /** Positions on a line where its integrand has a corner, with 0 and 1. */
+    /** Return the positions on a line at which its integrand has a corner, including 0 and 1. */
     std::vector<double>
     cuts(const Line &line, const WaterLine &water, const std::vector<WaterLevels> &levels) const;
 
-    /** ∫ N u dA with u by the depth below a level. */
+    /** Return ∫ N u dA with u due to the depth below a level. */
     std::vector<Vector>
     still_water(const std::vector<WaterLevels> &levels, double WaterLevels::*level) const;
 
-    /** Forces under a profile from end to end, with still water in all open elements. */
+    /** Return the forces under a profile from end to end, with still water in all open elements. */
     std::vector<Vector>
     forces_by_elements(const std::vector<WaterAccess> &access,
                        const std::vector<WaterLevels> &levels) const;
@@ -138,7 +144,9 @@ namespace fuga
     UpliftWay<dim> its_way;
     std::vector<FaceMap<dim>> maps;
     std::vector<Extent> extents;
-    /** Without corners: exact but for the faces in space that a corner meets obliquely. */
+    /**
+     * Lines without corners: exact except for the faces in space that a corner crosses obliquely.
+     */
     std::vector<Line> plain_lines;
     /** Contact elements at the nodes of every face, with their weights. */
     std::vector<std::vector<typename ContactBars<dim>::Shares>> elements;

@@ -12,9 +12,9 @@
 namespace fuga
 {
   /**
-   * The ways that the water of one uplift takes through its joints. Joints that meet are one way,
-   * joints that do not meet have one each. In the plane the distance from the upstream end is that
-   * along the joints; in space that in the direction of flow, between ends that must be horizontal.
+   * The ways of the water of one uplift through its joints. Joints that meet form one way, joints
+   * that do not meet have one each. In the plane the distance from the upstream end is measured
+   * along the joints; in space, in the direction of flow, between ends that must be horizontal.
    */
   template <int dim>
   class UpliftWay
@@ -54,12 +54,12 @@ namespace fuga
       return all_faces;
     }
 
-    /** One line for the log per way: the rule, the joints. */
+    /** Return one line for the log per way: the rule, the joints. */
     std::vector<std::string>
     report() const;
 
   private:
-    /** The faces by the way they are part of, numbered by first face. */
+    /** Assign the faces to ways, which are numbered by their first face. */
     void
     find_ways(const std::vector<std::vector<std::size_t>> &places);
     void

@@ -10,13 +10,13 @@
 
 namespace fuga
 {
-  /** A part of the way of the water through a joint in which open elements are connected. */
+  /** A part of the way of the water through a joint that consists of connected open elements. */
   struct WaterReach
   {
     /** Distances from the upstream end [m], and the heights there. */
     double begin = 0., end = 0.;
     double height_at_begin = 0., height_at_end = 0.;
-    /** WaterAccess::upstream or WaterAccess::downstream. */
+    /** Origin of the water: WaterAccess::upstream or WaterAccess::downstream. */
     WaterAccess source = WaterAccess::upstream;
   };
 
@@ -34,27 +34,35 @@ namespace fuga
   };
 
   /**
-   * Pressure of the water along one line from the upstream end of a joint to the downstream one
-   * (doc/theory.md, section 12). In reaches it is that of still water below the reservoir, or the
-   * tailwater, with which they are connected; between them it falls from one to the next, by the
-   * profile and the drain of the uplift. Without reaches this is the pressure in the closed joint.
+   * The pressure of the water along one line from the upstream end of a joint to the downstream one
+   * (doc/theory.md, section 12). In reaches it is that of still water below the level of the
+   * reservoir, or the tailwater, with which they are connected; between them it falls from one to
+   * the next, according to the profile and the drain of the uplift. Without reaches this is the
+   * pressure in the closed joint.
    */
   class WaterLine
   {
   public:
-    /** @p unit_weight [MN/m³]; all must outlive this object but the reaches, which may overlap and
-     * come in any order. */
+    /**
+     * @p unit_weight [MN/m³]. All arguments must outlive this object except for the reaches, which
+     * may overlap and be in any order.
+     */
     WaterLine(const Uplift &uplift,
               const double unit_weight,
               const WayOfWater &way,
               std::vector<WaterReach> reaches);
 
-    /** Distances from the upstream end between which, in a part of the joint that is straight, the
-     * pressure is linear, but for the water lines; increasing. */
+    /**
+     * Return the distances from the upstream end between which, in a straight part of the joint,
+     * the pressure is linear, apart from the water lines; in increasing order.
+     */
     std::vector<double>
     corners() const;
 
-    /** @p s: distance from the upstream end [m]; @p height there [m]. */
+    /**
+     * Return the pressure at the distance @p s from the upstream end [m] and the @p height there
+     * [m].
+     */
     double
     pressure(const double s, const double height, const WaterLevels &levels) const;
 
@@ -63,7 +71,7 @@ namespace fuga
     struct Gap
     {
       double begin = 0., end = 0.;
-      /** Index of the reach before and behind it; none at the ends of the way. */
+      /** Indices of the reaches before and after the gap; none at the ends of the way. */
       std::size_t before = none, behind = none;
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -81,7 +89,9 @@ namespace fuga
     double
     in_gap(const Gap &gap, const double s, const WaterLevels &levels) const;
 
-    /** Whether the drain lowers the pressure in a gap: between reservoir and tailwater. */
+    /**
+     * Return whether the drain lowers the pressure in a gap, i.e. between reservoir and tailwater.
+     */
     bool
     has_drain(const Gap &gap) const;
     double

@@ -17,21 +17,21 @@ namespace fuga
 {
   /**
    * The finite element model in a stage with a duration, or in the motion that follows the loss of
-   * an equilibrium: displacements from where the motion begins, relative to the ground, under what
-   * the loads change since then and the inertia of the moving ground. Without a highest frequency
-   * modes are taken up to that of which a whole step is half a period.
-   * (doc/theory.md, section 19)
+   * an equilibrium: displacements since the motion began, relative to the ground, under the changes
+   * of the loads since then and the inertia of the moving ground. If no highest frequency is given,
+   * modes are used up to the frequency for which a whole step is half a period. (doc/theory.md,
+   * section 19)
    */
   template <int dim>
   class BodiesInMotion : public MovingBodies
   {
   public:
     /**
-     * @p bodies: the model at rest, with its load patterns; @p dynamics: its own, but for the motion
-     * of the ground; @p history: factors of the patterns up to the end of the motion. All must live
-     * as long as this object. @p begin: of the phase, with the @p temperature then. @p
-     * massless_joints: see lumped_mass(). @p steps: of another motion of these bodies, used if they
-     * fit.
+     * @p bodies is the model at rest, with its load patterns; @p dynamics is its own definition,
+     * except for the motion of the ground; @p history contains the factors of the patterns up to
+     * the end of the motion. All of them must live as long as this object. @p begin is the state at
+     * the beginning of the phase, with the @p temperature at that time. For @p massless_joints, see
+     * lumped_mass(). @p steps are those of another motion of these bodies, used if they fit.
      */
     BodiesInMotion(const CondensedSystem<dim> &bodies,
                    const DynamicsDefinition &dynamics,
@@ -71,43 +71,45 @@ namespace fuga
       return grid;
     }
 
-    /** Since the motion began [s]. */
+    /** Return the time since the motion began [s]. */
     double
     time() const
     {
       return present_time;
     }
 
-    /** Acceleration of the ground at the present time, by axes [m/s²]. */
+    /** Return the acceleration of the ground at the present time, by axes [m/s²]. */
     std::array<double, 3>
     ground_acceleration() const
     {
       return driving->ground_acceleration(present_time);
     }
 
-    /** Displacement since the motion began; entry node * dim + component. */
+    /** Return the displacement since the motion began; entry node * dim + component. */
     Vector
     displacement() const
     {
       return coordinates->displacement(now());
     }
 
-    /** [m/s] */
+    /** Return the velocity [m/s]. */
     Vector
     velocity() const
     {
       return coordinates->at_nodes(integration->velocity());
     }
 
-    /** To be looked at: see TimeIntegration [m/s]. */
+    /** Return the velocity for output, see TimeIntegration [m/s]. */
     Vector
     steady_velocity() const
     {
       return coordinates->at_nodes(integration->steady_velocity());
     }
 
-    /** From now on the next two functions are right at these degrees of freedom (entry node * dim +
-     * component), and cost little. */
+    /**
+     * Ensure that from now on the next two functions are correct at these degrees of freedom (entry
+     * node * dim + component), at little cost.
+     */
     void
     watch(const std::vector<unsigned int> &dofs)
     {
@@ -120,37 +122,45 @@ namespace fuga
       return coordinates->watched_displacement(now());
     }
 
-    /** That of the integration in time, without that of the frame; see TimeIntegration [m/s²]. */
+    /**
+     * Return the acceleration of the integration in time, without that of the frame, see
+     * TimeIntegration [m/s²].
+     */
     Vector
     watched_acceleration() const
     {
       return coordinates->watched(integration->acceleration());
     }
 
-    /** Of the frame in which displacements are measured, by axes [m/s²]: that of the ground, but
-     * over a compliant base, where they are absolute. */
+    /**
+     * Return the acceleration of the frame in which displacements are measured, by axes [m/s²]:
+     * that of the ground, except over a compliant base, where displacements are absolute.
+     */
     std::array<double, 3>
     acceleration_of_frame() const;
 
-    /** Mass by nodes, but zero where accelerations do not follow from forces. */
+    /** Return the mass by nodes, but zero where accelerations do not follow from forces. */
     const Vector &
     accelerated_mass() const
     {
       return coordinates->accelerated_mass();
     }
 
-    /** A line for the log about the coordinates; empty if there is nothing to say. */
+    /** Return a line for the log about the coordinates; empty if there is nothing to say. */
     std::string
     description() const
     {
       return coordinates->description();
     }
 
-    /** Of any node [m/s]. */
+    /** Return the largest velocity of any node [m/s]. */
     double
     largest_velocity() const;
 
-    /** Error of the equilibrium M ü + C u̇ + K u + Gᵀ(p - p_0) = f of all nodes for bar forces @p p. */
+    /**
+     * Return the error of the equilibrium M ü + C u̇ + K u + Gᵀ(p - p_0) = f of all nodes for bar
+     * forces @p p.
+     */
     EquilibriumError
     equilibrium_error(const Vector &p) const;
 
@@ -170,11 +180,14 @@ namespace fuga
       return {*integration, present_time, forces};
     }
 
-    /** By nodes: what the phase begins with, or those of the bodies in the first dynamic stage. */
+    /**
+     * Return the initial velocity by nodes: that at the beginning of the phase, or those of the
+     * bodies in the first dynamic stage.
+     */
     Vector
     initial_velocity() const;
 
-    /** f - K u - Gᵀ(p - p_0) for bar forces p and restoring forces K u (empty: zero). */
+    /** Return f - K u - Gᵀ(p - p_0) for bar forces p and restoring forces K u (empty: zero). */
     Vector
     net_forces(const Vector &bar_forces, const Vector &restoring) const;
 
@@ -188,12 +201,11 @@ namespace fuga
     std::optional<FreeField<dim>> free_field;
     std::unique_ptr<MotionCoordinates> coordinates;
     std::unique_ptr<TimeIntegration> integration;
-    /** Bar forces at the beginning, and what they are on the coordinates. */
+    /** Bar forces at the beginning, and the corresponding forces on the coordinates. */
     Vector first_forces, first_forces_on_coordinates;
     /** Forces now and at the end of the step. */
     Vector forces, forces_at_end;
-    /** How much farther than the head start of the step the bodies come if they go on as they move.
-     */
+    /** Displacement beyond the head start of the step if the bodies continue to move as they do. */
     Vector beyond_start;
     double present_time       = 0.;
     unsigned int rung_of_step = 0;

@@ -11,26 +11,26 @@
 namespace fuga
 {
   /**
-   * Displacements of bodies as the sum of static ones, which the interface coordinates x make, and
+   * Displacements of bodies as the sum of static ones, caused by the interface coordinates x, and
    * of normal modes with the joints bonded (R. R. Craig, M. C. C. Bampton, Coupling of
    * substructures for dynamic analyses, AIAA J. 6, 1968),
    *
    *     u = Ψ x + Φ η,     K_ii Φ = M_ii Φ Ω²,     Φᵀ M Φ = 1,     L = Φᵀ M Ψ,
    *
-   * with the momenta ξ = Φᵀ M u = η + L x of the modes in the place of η, so that the kinetic
-   * energy is that of ξ and of x apart,
+   * with the momenta ξ = Φᵀ M u = η + L x of the modes in place of η, so that the kinetic energies
+   * of ξ and of x are decoupled,
    *
    *     ½ ξ̇ᵀ ξ̇ + ½ ẋᵀ R ẋ,     R = (Ψ - ΦL)ᵀ M (Ψ - ΦL).     (doc/theory.md, section 19)
    */
   struct ModalBasis
   {
-    /** Of the nodes. */
+    /** Mass of the nodes. */
     Vector mass;
-    /** Below it all modes are there [Hz]. */
+    /** Frequency below which all modes are included [Hz]. */
     double highest_frequency = 0.;
-    /** Ω² [1/s²], increasing. */
+    /** Squares Ω² of the frequencies [1/s²], in increasing order. */
     Vector squares;
-    /** Φ by nodes. */
+    /** Shapes Φ of the modes, by nodes. */
     DenseMatrix shapes;
     DenseMatrix coupling;
     /** R, and its eigenvectors and eigenvalues. */
@@ -38,16 +38,21 @@ namespace fuga
     Vector masses_along_axes;
   };
 
-  /** @p mass: by nodes; @p highest_frequency: all modes below it are taken, but one at least [Hz].
-   * @throws InputError if they are too many, NumericalFailure */
+  /**
+   * Compute the modal basis with the @p mass by nodes. All modes below @p highest_frequency [Hz]
+   * are included, but at least one.
+   * @throws InputError if there are too many, NumericalFailure
+   */
   template <int dim>
   ModalBasis
   make_modal_basis(const CondensedSystem<dim> &model,
                    const Vector &mass,
                    const double highest_frequency);
 
-  /** How many modes there are, their frequencies, and which share of the mass moves in them where
-   * the ground moves along an axis. */
+  /**
+   * Describe the number of modes, their frequencies, and the fraction of the mass that moves in
+   * them if the ground moves along an axis.
+   */
   std::string
   describe(const ModalBasis &basis, const unsigned int dim);
 } // namespace fuga

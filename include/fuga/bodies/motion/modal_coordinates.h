@@ -13,18 +13,20 @@
 namespace fuga
 {
   /**
-   * The momenta ξ of the modes of a ModalBasis and, behind them, the interface coordinates along
-   * the axes of R: a step of any length is a product with small dense matrices.
+   * The momenta ξ of the modes of a ModalBasis, followed by the interface coordinates along the
+   * axes of R: a step of any length is a product with small dense matrices.
    *
-   * What is neither a mode nor made by the interface follows the loads as if it had no inertia. So
-   * the displacement of all nodes is that of the elastic bodies under the loads, the jumps, and the
-   * inertia of the modes; it satisfies their equilibrium.
+   * The part of the displacement that is neither a mode nor caused by the interface follows the
+   * loads as if it had no inertia. Thus the displacement of all nodes is that of the elastic bodies
+   * under the loads, the jumps, and the inertia of the modes; it satisfies their equilibrium.
    */
   template <int dim>
   class ModalCoordinates : public MotionCoordinates
   {
   public:
-    /** @p basis of the @p model. Model and driving forces must live as long as this object. */
+    /**
+     * @p basis is that of the @p model. Model and driving forces must live as long as this object.
+     */
     ModalCoordinates(const CondensedSystem<dim> &model,
                      const DrivingForces<dim> &driving,
                      const RayleighDamping &damping,
@@ -50,7 +52,7 @@ namespace fuga
     Vector
     resistance(const Vector &u, const Vector &v) const override;
 
-    /** Not needed: rigid motions of bodies are no sums of others here. */
+    /** Not needed: rigid motions of bodies are not sums of other coordinates here. */
     Vector
     inertia_of_resultants(const Vector &) const override
     {
@@ -104,7 +106,7 @@ namespace fuga
     Vector
     watched(const Vector &rate) const override;
 
-    /** Zero: fields contain what follows without inertia. */
+    /** Return zero: fields contain parts that follow without inertia. */
     const Vector &
     accelerated_mass() const override
     {
@@ -123,7 +125,7 @@ namespace fuga
     }
 
   private:
-    /** κ = 1 + a1 β and μ = a0 + a1 α: a step multiplies K and M by them. */
+    /** The factors κ = 1 + a1 β and μ = a0 + a1 α by which a step multiplies K and M. */
     struct Factors
     {
       double stiffness = 1., mass = 0.;
@@ -135,7 +137,7 @@ namespace fuga
       return basis->squares.size();
     }
 
-    /** x from the coordinates of this object, and back. */
+    /** Convert the coordinates of this object to x, and back. */
     Vector
     interface_of(const Vector &z) const
     {
@@ -148,22 +150,27 @@ namespace fuga
       return multiply_transposed(basis->axes, x);
     }
 
-    /** η = ξ - L x, of the modes. */
+    /** Return the amplitudes η = ξ - L x of the modes. */
     Vector
     amplitudes(const Vector &z) const;
 
-    /** Of the loads and of the ground, in the order of the columns of what is made of them. */
+    /**
+     * Return the factors of the loads and of the ground, in the order of the columns of the
+     * matrices below.
+     */
     Vector
     driving_factors(const double time) const;
     Vector
     driving_field(const std::size_t column) const;
 
-    /** By nodes: what acts on the bodies at that time, less the inertia and damping of the modes.
+    /**
+     * Return the forces on the bodies by nodes at the time of @p state, minus the inertia and
+     * damping of the modes.
      */
     Vector
     forces_on_bodies(const MotionState &state) const;
 
-    /** What inertia and damping take of the forces. */
+    /** Return the part of the forces that inertia and damping balance. */
     static Vector
     dynamic_forces(const MotionState &state);
 
@@ -171,17 +178,19 @@ namespace fuga
     const DrivingForces<dim> &driving;
     const RayleighDamping damping;
     const std::shared_ptr<const ModalBasis> basis;
-    /** Of the jump operator. */
+    /** The dual of the jump operator. */
     const SparseOperator dual;
     Vector its_mass, no_mass;
-    /** S and L with x along the axes. */
+    /** S and L in terms of x along the axes. */
     DenseMatrix stiffness, coupling;
-    /** Columns for driving_factors(): forces on the coordinates, and the fields by nodes that
-     * follow them without inertia. */
+    /**
+     * Columns to be multiplied by driving_factors(): forces on the coordinates, and the fields by
+     * nodes that follow them without inertia.
+     */
     DenseMatrix driving_columns, following_fields;
     std::vector<Factors> factors; // by rung
     Vector pushed;
-    /** By watched degree of freedom a row of Φ and of Ψ. */
+    /** Watched degrees of freedom, and for each of them a row of Φ and of Ψ. */
     std::vector<unsigned int> watched_dofs;
     DenseMatrix watched_modes, watched_static;
   };

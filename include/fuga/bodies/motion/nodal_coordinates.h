@@ -12,14 +12,18 @@
 
 namespace fuga
 {
-  /** The degrees of freedom of the finite elements (entry node * dim + component): each length of
-   * step has a factorisation of its own, made when first needed; a step is one solution with it. */
+  /**
+   * The degrees of freedom of the finite elements (entry node * dim + component): each step length
+   * has its own factorisation, computed when first needed; a step is one solution with it.
+   */
   template <int dim>
   class NodalCoordinates : public MotionCoordinates
   {
   public:
-    /** @p steps: to be used if it has solvers, and filled if not; with the masses. The others must
-     * live as long as this object. */
+    /**
+     * @p steps contains the masses; its solvers are used if they exist, and created otherwise. The
+     * other arguments must live as long as this object.
+     */
     NodalCoordinates(const CondensedSystem<dim> &model,
                      const DynamicsDefinition &dynamics,
                      const ConstructionState &begin,
@@ -34,7 +38,7 @@ namespace fuga
       return steps->mass;
     }
 
-    /** K u + K_g u. */
+    /** Return K u + K_g u. */
     Vector
     stiffness_times(const Vector &u) const override;
 
@@ -102,7 +106,7 @@ namespace fuga
       return rate;
     }
 
-    /** Not needed. */
+    /** Does nothing: watching is not needed. */
     void
     watch(const std::vector<unsigned int> &) override
     {
@@ -140,18 +144,18 @@ namespace fuga
   private:
     bool
     is_damped() const;
-    /** All of C v but the share of the stiffness. */
+    /** Add all of C v except for the part proportional to the stiffness. */
     void
     add_other_damping(const Vector &v, Vector &forces) const;
 
     const CondensedSystem<dim> &model;
     const DrivingForces<dim> &driving;
     const RayleighDamping damping;
-    /** Of the absorbing boundaries. */
+    /** Dashpots of the absorbing boundaries. */
     const Dashpots<dim> dashpots;
     const FreeMotions free_motions;
     dealii::SparsityPattern pattern;
-    /** K, and K_g if it is wanted; by nodes, of the own cells. */
+    /** K, and K_g if it is requested; by nodes, for the own cells. */
     dealii::SparseMatrix<double> stiffness, geometric;
     std::shared_ptr<StepSolvers> steps;
   };

@@ -18,16 +18,18 @@ namespace fuga
   struct ModalBasis;
 
 
-  /** The stiffness of steps of all lengths, factorised when first needed, or the modes of the
-   * bodies. Motions of the same bodies with the same masses and lengths share it. */
+  /**
+   * The stiffness of steps of all lengths, factorised when first needed, or the modes of the
+   * bodies. Motions of the same bodies with the same masses and step lengths share this object.
+   */
   struct StepSolvers
   {
     Vector mass;
-    /** Of the longest steps [s]. */
+    /** Length of the longest steps [s]. */
     double step = 0.;
-    /** See elimination_order(); the same for all of them. */
+    /** Order of elimination, see elimination_order(); the same for all solvers. */
     std::vector<int> order;
-    /** By rung: the factors and Ŝ. */
+    /** The factors and Ŝ, by rung. */
     std::vector<std::unique_ptr<SchurSolver>> solvers;
     std::vector<DenseMatrix> stiffness;
     std::shared_ptr<const ModalBasis> modes;
@@ -36,15 +38,17 @@ namespace fuga
     work() const;
   };
 
-  /** Adds one triangle of CᵀAC to the matrix of a step, with C of the coordinates and A a matrix by
-   * nodes, */
+  /**
+   * Add one triangle of CᵀAC to the matrix of a step, with C of the coordinates and a matrix A by
+   * nodes.
+   */
   template <int dim>
   void
   add_by_nodes(const dealii::SparseMatrix<double> &by_nodes,
                const InterfaceCoordinates<dim> &coordinates,
                SymmetricTriplets &matrix);
 
-  /** or a factor times a diagonal one, */
+  /** Add one triangle of CᵀAC, where A is a factor times a diagonal matrix. */
   template <int dim>
   void
   add_diagonal(const double factor,
@@ -52,7 +56,7 @@ namespace fuga
                const InterfaceCoordinates<dim> &coordinates,
                SymmetricTriplets &matrix);
 
-  /** or a factor times that of dashpots. */
+  /** Add one triangle of CᵀAC, where A is a factor times the matrix of dashpots. */
   template <int dim>
   void
   add_dashpots(const double factor,

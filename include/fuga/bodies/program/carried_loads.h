@@ -12,14 +12,19 @@ namespace fuga
   /** Two load patterns of a phase of construction (doc/theory.md, eq. 22 and 23). */
   struct CarriedLoads
   {
-    /** What holds the bodies in their stress-free shapes; constant. */
+    /** The forces that hold the bodies in their stress-free shapes; constant. */
     LoadPattern carried;
-    /** What is out of balance when the phase begins: the forces of removed bodies, minus the loads
-     *  that wait for the new bodies. To be released in the first stage. */
+    /**
+     * The forces that are out of balance when the phase begins: the forces of removed bodies, minus
+     * the loads that wait for the new bodies. To be released in the first stage.
+     */
     LoadPattern released;
   };
 
-  /** @p patterns of all loads, and their @p factors when the phase begins. */
+  /**
+   * Compute the carried loads from the @p patterns of all loads and their @p factors when the phase
+   * begins.
+   */
   template <int dim>
   CarriedLoads
   carried_loads(const CondensedSystem<dim> &system,
@@ -28,8 +33,11 @@ namespace fuga
                 const std::vector<LoadPattern> &patterns,
                 const Vector &factors);
 
-  /** Where new bodies are held by supports, they are built at the supports' displacement: for the
-   *  degrees of freedom (Discretization::dof()) that were not @p there before. */
+  /**
+   * Set the displacement of new bodies where they are held by supports: they are built at the
+   * supports' displacement. This concerns the degrees of freedom (Discretization::dof()) that were
+   * not @p there before.
+   */
   template <int dim>
   void
   put_new_nodes_on_supports(const CondensedSystem<dim> &system,
@@ -38,7 +46,9 @@ namespace fuga
                             const Vector &factors,
                             Vector &displacement);
 
-  /** The shape of the bodies that are built in the stage of @p state, for its displacement. */
+  /**
+   * Return the shape of the bodies that are built in the stage of @p state, for its displacement.
+   */
   template <int dim>
   StressFreeShape
   shape_of_new_bodies(const CondensedSystem<dim> &system,

@@ -11,32 +11,39 @@
 
 namespace fuga
 {
-  /** What a stage moves, as an engineer names it, and its value at a load time. */
+  /**
+   * The quantity that changes in a stage, in the terms of an engineer, and its value at a load
+   * time.
+   */
   struct DrivingQuantity
   {
-    /** "F" of a strength reduction, "load factor", "level of LOAD", "factor of LOAD" or, if nothing
-     * of this moves, "fraction of the stage". */
+    /**
+     * "F" of a strength reduction, "load factor", "level of LOAD", "factor of LOAD" or, if none of
+     * these changes, "fraction of the stage".
+     */
     std::string name;
     double value = 0.;
 
-    /** "F = 1.185", for people. */
+    /** Return a readable text such as "F = 1.185". */
     std::string
     text() const;
   };
 
   /**
-   * The quantity that drives each stage: the factor of a search for safety; else the first level of
-   * water or earth that moves, of a load that acts; else the first factor of a load that changes.
-   * Loads come in the order of the input.
+   * The quantity that drives each stage: the factor of a search for safety; otherwise the first
+   * level of water or earth that moves and belongs to a load that acts; otherwise the first factor
+   * of a load that changes. Loads are considered in the order of the input.
    */
   class DrivingQuantities
   {
   public:
-    /** @p model must outlive this object and its copies; @p load_factors: one per load.
-     * @throws InputError, as the evaluation of levels does. */
+    /**
+     * @p model must outlive this object and its copies; @p load_factors has one entry per load.
+     * @throws InputError, like the evaluation of levels.
+     */
     DrivingQuantities(const ModelDefinition &model, const LoadHistory &load_factors);
 
-    /** In the stage with number @p stage, from 0, at the load time @p t. */
+    /** Return the quantity in the stage with number @p stage, from 0, at the load time @p t. */
     DrivingQuantity
     at(const double t, const std::size_t stage) const;
 

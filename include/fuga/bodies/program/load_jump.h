@@ -8,8 +8,10 @@
 
 namespace fuga
 {
-  /** Throws the InputError for a load that jumps: which load, by which factor, for which level of
-   * water or ground it is not zero there, and what to write. */
+  /**
+   * Throw the InputError for a load that jumps: it tells which load, by which factor, the level of
+   * water or ground due to which it is not zero there, and what to write.
+   */
   template <int dim>
   [[noreturn]] void
   throw_jump(const ModelDefinition &model,

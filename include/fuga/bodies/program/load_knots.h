@@ -8,33 +8,37 @@
 
 namespace fuga
 {
-  /** What the factor of a load does in a stage. */
+  /** The behaviour of the factor of a load in a stage. */
   enum class FactorCourse
   {
-    /** Zero throughout. */
+    /** The factor is zero throughout. */
     none,
     constant,
     changing
   };
 
   /**
-   * Where a stage is cut into pieces on which all loads are taken as linear in t: into
-   * ModelDefinition::load_knots, or the time steps of a dynamic stage. Between these knots
-   * everything smooth is off by no more than an eighth of the square of the length times its second
-   * derivative. Where a level has a corner, or passes one of
-   * the levels_of_kinks(), there is a knot as well; where it moves above or below all that it can
-   * wet, or stands still, there is none, because the pressure of the depth is linear there (unless
-   * its factor changes as well).
+   * The division of a stage into pieces on which all loads are assumed to be linear in t:
+   * ModelDefinition::load_knots pieces, or the time steps of a dynamic stage. Between these knots
+   * the error of everything smooth is at most an eighth of the square of the length times its
+   * second derivative. There is also a knot where a level has a corner, or passes one of the
+   * levels_of_kinks(); where it moves above or below everything that it can wet, or stands still,
+   * there is none, because the pressure due to the depth is linear there (unless its factor changes
+   * as well).
    */
   class LoadKnots
   {
   public:
-    /** @p kinks: levels_of_kinks() of every load; empty for loads that are no depth pressures. */
+    /**
+     * @p kinks are the levels_of_kinks() of every load; empty for loads that are not depth
+     * pressures.
+     */
     LoadKnots(const ModelDefinition &model, std::vector<std::vector<double>> kinks);
 
     /**
-     * Knots of one stage as fractions of it, increasing; 0 is left out, 1 the last one. @p courses
-     * of all loads; @p straight: all histories are linear.
+     * Return the knots of one stage as fractions of it, in increasing order; 0 is left out, 1 is
+     * the last one. @p courses are those of all loads; @p straight tells whether all histories are
+     * linear.
      */
     std::vector<double>
     fractions(const std::size_t stage,
@@ -45,7 +49,7 @@ namespace fuga
     unsigned int
     number_of_pieces(const std::size_t stage) const;
 
-    /** Adds the knots of @p level of load @p number in a stage. */
+    /** Add the knots of @p level of load @p number in a stage. */
     void
     add_level_knots(const unsigned int number,
                     const LevelDefinition &level,

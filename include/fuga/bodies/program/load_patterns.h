@@ -8,43 +8,48 @@
 
 namespace fuga
 {
-  /** Factor of every load at the corners of all stages. */
+  /** The factor of every load at the corners of all stages. */
   struct LoadFactors
   {
     std::vector<double> corners = {0.};
     std::vector<Vector> values;
-    /** Behind it stand searches for safety: no load changes with time any more. */
+    /**
+     * Load time after which there are only searches for safety: no load changes with time any more.
+     */
     double end_of_loading = 0.;
 
-    /** A history that makes the factor of a load jump in the beginning of a stage. */
+    /** A history that makes the factor of a load jump at the beginning of a stage. */
     struct Jump
     {
       std::size_t stage, history;
       double from, to;
     };
 
-    /** Of loads that change with time by themselves: no harm where such a load is nothing. */
+    /**
+     * Jumps of loads that change with time by themselves: they are harmless if such a load is zero
+     * there.
+     */
     std::vector<Jump> jumps;
   };
 
   /**
-   * Loads as patterns fixed in space. One that changes with time is one pattern per corner, with a
-   * hat function as history.
+   * Loads as patterns fixed in space. A load that changes with time is represented by one pattern
+   * per corner, with a hat function as history.
    */
   template <int dim>
   class LoadPatterns
   {
   public:
-    /** @throws InputError, as LoadAssembly does, and for a load that jumps. */
+    /** @throws InputError, like LoadAssembly, and for a load that jumps. */
     LoadPatterns(const ModelDefinition &model,
                  const CondensedSystem<dim> &system,
                  const LoadFactors &factors);
 
     std::vector<LoadPattern> patterns;
     std::vector<LoadProgram::Source> sources;
-    /** Of all patterns, at every corner. */
+    /** Factors of all patterns at every corner. */
     std::vector<Vector> values;
-    /** How well changing loads are interpolated. */
+    /** Lines for the log about the accuracy with which changing loads are interpolated. */
     std::vector<std::string> report;
 
   private:

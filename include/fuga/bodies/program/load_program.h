@@ -11,15 +11,16 @@
 namespace fuga
 {
   /**
-   * The stages of the model as the contact layer needs them: load patterns fixed in space, and
-   * their factors, piecewise linear in the load time. A stage whose histories are linear in its
+   * The stages of the model in the form that the contact layer needs: load patterns fixed in space,
+   * and their factors, piecewise linear in the load time. A stage whose histories are linear in its
    * fraction, and whose loads do not depend on time otherwise, is one segment and exact; any other
-   * is cut by LoadKnots into segments, between which the load is interpolated (report says so, and
-   * how well a load that changes with time is met half-way).
+   * is divided by LoadKnots into segments, between whose ends the load is interpolated (this is
+   * stated in the report, with the accuracy in the middle of segments of loads that change with
+   * time).
    */
   struct LoadProgram
   {
-    /** Where a pattern comes from: a load at one load time. */
+    /** The origin of a pattern: a load at one load time. */
     struct Source
     {
       unsigned int load;
@@ -27,23 +28,26 @@ namespace fuga
     };
 
     std::vector<LoadPattern> patterns;
-    /** Of every pattern. */
+    /** The source of every pattern. */
     std::vector<Source> sources;
     LoadHistory history;
-    /** Load times to report at, the levels of all stages. */
+    /** Load times at which results are written: the levels of all stages. */
     std::vector<double> levels;
     /** Lines for the log. */
     std::vector<std::string> report;
-    /** Factor of every load at the corners of the history, whatever became of it as patterns. */
+    /**
+     * Factor of every load at the corners of the history, independent of its representation by
+     * patterns.
+     */
     LoadHistory load_factors;
     /** Load time at which the loads end and the searches for safety begin. */
     double end_of_loading = 0.;
 
-    /** Factors of the loads at a load time, by name. */
+    /** Return the factors of the loads at a load time, by name. */
     std::map<std::string, double>
     factors_by_name(const ModelDefinition &model, const double t) const;
 
-    /** The temperature at a load time, interpolated between knots as the loads are. */
+    /** Return the temperature at a load time, interpolated between knots like the loads. */
     template <int dim>
     TemperatureField<dim>
     temperature(const ModelDefinition &model,
@@ -52,7 +56,8 @@ namespace fuga
   };
 
   /**
-   * For the phase that begins with @p first_stage; if that is dynamic, loads may jump there.
+   * Create the load program of the phase that begins with @p first_stage; if that is dynamic, loads
+   * may jump there.
    * @throws InputError for a history that cannot be evaluated, or that makes a load jump at the
    * beginning of a stage without inertia.
    */

@@ -11,9 +11,9 @@
 namespace fuga
 {
   /**
-   * Sum of nodal forces, and where it acts. Every component has a line of action of its own: of
-   * water on an upright face the horizontal force acts at a third of the depth, that on the bed in
-   * the middle of the bed; together they have the moment of all the forces.
+   * The sum of nodal forces, and where it acts. Every component has its own line of action: the
+   * horizontal force of water on an upright face acts at a third of the depth, the vertical force
+   * on the bed in the middle of the bed; together they have the moment of all the forces.
    */
   template <int dim>
   class LoadResultant
@@ -22,28 +22,33 @@ namespace fuga
     void
     add(const dealii::Point<dim> &place, const dealii::Tensor<1, dim> &force);
 
-    /** All forces times @p factor. */
+    /** Multiply all forces by @p factor. */
     void
     scale(const double factor);
 
-    /** @p other besides. */
+    /** Add the forces of @p other. */
     void
     add(const LoadResultant &other);
 
-    /** One component [MN]; 0 if it is no more than rounding in the sum of forces. */
+    /** Return one component [MN]; 0 if it is no more than rounding in the sum of forces. */
     double
     force(const unsigned int component) const;
 
-    /** Where a component that is not 0 acts, by one coordinate (another than its own) [m]. */
+    /**
+     * Return one coordinate (other than its own) of the position at which a component that is not 0
+     * acts [m].
+     */
     double
     place(const unsigned int component, const unsigned int coordinate) const;
 
-    /** The moment of components whose sum is 0: about z in the plane, about x, y, z in space [MNm].
+    /**
+     * Return the moment of components whose sum is 0: about z in the plane, about x, y, z in space
+     * [MNm].
      */
     std::array<double, 3>
     couple() const;
 
-    /** Whether there are no forces. */
+    /** Return whether there are no forces. */
     bool
     is_empty() const
     {
@@ -58,13 +63,15 @@ namespace fuga
     double size = 0., reach = 0.;
   };
 
-  /** Of nodal forces, entry node * dim + component. */
+  /** Return the resultant of nodal forces, entry node * dim + component. */
   template <int dim>
   LoadResultant<dim>
   resultant_of(const Discretization<dim> &discretization, const Vector &forces);
 
-  /** Of the water in the closed elements of a joint on its plus side; on the minus side it is the
-   * opposite. @p water: LoadPattern::closed_water. */
+  /**
+   * Return the resultant of the water in the closed elements of a joint on its plus side; on the
+   * minus side it is the opposite. @p water is LoadPattern::closed_water.
+   */
   template <int dim>
   LoadResultant<dim>
   resultant_of_water(const CondensedSystem<dim> &system,

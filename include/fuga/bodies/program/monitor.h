@@ -11,23 +11,26 @@ namespace fuga
 {
   /**
    * The displacement of one point, and on request its stress, as functions of interface coordinates
-   * and load factors: two back solutions per component (and per derivative) before the path begins,
-   * and as many products as there are coordinates whenever it is asked for. No field is recovered.
+   * and load factors: two back substitutions per component (and per derivative) before the path
+   * begins, and as many products as there are coordinates for each evaluation. No field is
+   * recovered.
    */
   class Monitor
   {
   public:
-    /** What the point is known by. */
+    /** The data from which the displacement of the point is computed. */
     enum class Source
     {
       /** Interface coordinates and load factors. */
       loads,
-      /** The displacement of all nodes, entry node * dim + component, in the place of the
-       * coordinates: of bodies in motion. */
+      /**
+       * For bodies in motion: the displacement of all nodes, entry node * dim + component, in place
+       * of the coordinates.
+       */
       field
     };
 
-    /** @p model: the material of the body. */
+    /** @p model contains the material of the body. */
     template <int dim>
     Monitor(const MonitorDefinition &definition,
             const MonitorPoint<dim> &point,
@@ -47,16 +50,20 @@ namespace fuga
       return its_position;
     }
 
-    /** u [length] for interface coordinates @p x and load factors @p a. */
+    /** Return u [length] for interface coordinates @p x and load factors @p a. */
     std::array<double, 3>
     displacement(const Vector &x, const Vector &a) const;
 
-    /** With Source::field: the value at the point of a field by nodes, like the displacement. */
+    /**
+     * With Source::field, return the value at the point of a field by nodes, like the displacement.
+     */
     std::array<double, 3>
     value_of(const Vector &field) const;
 
-    /** With Source::field: the degrees of freedom (entry node * dim + component) of the field that
-     * count. */
+    /**
+     * With Source::field, return the degrees of freedom (entry node * dim + component) of the field
+     * that are used.
+     */
     std::vector<unsigned int>
     watched_dofs() const;
 
@@ -66,15 +73,17 @@ namespace fuga
       return !gradient.empty();
     }
 
-    /** Index of the body of the point. */
+    /** Return the index of the body of the point. */
     unsigned int
     body() const
     {
       return its_body;
     }
 
-    /** σxx, σyy, σzz (across the plane; hoop stress), σxy, σxz, σyz [stress] at the thermal strain
-     * αΔT of the point; not a number unless has_stress(). */
+    /**
+     * Return σxx, σyy, σzz (across the plane; hoop stress), σxy, σxz, σyz [stress] at the thermal
+     * strain αΔT of the point; not a number unless has_stress().
+     */
     std::array<double, 6>
     stress(const Vector &x, const Vector &a, const double thermal_strain) const;
 
@@ -91,7 +100,7 @@ namespace fuga
     std::vector<LinearResponse> components;
     /** ∂u_i/∂x_j, row by row; empty without stress. */
     std::vector<LinearResponse> gradient;
-    /** Of the strain around the axis; empty but in axisymmetry. */
+    /** The hoop strain; empty except in axisymmetry. */
     LinearResponse radial;
   };
 } // namespace fuga

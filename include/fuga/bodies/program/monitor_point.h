@@ -11,15 +11,18 @@
 
 namespace fuga
 {
-  /** Where a monitor lies in the mesh: its cell and the shape functions there. It does not move
-   * while its body is not there. */
+  /**
+   * The position of a monitor in the mesh: its cell and the shape functions there. It does not move
+   * while its body does not exist.
+   */
   template <int dim>
   class MonitorPoint
   {
   public:
     /**
      * @throws InputError if the point lies outside of all bodies (or of the one that is named), if
-     * a name stands for no point, and if the point lies on a joint and it is not said on which lip.
+     * a name does not denote a point, and if the point lies on a joint and its lip is not
+     * specified.
      */
     MonitorPoint(const Discretization<dim> &discretization,
                  const JointedMesh &mesh,
@@ -31,17 +34,21 @@ namespace fuga
       return point;
     }
 
-    /** The nodal forces of a unit force at the point: their work on u is the displacement of the
-     * point. Entry node * dim + component. */
+    /**
+     * Return the nodal forces of a unit force at the point: their work on u is the displacement of
+     * the point. Entry node * dim + component.
+     */
     Vector
     unit_force(const unsigned int component) const;
 
-    /** The nodal forces whose work on u is ∂u_i/∂x_j at the point, i = @p component, j = @p
-     * direction: the mean over the cells of the body around the point. */
+    /**
+     * Return the nodal forces whose work on u is ∂u_i/∂x_j at the point, i = @p component, j =
+     * @p direction: the mean over the cells of the body around the point.
+     */
     Vector
     gradient_force(const unsigned int component, const unsigned int direction) const;
 
-    /** Index of the body. */
+    /** Return the index of the body. */
     unsigned int
     body() const
     {
@@ -57,7 +64,7 @@ namespace fuga
 
     using Shares = std::vector<NodeShare>;
 
-    /** By those of the nodes they hang on. */
+    /** Replace the shares of hanging nodes by those of their masters. */
     void
     replace_hanging_nodes(Shares &of_nodes) const;
 
@@ -77,7 +84,7 @@ namespace fuga
     Shares shares;
     unsigned int its_body = 0;
     std::size_t n_cells   = 0;
-    /** Sums over the cells, by node. */
+    /** Sums of the gradients over the cells, by node. */
     std::map<unsigned int, dealii::Tensor<1, dim>> gradients;
   };
 } // namespace fuga

@@ -9,8 +9,8 @@
 namespace fuga
 {
   /**
-   * The strain energy of the difference between two solutions, u_fine - u_coarse, in each cell of
-   * the coarse system. The mesh of the fine one is the same refined once more.
+   * Return the strain energy of the difference between two solutions, u_fine - u_coarse, in each
+   * cell of the coarse system. The mesh of the fine system is the same, refined once more.
    */
   template <int dim>
   Vector
@@ -19,7 +19,10 @@ namespace fuga
                        const CondensedSystem<dim> &fine,
                        const dealii::Vector<double> &u_fine);
 
-  /** The cells with the largest indicators, as many as needed for @p share of their sum. */
+  /**
+   * Return the cells with the largest indicators, as many as needed for the fraction @p share of
+   * their sum.
+   */
   template <int dim>
   std::vector<CellKey>
   mark_cells(const CondensedSystem<dim> &system, const Vector &indicator, const double share);

@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** What was done with the full model so far. */
+  /** Counts of the work done with the full model so far. */
   struct BodiesWork
   {
     std::size_t n_factorisations  = 0;
@@ -20,13 +20,13 @@ namespace fuga
     std::size_t n_solutions        = 0;
     std::size_t n_recovered_fields = 0;
     unsigned int n_processes       = 0;
-    /** Of conjugate gradients, one vector each; 0 for the direct solver. */
+    /** Iterations of conjugate gradients, one vector each; 0 for the direct solver. */
     std::size_t n_iterations = 0;
     BodySolver solver        = BodySolver::direct;
-    /** If the program had to choose. */
+    /** The estimate from which the solver was chosen; only if the program had to choose. */
     std::optional<SolverEstimate> estimate = {};
 
-    /** Adds the counts of other work. */
+    /** Add the counts of other work. */
     void
     add(const BodiesWork &other)
     {

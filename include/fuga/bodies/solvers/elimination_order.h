@@ -10,30 +10,37 @@
 
 namespace fuga
 {
-  /** One node for every eliminated coordinate: the one it is a displacement of, or that it moves
-   * first. */
+  /**
+   * Return one node for every eliminated coordinate: the one whose displacement it is, or the first
+   * one that it moves.
+   */
   template <int dim>
   std::vector<unsigned int>
   owners_of_coordinates(const Discretization<dim> &discretization,
                         const InterfaceCoordinates<dim> &coordinates);
 
-  /** Which nodes share a cell, in the form that METIS reads: those of node i are entries start[i]
-   * to start[i + 1] - 1 of the neighbours. */
+  /**
+   * The graph of nodes that share a cell, in the format of METIS: the neighbours of node i are
+   * entries start[i] to start[i + 1] - 1 of `neighbours`.
+   */
   struct Graph
   {
     std::vector<int> start = {0}, neighbours;
   };
 
-  /** The nodes in the order of elimination. A SIGTERM that comes meanwhile reaches the program.
-   * @throws NumericalFailure if METIS finds none. */
+  /**
+   * Return the nodes in the order of elimination. A SIGTERM that comes meanwhile reaches the
+   * program.
+   * @throws NumericalFailure if METIS finds no order.
+   */
   std::vector<int>
   nested_dissection(Graph graph);
 
   /**
-   * The place of every coordinate in the elimination, numbered from 1 as MUMPS wants it; interface
-   * coordinates come last.
+   * Return the position of every coordinate in the elimination, numbered from 1 as required by
+   * MUMPS; interface coordinates come last.
    *
-   * MUMPS orders by minimum degree when it is to return a Schur complement, whatever ICNTL(7) says.
+   * MUMPS orders by minimum degree if it has to return a Schur complement, whatever ICNTL(7) says.
    * Nested dissection of the graph of nodes by METIS is better.
    */
   template <int dim>

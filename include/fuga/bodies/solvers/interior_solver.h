@@ -8,7 +8,9 @@
 
 namespace fuga
 {
-  /** One triangle of a sparse symmetric matrix by coordinates, numbered from 1; duplicates add up.
+  /**
+   * One triangle of a sparse symmetric matrix in coordinate format, numbered from 1; duplicates are
+   * added.
    */
   struct SymmetricTriplets
   {
@@ -17,19 +19,19 @@ namespace fuga
     std::vector<double> values;
   };
 
-  /** What a solver has done so far; loads and solutions count by columns. */
+  /** Counts of the work done by a solver so far; loads and solutions are counted by columns. */
   struct SolverWork
   {
     std::size_t n_factorisations  = 0;
     std::size_t n_condensed_loads = 0;
     std::size_t n_solutions       = 0;
-    /** Of conjugate gradients, one vector each. */
+    /** Iterations of conjugate gradients, one vector each. */
     std::size_t n_iterations = 0;
   };
 
   /**
-   * Eliminates all unknowns i of a symmetric matrix but the last ones, c (kept unknowns). K_ii must
-   * be positive definite. All members count the eliminated unknowns first.
+   * Eliminates all unknowns i of a symmetric matrix except for the last ones, c (kept unknowns).
+   * K_ii must be positive definite. In all members the eliminated unknowns come first.
    */
   class InteriorSolver
   {
@@ -37,27 +39,33 @@ namespace fuga
     virtual ~InteriorSolver() = default;
 
     /**
-     * Returns S = K_cc - K_ci K_ii⁻¹ K_ic (n_kept x n_kept, both triangles) and keeps what the
-     * other members need. @p matrix is given up.
+     * Return S = K_cc - K_ci K_ii⁻¹ K_ic (n_kept x n_kept, both triangles) and store the data that
+     * the other members need. @p matrix is consumed.
      * @throws NumericalFailure
      */
     virtual DenseMatrix
     eliminate(SymmetricTriplets &matrix, const unsigned int n_kept) = 0;
 
-    /** Which digits a solution is to bring: those of a load, or those of what a solution has left
-     * of it. */
+    /**
+     * The digits that a solution has to contribute: the first ones, under a load, or the last ones,
+     * under the residual that a solution has left.
+     */
     enum class Digits
     {
       first,
       last
     };
 
-    /** f = F_c - K_ci K_ii⁻¹ F_i for every column of @p loads, which is overwritten. F_i is what a
-     * solution has left. */
+    /**
+     * Return f = F_c - K_ci K_ii⁻¹ F_i for every column of @p loads, which is overwritten. F_i is
+     * the residual that a solution has left.
+     */
     virtual DenseMatrix
     condense(DenseMatrix &loads) = 0;
 
-    /** Overwrites every column of @p loads by K_ii⁻¹ load_i, followed by zeros for the kept unknowns. */
+    /**
+     * Overwrite every column of @p loads by K_ii⁻¹ load_i, followed by zeros for the kept unknowns.
+     */
     virtual void
     solve(DenseMatrix &loads, const Digits digits) = 0;
 

@@ -12,8 +12,7 @@
 
 namespace fuga
 {
-  /** Interface coordinates, and the stiffness of the bars that they have in common; need not be
-   * symmetric. */
+  /** Interface coordinates, and the stiffness of their common bars, which need not be symmetric. */
   struct BlockOfCoordinates
   {
     std::vector<int> coordinates;
@@ -22,10 +21,11 @@ namespace fuga
 
   /**
    * An InteriorSolver by conjugate gradients with algebraic multigrid (Trilinos ML), which knows
-   * the rigid motions: for models whose factor does not fit. Its memory grows as the matrix does.
-   * S costs one solution per kept unknown, several at a time (doc/theory.md, section 1). The
-   * processes of the run share rows and have to call alike, each with its part of the matrix and
-   * all of the loads; results are the same on all, bit by bit.
+   * the rigid motions: for models whose factor does not fit into memory. Its memory is proportional
+   * to the size of the matrix. S costs one solution per kept unknown, several at a time
+   * (doc/theory.md, section 1). The processes of the run share rows and have to call the functions
+   * alike, each with its part of the matrix and all of the loads; results are identical on all, bit
+   * by bit.
    */
   class IterativeSolver : public InteriorSolver
   {
@@ -43,22 +43,25 @@ namespace fuga
     void
     solve(DenseMatrix &loads, const Digits digits) override;
 
-    /** Of values of all eliminated coordinates the own rows. */
+    /** Return the rows that this process owns of the values of all eliminated coordinates. */
     Vector
     own_rows(const Vector &eliminated) const;
 
-    /** Instead of eliminate(): S is not computed. */
+    /** Prepare the solver, instead of eliminate(), without computing S. */
     void
     prepare(SymmetricTriplets &matrix, const unsigned int n_kept);
 
-    /** S x. @p interior, the own rows of what x causes inside, is refined; empty if it is not
-     * known. */
+    /**
+     * Return S x. @p interior contains the own rows of the eliminated unknowns under x and is
+     * refined; it is empty if they are not known.
+     */
     Vector
     resistance(const Vector &x, Vector &interior);
 
     /**
-     * Solves (S + C) x = r, C of @p bars, for all unknowns at once: GMRES, for slipping elements are
-     * not symmetric, preconditioned by the multigrid of K_ii followed by the single blocks.
+     * Solve (S + C) x = r, with C of @p bars, for all unknowns at once: by GMRES, since slipping
+     * elements are not symmetric, preconditioned by the multigrid of K_ii followed by the single
+     * blocks.
      */
     TangentSolver::Solution
     solve_with_bars(const std::vector<BlockOfCoordinates> &bars,
@@ -89,23 +92,28 @@ namespace fuga
     split(SymmetricTriplets &matrix);
     void
     make_multigrid();
-    /** What the own cells give. */
+    /** Return the contribution of the own cells to K_cc. */
     DenseMatrix
     kept_block() const;
-    /** Of a load of all eliminated coordinates the own rows. */
+    /** Copy the rows that this process owns of a load of all eliminated coordinates. */
     void
     take_own(const double *load, double *own) const;
-    /** The opposite; zero for all others. */
+    /** Copy own rows to a vector of all eliminated coordinates; all others are zero. */
     void
     give_own(const double *own, double *solution) const;
-    /** Own rows of the solutions for @p n columns of @p loads from @p first on. */
+    /**
+     * Return the rows that this process owns of the solutions for columns @p first to @p first +
+     * @p n - 1 of @p loads.
+     */
     DenseMatrix
     own_solutions(const DenseMatrix &loads,
                   const std::size_t first,
                   const std::size_t n,
                   const double tolerance);
-    /** Adds to the columns of @p solutions (own rows x any number) what they lack under those of
-     * @p loads, which it overwrites. */
+    /**
+     * Add the missing part under the columns of @p loads, which are overwritten, to the columns of
+     * @p solutions (own rows x any number).
+     */
     void
     solve_columns(DenseMatrix &loads, DenseMatrix &solutions, const double tolerance);
 

@@ -15,8 +15,10 @@
 
 namespace fuga
 {
-  /** Relative residuals: of what S is made of, of other solutions, and of what is solved for what
-   * these have left: all digits together. */
+  /**
+   * Relative residuals of the solutions from which S is computed, of other solutions, and of the
+   * solutions for the remainders of these, which together give all digits.
+   */
   constexpr double tolerance_of_columns = 1e-11, tolerance_of_solutions = 1e-9,
                    tolerance_of_remainders = 1e-6;
 
@@ -58,19 +60,19 @@ namespace fuga
     std::vector<std::size_t> next;
   };
 
-  /** @p factor times column @p i of K_ic, of @p coupling, is added to y_i. */
+  /** Add @p factor times column @p i of K_ic, given by @p coupling, to y_i. */
   void
   add_column(const Compressed &coupling, const double factor, const std::size_t i, double *y);
 
-  /** y_i += factor K_ic x_c. */
+  /** Compute y_i += factor K_ic x_c. */
   void
   add_to_interior(const Compressed &coupling, const double factor, const double *x, double *y);
 
-  /** y_c += factor K_ci x_i. */
+  /** Compute y_c += factor K_ci x_i. */
   void
   add_to_kept(const Compressed &coupling, const double factor, const double *x, double *y);
 
-  /** Calls @p action(i, j, value) for the entries of both triangles of K_cc. */
+  /** Call @p action(i, j, value) for the entries of both triangles of K_cc. */
   template <typename Action>
   void
   for_each_kept_entry(const Compressed &kept, const Action &action)
@@ -85,11 +87,11 @@ namespace fuga
         }
   }
 
-  /** y_c += K_cc x_c. */
+  /** Compute y_c += K_cc x_c. */
   void
   add_kept_block(const Compressed &kept, const double *x, double *y);
 
-  /** The matrices of an IterativeSolver, which keeps Trilinos out of its own header. */
+  /** The matrices of an IterativeSolver, separated to keep Trilinos out of its header. */
   struct IterativeSolver::System
   {
     System(const NodalBlocks &blocks, const std::size_t n_kept)
@@ -103,7 +105,9 @@ namespace fuga
     Epetra_MpiComm comm;
     Epetra_Map map;
     std::unique_ptr<NodalMatrix> K;
-    /** Own rows of K_ic by columns; what the own cells give to K_cc, by rows of one triangle. */
+    /**
+     * Own rows of K_ic by columns; contributions of the own cells to K_cc, by rows of one triangle.
+     */
     Compressed coupling, kept;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> multigrid;
   };

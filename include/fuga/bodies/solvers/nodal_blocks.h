@@ -9,20 +9,20 @@
 namespace fuga
 {
   /**
-   * The eliminated coordinates in blocks of one node each, as algebraic multigrid for elasticity
-   * wants them, with the rigid motions of the bonded structure. Blocks that a support has made
-   * incomplete are filled up with rows that are no coordinate. The rows of one process follow each
-   * other; a node belongs to the first of the processes that have a cell at it.
+   * The eliminated coordinates in blocks of one node each, as required by algebraic multigrid for
+   * elasticity, with the rigid motions of the bonded structure. Blocks that are incomplete because
+   * of a support are filled up with rows that are not coordinates. The rows of one process are
+   * contiguous; a node belongs to the first of the processes that have a cell at it.
    */
   struct NodalBlocks
   {
-    /** Rows of a block: components of a displacement. */
+    /** Number of rows of a block: components of a displacement. */
     unsigned int block_size = 1;
-    /** The first row of every process, and the number of all rows. */
+    /** The first row of every process, followed by the number of all rows. */
     std::vector<int> first_rows;
-    /** Of every eliminated coordinate. */
+    /** Row of every eliminated coordinate. */
     std::vector<int> rows;
-    /** Own rows x (3 in the plane, 6 in space). */
+    /** Rigid motions: own rows x (3 in the plane, 6 in space). */
     DenseMatrix rigid_motions;
 
     int
@@ -34,7 +34,9 @@ namespace fuga
     int
     n_own_rows() const;
 
-    /** Place of a row among the own ones; of others the result is no place: negative or too large.
+    /**
+     * Return the position of a row among the own ones; for other rows the result is negative or too
+     * large.
      */
     int
     own_place(const int row) const;

@@ -11,21 +11,21 @@
 namespace fuga
 {
   /**
-   * A matrix whose rows and columns come in blocks of one node each. Multigrid smooths with it, so
-   * that Apply() multiplies in single precision and reads a place of a column once for a block:
-   * 40 bytes for nine entries in space, where Epetra_CrsMatrix::Multiply(), in double precision,
-   * reads 108. Both wait for the memory alone.
+   * A matrix whose rows and columns come in blocks of one node each. Multigrid uses it for
+   * smoothing; therefore Apply() multiplies in single precision and reads the position of a column
+   * only once per block: 40 bytes for nine entries in space, where Epetra_CrsMatrix::Multiply(), in
+   * double precision, reads 108. Both are limited by the memory bandwidth alone.
    */
   class NodalMatrix : public Epetra_CrsMatrix
   {
   public:
     using Epetra_CrsMatrix::Epetra_CrsMatrix;
 
-    /** After FillComplete(): takes the entries for Apply(). Every process has whole blocks. */
+    /** Store the entries for Apply(), after FillComplete(). Every process has whole blocks. */
     void
     finish(const unsigned int block_size);
 
-    /** Y = K X to single precision. */
+    /** Compute Y = K X in single precision. */
     int
     Apply(const Epetra_MultiVector &X, Epetra_MultiVector &Y) const override;
 
@@ -35,14 +35,14 @@ namespace fuga
     multiply(const float *x, double *y) const;
 
     unsigned int size = 1;
-    /** Of every local column its place among the blocks. */
+    /** Position of every local column among the blocks. */
     std::vector<int> places;
     int n_block_columns = 0;
-    /** Of every row of blocks; one more at the end. */
+    /** Start of every row of blocks, and one more at the end. */
     std::vector<std::size_t> starts;
-    /** Of every block the first place of its columns. */
+    /** First position of the columns of every block. */
     std::vector<int> first_places;
-    /** Blocks by columns. */
+    /** Entries of the blocks, by columns. */
     std::vector<float> values;
   };
 } // namespace fuga

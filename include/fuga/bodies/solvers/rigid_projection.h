@@ -9,15 +9,15 @@
 namespace fuga
 {
   /**
-   * Takes rounding errors out of the condensed system. The jumps R of rigid motions of floating
-   * bodies cost no force, S R = 0, and the condensed loads do the same work on them as the applied
-   * ones, Rᵀ F = W. Both are known exactly, so S and F are projected on them; equilibrium of the
-   * bodies then does not suffer from the condition of the eliminated part.
+   * Removes rounding errors from the condensed system. The jumps R of rigid motions of floating
+   * bodies require no force, S R = 0, and the condensed loads do the same work on them as the
+   * applied ones, Rᵀ F = W. Both are known exactly, so S and F are projected to satisfy them;
+   * equilibrium of the bodies then does not suffer from the condition of the eliminated part.
    */
   class RigidProjection
   {
   public:
-    /** @p motions: R; its columns are independent if the bars hold the bodies. */
+    /** @p motions is R; its columns are independent if the bars hold the bodies. */
     explicit RigidProjection(const DenseMatrix &motions);
 
     void
@@ -26,19 +26,19 @@ namespace fuga
     void
     project_loads(DenseMatrix &F, const DenseMatrix &work) const;
 
-    /** (I - R Qᵀ) x: jumps without the motion nearest to them. */
+    /** Compute (I - R Qᵀ) x: jumps without the motion closest to them. */
     void
     take_out_motion(Vector &jumps) const;
 
-    /** (I - Q Rᵀ) p: forces without what works on the motions. */
+    /** Compute (I - Q Rᵀ) p: forces without the part that does work on the motions. */
     void
     take_out_work(Vector &forces) const;
 
-    /** S + c R (RᵀR)⁻¹ Rᵀ: what holds the bodies as well. */
+    /** Return S + c R (RᵀR)⁻¹ Rᵀ, which also holds the bodies. */
     DenseMatrix
     held(const DenseMatrix &S, const double stiffness) const;
 
-    /** Amounts of the motions nearest to given jumps. */
+    /** Return the amounts of the motions closest to given jumps. */
     Vector
     motion_of(const Vector &jumps) const
     {
@@ -47,7 +47,7 @@ namespace fuga
 
   private:
     DenseMatrix R;
-    /** R (RᵀR)⁻¹; empty if there is nothing to do. */
+    /** Q = R (RᵀR)⁻¹; empty if there is nothing to do. */
     DenseMatrix Q;
   };
 } // namespace fuga

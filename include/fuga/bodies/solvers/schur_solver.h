@@ -10,36 +10,41 @@
 
 namespace fuga
 {
-  /** What a factorisation will take on all processes together, as the analysis says. */
+  /** The cost of a factorisation on all processes together, estimated by the analysis. */
   struct DirectEstimate
   {
     double megabytes = 0.;
-    /** The same, if the factor goes to files. */
+    /** Memory if the factor is stored in files. */
     double megabytes_on_disk = 0.;
     double operations        = 0.;
   };
 
   /**
    * An InteriorSolver by MUMPS' partial factorisation, which returns S. All processes of the run
-   * share the factors and have to call alike, each with its part of the matrix; loads and solutions
-   * of the first one count for all, and S is the same on all. MPI, which MUMPS wants even of a
-   * single one, is initialised at the first use and finalised when the program ends, unless
-   * somebody else does it.
+   * share the factors and have to call the functions alike, each with its part of the matrix; loads
+   * and solutions of the first one count for all, and S is the same on all. MPI, which MUMPS
+   * requires even for a single process, is initialised at the first use and finalised when the
+   * program ends, unless this is done elsewhere.
    */
   class SchurSolver : public InteriorSolver
   {
   public:
-    /** @p ordering, if not empty, is the place of every unknown in the elimination, numbered from 1. */
+    /**
+     * @p ordering, if not empty, is the position of every unknown in the elimination, numbered from
+     * 1.
+     */
     explicit SchurSolver(std::vector<int> ordering = {});
 
     ~SchurSolver() override;
 
-    /** The symbolic part of eliminate(), which is not done again there. */
+    /** Do the symbolic part of eliminate(), which is not repeated there. */
     DirectEstimate
     analyse(SymmetricTriplets &matrix, const unsigned int n_kept);
 
-    /** To be said before eliminate(): the factor goes to files of the folder for temporary files
-     * (TMPDIR), and is read again for every solution. */
+    /**
+     * Store the factor in files in the folder for temporary files (TMPDIR), from which it is read
+     * for every solution. To be called before eliminate().
+     */
     void
     keep_factor_on_disk();
 
@@ -52,8 +57,10 @@ namespace fuga
     void
     solve(DenseMatrix &loads, const Digits digits) override;
 
-    /** All unknowns under the load that condense() had last, one column, if the kept ones are @p
-     * kept: the second half of a solution. */
+    /**
+     * Return all unknowns under the last load of condense(), one column, if the kept ones are
+     * @p kept: the second half of a solution.
+     */
     Vector
     expand(const Vector &kept);
 
@@ -69,15 +76,15 @@ namespace fuga
     void
     call(const int job, const char *what);
 
-    /** MUMPS' solution for all columns of @p loads; @p part: its ICNTL(26). */
+    /** Run MUMPS' solution phase for all columns of @p loads; @p part is its ICNTL(26). */
     void
     run_solution(const int part, DenseMatrix &loads, const char *what);
 
     std::unique_ptr<Instance> mumps;
     unsigned int n_kept = 0;
-    /** All unknowns are kept: small bodies whose every node is in a joint. */
+    /** Whether all unknowns are kept: small bodies with every node in a joint. */
     bool nothing_to_eliminate = false;
-    /** The load that condense() had last, where nothing is kept. */
+    /** The last load of condense(), if no unknown is kept. */
     DenseMatrix of_all;
     bool is_analysed = false;
     SolverWork its_work;

@@ -12,11 +12,13 @@
 
 namespace fuga
 {
-  /** A point that lies outside of a cell by less than this part of its size, by rounding, lies
-   * inside. */
+  /**
+   * A point outside of a cell by less than this fraction of its size, i.e. by rounding, counts as
+   * inside.
+   */
   constexpr double inside_tolerance = 1e-8;
 
-  /** Coordinates in the reference cell, if the point lies in the cell. */
+  /** Return the coordinates in the reference cell, if the point lies in the cell. */
   template <int dim>
   std::optional<dealii::Point<dim>>
   coordinates_in(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
@@ -24,8 +26,9 @@ namespace fuga
                  const dealii::Point<dim> &point);
 
   /**
-   * One cell of the tables after the other by itself, as deal.II's functions for single cells take
-   * it: a process has the tables of all cells, but deal.II's objects of its own cells only.
+   * A single cell of the tables at a time, in the form in which deal.II's functions for single
+   * cells need it: a process has the tables of all cells, but deal.II's objects only of its own
+   * cells.
    */
   template <int dim>
   class LoneCell
@@ -33,11 +36,11 @@ namespace fuga
   public:
     explicit LoneCell(const Discretization<dim> &space);
 
-    /** Goes to a cell and returns the coordinates of a point there, if it lies in the cell. */
+    /** Go to a cell and return the coordinates of a point there, if it lies in the cell. */
     std::optional<dealii::Point<dim>>
     coordinates(const std::size_t cell, const dealii::Point<dim> &point);
 
-    /** Of the shape functions, at a point of the reference cell. */
+    /** Return the gradients of the shape functions at a point of the reference cell. */
     std::vector<dealii::Tensor<1, dim>>
     gradients(const dealii::Point<dim> &in_reference_cell) const;
 

@@ -10,12 +10,12 @@ namespace fuga
 {
   /**
    * Values, gradients and volumes at the quadrature points of one cell after the other. Nothing is
-   * computed again for a cell that is a translated copy of the one before, as most cells of a
-   * regular mesh are.
+   * computed again for a cell that is a translated copy of the previous one, like most cells of a
+   * regular mesh.
    *
-   * dealii::FEValues gives the same numbers, but its reinit() takes longer than the product of a
+   * dealii::FEValues computes the same numbers, but its reinit() takes longer than the product of a
    * cell's matrix with a vector, so that recovering the fields of a mesh of triangles took four
-   * times as long; and a process has deal.II's cells of its own part of the mesh only.
+   * times as long; moreover, a process has deal.II's cells only of its own part of the mesh.
    */
   template <int dim>
   class CellValues
@@ -24,7 +24,7 @@ namespace fuga
     explicit CellValues(const Discretization<dim> &discretization);
 
     /**
-     * Goes to a cell; returns false if it has the geometry of the last one.
+     * Go to a cell; return false if it has the geometry of the last one.
      * @throws InputError for a cell that is folded over.
      */
     bool
@@ -36,7 +36,10 @@ namespace fuga
       return volumes.size();
     }
 
-    /** Quadrature weight times the volume of point @p q, with the extent across the plane. */
+    /**
+     * Return the quadrature weight times the volume of point @p q, including the extent across the
+     * plane.
+     */
     double
     volume(const std::size_t q) const
     {
@@ -59,7 +62,7 @@ namespace fuga
     }
 
   private:
-    /** At one point of the reference cell; the geometry is linear in its corners. */
+    /** Values at one point of the reference cell; the geometry is linear in its corners. */
     struct Table
     {
       double weight = 0.;
@@ -77,7 +80,7 @@ namespace fuga
     std::vector<Table> tables;
     std::vector<dealii::Point<dim>> corners;
     std::vector<dealii::Tensor<1, dim>> edges;
-    /** Of the first corner, when edges and volumes were computed. */
+    /** Radius of the first corner when edges and volumes were computed. */
     double radius = 0.;
     std::vector<double> volumes;
     std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;

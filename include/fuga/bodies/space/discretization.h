@@ -26,10 +26,10 @@ namespace fuga
   /**
    * The finite element space on the open mesh: deal.II's triangulation and degrees of freedom, of
    * which every process of a run has its part (make_triangulation()), and flat tables of *nodes* (a
-   * node carries one degree of freedom per direction) that the rest of this layer works with. The
-   * tables are whole and alike on all processes, numbered as in a run of one: cells by their way
-   * down from the coarse mesh (CellId), nodes by the first cell that has them. A process computes
-   * on the cells that are its own.
+   * node carries one degree of freedom per direction) with which the rest of this layer works. The
+   * tables are complete and identical on all processes, numbered as in a run of one: cells by their
+   * path from the coarse mesh (CellId), nodes by the first cell that has them. A process computes
+   * on the cells that it owns.
    */
   template <int dim>
   class Discretization
@@ -42,13 +42,16 @@ namespace fuga
     {
       unsigned int cell   = 0;
       unsigned int number = 0;
-      /** JointedMesh::no_label for a face without group. */
+      /** Label of the face; JointedMesh::no_label for a face without group. */
       unsigned int label = 0;
     };
 
-    /** The tables have the bodies that are there in @p stage; deal.II's objects have all.
-     *  @throws InputError for mixed or degenerate cells, for elements that do not exist, for a
-     *  mesh of another dimension, and for places beyond the axis of an axisymmetric model. */
+    /**
+     * Create the space. The tables contain the bodies that exist in @p stage; deal.II's objects
+     * contain all.
+     * @throws InputError for mixed or degenerate cells, for elements that do not exist, for a mesh
+     * of another dimension, and for points beyond the axis of an axisymmetric model.
+     */
     Discretization(const JointedMesh &mesh,
                    const ModelDefinition &model,
                    const unsigned int stage = 0);
@@ -85,22 +88,24 @@ namespace fuga
       return bodies.size();
     }
 
-    /** Number in the tables of a cell that deal.II knows by @p active_cell_index; no_cell for
-     *  bodies that are not there and for cells of other processes. */
+    /**
+     * Return the number in the tables of the cell with deal.II's @p active_cell_index; no_cell for
+     * bodies that do not exist and for cells of other processes.
+     */
     unsigned int
     cell_number(const unsigned int active_cell_index) const
     {
       return cell_numbers[active_cell_index];
     }
 
-    /** The process that computes on a cell. */
+    /** Return the process that computes on a cell. */
     unsigned int
     owner(const std::size_t cell) const
     {
       return owners.empty() ? 0 : owners[cell];
     }
 
-    /** Whether that is this one. */
+    /** Return whether this process computes on a cell. */
     bool
     is_own(const std::size_t cell) const
     {
@@ -110,7 +115,7 @@ namespace fuga
     std::size_t
     n_own_cells() const;
 
-    /** Whether this process keeps its part of deal.II's mesh only. */
+    /** Return whether this process keeps only its part of deal.II's mesh. */
     bool
     is_divided_by_p4est() const;
 
@@ -126,21 +131,24 @@ namespace fuga
       return dim * n_nodes();
     }
 
-    /** The nodes of a cell (in the order of active cells); its corners come first. */
+    /** Return the nodes of a cell (in the order of active cells); its corners come first. */
     const unsigned int *
     cell_nodes(const std::size_t cell) const
     {
       return nodes_of_cells.data() + cell * reference.n_nodes();
     }
 
-    /** Index into JointedMesh::body_names. */
+    /** Return the body of a cell as an index into JointedMesh::body_names. */
     unsigned int
     cell_body(const std::size_t cell) const
     {
       return bodies[cell];
     }
 
-    /** Number of the degree of freedom of a node in one direction, in a model with all bodies. */
+    /**
+     * Return the number of the degree of freedom of a node in one direction, in a model with all
+     * bodies.
+     */
     unsigned int
     dof(const std::size_t node, const unsigned int component) const
     {
@@ -149,12 +157,14 @@ namespace fuga
              component;
     }
 
-    /** Of the model with all bodies. */
+    /** Return the number of degrees of freedom of the model with all bodies. */
     unsigned int
     n_dofs_of_all_bodies() const;
 
-    /** Of a vector with an entry for each of these, by dof(), the entries of the nodes: node * dim
-     * + component. */
+    /**
+     * Return the entries of the nodes, node * dim + component, of a vector with an entry for each
+     * of these degrees of freedom, by dof().
+     */
     template <typename VectorType>
     Vector
     by_nodes(const VectorType &of_all) const
@@ -178,29 +188,31 @@ namespace fuga
       return axisymmetric;
     }
 
-    /** By what lengths in the plane have to be multiplied to become areas: the thickness, or the
-     *  circumference 2πr. */
+    /**
+     * Return the factor by which lengths in the plane have to be multiplied to become areas: the
+     * thickness, or the circumference 2πr.
+     */
     double
     extent_across(const dealii::Point<dim> &point) const
     {
       return axisymmetric ? 2. * dealii::numbers::PI * point[0] : thickness;
     }
 
-    /** Whether a node lies on the axis of revolution; exactly: x = 0. */
+    /** Return whether a node lies on the axis of revolution, i.e. exactly at x = 0. */
     bool
     is_on_axis(const std::size_t node) const
     {
       return axisymmetric && positions[node][0] == 0.;
     }
 
-    /** The node at a vertex of the JointedMesh; no_node for a vertex that no cell uses. */
+    /** Return the node at a vertex of the JointedMesh; no_node for a vertex that no cell uses. */
     unsigned int
     node_at_vertex(const unsigned int vertex) const
     {
       return vertex_nodes.at(vertex);
     }
 
-    /** By body, whether it is there. */
+    /** Return for each body whether it exists. */
     const std::vector<bool> &
     bodies_there() const
     {
@@ -213,14 +225,16 @@ namespace fuga
       return numbers_of_nodes.empty();
     }
 
-    /** Whether faces with this label belong to bodies that are not there. */
+    /** Return whether faces with this label belong to bodies that do not exist. */
     bool
     lacks_faces_of(const unsigned int label) const
     {
       return absent_labels.count(label) > 0;
     }
 
-    /** None if the mesh is not refined locally; never on a lip in 2D. */
+    /**
+     * Return the hanging nodes: none if the mesh is not refined locally, and never on a lip in 2D.
+     */
     const HangingNodes<dim> &
     hanging_nodes() const
     {
@@ -233,27 +247,31 @@ namespace fuga
       return outer_faces;
     }
 
-    /** Those whose label is @p marked, see fuga::selection(). */
+    /** Return the boundary faces whose label is @p marked, see fuga::selection(). */
     std::vector<BoundaryFace>
     boundary_faces(const std::vector<bool> &marked) const;
 
-    /** Node @p k of a boundary face, in the order of ReferenceElement::Face. */
+    /** Return node @p k of a boundary face, in the order of ReferenceElement::Face. */
     unsigned int
     face_node(const BoundaryFace &face, const std::size_t k) const
     {
       return cell_nodes(face.cell)[reference.face(face.number).nodes[k]];
     }
 
-    /** Distance of its first and last nodes; in space an edge or a diagonal. */
+    /**
+     * Return the distance of the first and last nodes of a face; in space this is an edge or a
+     * diagonal.
+     */
     double
     face_length(const BoundaryFace &face) const;
 
-    /** Mean of its corners. */
+    /** Return the mean of the corners of a face. */
     dealii::Point<dim>
     face_center(const BoundaryFace &face) const;
 
-    /** Number of the piece of mesh a cell belongs to; cells of one piece are connected through
-     * faces.
+    /**
+     * Return the number of the piece of the mesh to which a cell belongs; cells of one piece are
+     * connected through faces.
      */
     unsigned int
     cell_piece(const std::size_t cell) const
@@ -300,12 +318,12 @@ namespace fuga
     std::set<unsigned int> absent_labels;
     std::vector<unsigned int> nodes_of_cells;
     std::vector<unsigned int> bodies;
-    /** By cell the process that computes on it; empty if there is only one. */
+    /** The process that computes on each cell; empty if there is only one. */
     std::vector<unsigned int> owners;
     unsigned int my_rank = 0;
     std::vector<unsigned int> pieces;
     unsigned int piece_count = 0;
-    /** In a model with all bodies; empty if this is one. */
+    /** Numbers of the nodes in a model with all bodies; empty if this is one. */
     std::vector<unsigned int> numbers_of_nodes;
     HangingNodes<dim> hanging;
     std::vector<dealii::Point<dim>> positions;

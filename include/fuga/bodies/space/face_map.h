@@ -9,7 +9,9 @@
 
 namespace fuga
 {
-  /** One boundary face as the image of its reference: places, areas and normals for integrals. */
+  /**
+   * One boundary face as the image of its reference: positions, areas and normals for integrals.
+   */
   template <int dim>
   class FaceMap
   {
@@ -21,7 +23,10 @@ namespace fuga
     struct Line
     {
       FacePoint begin, end;
-      /** Measure of what it stands for, per unit of the way from its begin to its end. */
+      /**
+       * Measure of the part of the face that the line represents, per unit of the distance from its
+       * begin to its end.
+       */
       double weight = 1.;
 
       FacePoint
@@ -36,15 +41,15 @@ namespace fuga
     dealii::Point<dim>
     point(const FacePoint &at) const;
 
-    /** Area per measure of the reference, with the extent across the plane. */
+    /** Return the area per measure of the reference, including the extent across the plane. */
     double
     density(const FacePoint &at) const;
 
-    /** Unit normal that points out of the body. */
+    /** Return the unit normal that points out of the body. */
     dealii::Tensor<1, dim>
     normal(const FacePoint &at) const;
 
-    /** Values of the shape functions of the nodes of the face. */
+    /** Return the values of the shape functions of the nodes of the face. */
     std::vector<double>
     values(const FacePoint &at) const
     {
@@ -63,20 +68,23 @@ namespace fuga
       return its_corners;
     }
 
-    /** Heights of the corners: y in the plane, z in space. */
+    /** Return the heights of the corners: y in the plane, z in space. */
     Vector
     heights() const;
 
-    /** (Bi)linear in the values at the corners, and exactly these there. */
+    /**
+     * Interpolate (bi)linearly between the values at the corners, which are reproduced exactly
+     * there.
+     */
     double
     interpolate(const Vector &at_corners, const FacePoint &at) const;
 
     /**
-     * Lines that sweep the face: for integrands that have corners where one of some affine
-     * functions of the place vanishes, which are given by their values at the corners of the face.
-     * The lines run in the direction in which the first of them changes most; across them
-     * Gauss' rule with @p n_points is applied between the places where a corner of the integrand
-     * meets an edge of the face. In the plane the face is the one line.
+     * Return lines that sweep the face, for integrands that have corners where one of some affine
+     * functions of the position vanishes, which are given by their values at the corners of the
+     * face. The lines run in the direction in which the first of them changes most; across them
+     * Gauss' rule with @p n_points is applied between the positions where a corner of the integrand
+     * meets an edge of the face. In the plane the face is the only line.
      */
     std::vector<Line>
     lines(const std::vector<Vector> &corner_functions, const unsigned int n_points) const;

@@ -20,21 +20,24 @@ namespace fuga
 {
   /**
    * The nodes of small cells on the face of a larger neighbour. They move with the nodes of that
-   * face: u = Σ w_k u_k, the same for every direction. Forces on them go to these *masters* with
-   * the same weights. No master hangs itself. (doc/theory.md, section 1)
+   * face: u = Σ w_k u_k, the same for every direction. Forces on them are moved to these *masters*
+   * with the same weights. No master is itself a hanging node. (doc/theory.md, section 1)
    */
   template <int dim>
   class HangingNodes
   {
   public:
-    /** Nodes, with their weights. */
+    /** Master nodes with their weights. */
     using Masters = std::vector<std::pair<unsigned int, double>>;
 
-    /** None. */
+    /** Create a table without hanging nodes. */
     HangingNodes() = default;
 
-    /** @p node_of_dof: the node that this is the first degree of freedom of; of others, and of those
-     *  of no node, not below @p n_nodes. All processes put together what they have. */
+    /**
+     * @p node_of_dof is the node of which this is the first degree of freedom; for other degrees of
+     * freedom, and for those of no node, it is not below @p n_nodes. The data of all processes are
+     * put together.
+     */
     HangingNodes(const dealii::DoFHandler<dim, dim> &dofs,
                  const std::vector<unsigned int> &node_of_dof,
                  const unsigned int n_nodes);
@@ -51,7 +54,7 @@ namespace fuga
       return all_masters.count(node) > 0;
     }
 
-    /** Moves forces (entry node * dim + component) from hanging nodes to their masters. */
+    /** Move forces (entry node * dim + component) from hanging nodes to their masters. */
     void
     move_to_masters(Vector &forces) const;
 

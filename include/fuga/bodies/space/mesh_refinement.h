@@ -16,11 +16,11 @@ namespace dealii
 namespace fuga
 {
   /**
-   * Refines the marked active cells of a mesh whose boundary ids are the labels of @p jointed, and with
-   * them what has to follow: neighbours, until levels differ by one at most, and the partners
-   * across joints, so that both lips keep the same division; in space also cells beside a joint, so
-   * that a vertex of one lip hangs only together with the one that it faces. The outcome does not
-   * depend on the order of the marks.
+   * Refine the marked active cells of a mesh whose boundary ids are the labels of @p jointed, and
+   * all cells that have to be refined with them: neighbours, until levels differ by one at most,
+   * and the partners across joints, so that both lips keep the same division; in space also cells
+   * beside a joint, so that a vertex of one lip hangs only together with the one that it faces. The
+   * result does not depend on the order of the marks.
    */
   template <int dim>
   void

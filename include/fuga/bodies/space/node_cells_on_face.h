@@ -12,17 +12,17 @@
 namespace fuga
 {
   /**
-   * The part of a face that belongs to each of its nodes, by its corners in the reference of the
-   * face: between the points up to which the weights of Gauss and Lobatto's rule add up, so that
-   * its area is the integral of the node's shape function; of a triangle between the middles of
-   * the edges and the centre. @p n_corners: of the face. Nodes in the order of
-   * ReferenceElement::Face.
+   * Return the part of a face that belongs to each of its nodes, by its corners in the reference of
+   * the face: it extends between the points up to which the weights of Gauss and Lobatto's rule add
+   * up, so that its area is the integral of the node's shape function; on a triangle, between the
+   * midpoints of the edges and the centre. @p n_corners is that of the face. Nodes are in the order
+   * of ReferenceElement::Face.
    */
   template <int dim>
   std::vector<std::vector<dealii::Point<dim - 1>>>
   node_cells_on_face(const std::size_t n_corners, const unsigned int degree);
 
-  /** Pairs of nodes of a face whose parts meet along more than a point. */
+  /** Return the pairs of nodes of a face whose parts meet along more than a point. */
   std::vector<std::pair<std::size_t, std::size_t>>
   neighbours_on_face(const unsigned int dim,
                      const std::size_t n_corners,

@@ -11,9 +11,9 @@
 namespace fuga
 {
   /**
-   * Which plain nodes share a cell: for every node its neighbours with smaller numbers, and the
-   * place of the first of its entries among the triplets (dim x dim per neighbour, then a
-   * triangle).
+   * The graph of plain nodes that share a cell: for every node its neighbours with smaller numbers,
+   * and the position of the first of its entries among the triplets (dim x dim per neighbour, then
+   * a triangle).
    */
   template <int dim>
   class NodeGraph
@@ -21,7 +21,7 @@ namespace fuga
   public:
     static constexpr std::size_t block = dim * dim, triangle = dim * (dim + 1) / 2;
 
-    /** @p cells: cells of plain nodes; every plain node gets a diagonal block. */
+    /** @p cells are cells of plain nodes; every plain node gets a diagonal block. */
     NodeGraph(const Discretization<dim> &discretization,
               const std::vector<std::size_t> &cells,
               const std::vector<bool> &is_plain);
@@ -52,7 +52,7 @@ namespace fuga
       return first_entry[node] < first_entry[node + 1];
     }
 
-    /** The neighbours of a node with smaller numbers. */
+    /** Return the neighbours of a node with smaller numbers. */
     const unsigned int *
     begin(const unsigned int node) const
     {

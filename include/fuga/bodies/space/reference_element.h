@@ -24,10 +24,10 @@ namespace dealii
 namespace fuga
 {
   /**
-   * Everything that depends on the kind of element only: the scalar Lagrange element, where its
-   * nodes are, and tables of its faces, whose nodes joints need in an order of their own. The one
-   * place where finite element, mapping and quadrature are chosen from the shape of the cells (a
-   * tensor Gauss rule on a triangle is accepted by deal.II and doubles its area).
+   * Everything that depends only on the kind of element: the scalar Lagrange element, the positions
+   * of its nodes, and tables of its faces, whose nodes joints need in an order of their own. This
+   * is the only place where finite element, mapping and quadrature are chosen from the shape of the
+   * cells (a tensor Gauss rule on a triangle is accepted by deal.II and doubles its area).
    *
    * The geometry of a cell is linear (bilinear, trilinear) in its corners, whatever the degree. The
    * corners are the first nodes of the cell.
@@ -39,13 +39,15 @@ namespace fuga
     /** Coordinates on a face: (0, 1), the unit square, or the triangle (0,0), (1,0), (0,1). */
     using FacePoint = dealii::Point<dim - 1>;
 
-    /** Tables of one face; weights sum to the measure of its reference: 1, or 1/2 of a triangle. */
+    /**
+     * Tables of one face; weights sum to the measure of its reference: 1, or 1/2 for a triangle.
+     */
     struct Face
     {
       /** The nodes on the face, by their last coordinate on it, then by the one before: in the
        *  plane from its first corner to its second one. */
       std::vector<unsigned int> nodes;
-      /** Where in `nodes` the corners are. */
+      /** Positions of the corners in `nodes`. */
       std::vector<unsigned int> corners;
       std::vector<FacePoint> corner_points;
       std::vector<FacePoint> points;
@@ -55,8 +57,8 @@ namespace fuga
     };
 
     /**
-     * @p with_radius: integrands have a radius as factor.
-     * @throws InputError when there is no such element, with the degrees that exist.
+     * @p with_radius tells whether integrands have a radius as factor.
+     * @throws InputError if there is no such element, with the degrees that exist.
      */
     ReferenceElement(const dealii::ReferenceCell &shape,
                      const unsigned int degree,
@@ -70,7 +72,7 @@ namespace fuga
       return *element;
     }
 
-    /** (Bi)linear. */
+    /** Return the (bi)linear mapping. */
     const dealii::Mapping<dim, dim> &
     mapping() const;
 
@@ -86,15 +88,17 @@ namespace fuga
       return node_geometry.front().size();
     }
 
-    /** The (bi)linear functions of the corners at node @p i. */
+    /** Return the (bi)linear functions of the corners at node @p i. */
     const std::vector<double> &
     geometry_at_node(const std::size_t i) const
     {
       return node_geometry[i];
     }
 
-    /** Exact for the stiffness of affine cells and for constant loads; with a radius as factor for
-     *  constant loads and for what a constant stress does. */
+    /**
+     * Return a quadrature that is exact for the stiffness of affine cells and for constant loads;
+     * with a radius as factor, for constant loads and for the forces of a constant stress.
+     */
     const dealii::Quadrature<dim> &
     quadrature() const
     {
@@ -107,15 +111,17 @@ namespace fuga
       return faces[number];
     }
 
-    /** Values of the shape functions of face(number).nodes. */
+    /** Return the values of the shape functions of face(number).nodes. */
     std::vector<double>
     face_values(const unsigned int number, const FacePoint &point) const;
 
-    /** Values of the (bi)linear functions of the corners of a face. */
+    /** Return the values of the (bi)linear functions of the corners of a face. */
     std::vector<double>
     corner_values(const unsigned int number, const FacePoint &point) const;
 
-    /** Their derivatives with respect to one of the coordinates on the face. */
+    /**
+     * Return the derivatives of these functions with respect to one of the coordinates on the face.
+     */
     std::vector<double>
     corner_derivatives(const unsigned int number,
                        const FacePoint &point,

@@ -9,8 +9,10 @@
 
 namespace fuga
 {
-  /** The way of a cell down from the coarse mesh, as on one process: where p4est divides the mesh,
-   *  deal.II's own ids count the coarse cells in the order of p4est's trees. */
+  /**
+   * Return the path of a cell from the coarse mesh, as on one process: if p4est divides the mesh,
+   * deal.II's own ids count the coarse cells in the order of p4est's trees.
+   */
   template <typename Cell>
   dealii::CellId
   serial_cell_id(const Cell &cell)

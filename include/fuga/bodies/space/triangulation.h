@@ -18,13 +18,14 @@ namespace dealii
 namespace fuga
 {
   /**
-   * The open mesh, refined as the model says, as deal.II's triangulation: boundary id = label,
-   * material id = body. With one process it is the plain one. Several processes divide it:
-   * quadrilaterals and hexahedra that are refined through p4est (parallel::distributed: each
-   * process has its own cells, their neighbours, and the coarse mesh); triangles and tetrahedra,
-   * which p4est does not know, and meshes that are as in the file, which it could not divide, as
-   * parallel::shared (each has all cells). The cells are those of one process.
-   * @throws InputError for cells without area or volume and for places beyond the axis of an
+   * Return the open mesh, refined as specified by the model, as deal.II's triangulation: boundary
+   * id = label, material id = body. With one process it is a serial triangulation. Several
+   * processes divide it: quadrilaterals and hexahedra that are refined, through p4est
+   * (parallel::distributed: each process has its own cells, their neighbours, and the coarse mesh);
+   * triangles and tetrahedra, which p4est does not support, and meshes that are as in the file,
+   * which it could not divide, as parallel::shared (each process has all cells). The cells are the
+   * same as with one process.
+   * @throws InputError for cells without area or volume and for points beyond the axis of an
    * axisymmetric model.
    */
   template <int dim>

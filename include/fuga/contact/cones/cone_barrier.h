@@ -11,7 +11,7 @@
 
 namespace fuga
 {
-  /** What an element of a rate problem in space can answer (doc/theory.md, eq. 31). */
+  /** The answers that an element of a rate problem in space can give (doc/theory.md, eq. 31). */
   struct ConeAnswer
   {
     enum class Place
@@ -25,27 +25,27 @@ namespace fuga
     };
 
     Place place = Place::on_cone;
-    /** First of its rows: n, then those of its tangents. */
+    /** The first row of the element: that of n, which those of its tangents follow. */
     std::size_t row = 0, n_tangents = 2;
-    /** f and tan ψ. */
+    /** The coefficient of friction f, and tan ψ. */
     double friction = 0., rise = 0.;
-    /** ρ̇ [MN per unit of the path]. */
+    /** The rate of strength ρ̇ [MN per unit of the path]. */
     double strength_rate = 0.;
-    /** e */
+    /** The direction e of slip. */
     TangentVector direction = {{1., 0.}};
   };
 
   /**
-   * Virtual dislocations y that show that no rates v with q = r - W v answer the load: with
+   * Find virtual dislocations y that show that no rates v with q = r - W v answer the load: with
    * p = W y, for all answers of all elements
    *
    *     y·q + p·v ≤ Σ z ρ̇,    but    y·r > Σ z ρ̇,
    *
-   * while y·q + p·v = y·r for every v (doc/theory.md, eq. 31c). The answers are taken together
-   * state by state, without complementarity, in their convex hull: where a solution exists there is
-   * no such y, and where there is none there need not be one. W is symmetric; entry i of
-   * @p diagonal is the size of the terms in its row i. y is only as exact as rounding allows:
-   * it has to be judged.
+   * while y·q + p·v = y·r for every v (doc/theory.md, eq. 31c). The answers of all states are
+   * combined into their convex hull, without complementarity: where a solution exists there is no
+   * such y, but where there is none such a y need not exist. W is symmetric; entry i of @p diagonal
+   * is the size of the terms in its row i. y is only as exact as rounding allows, and the caller
+   * has to judge it.
    */
   std::optional<Vector>
   find_barrier(const DenseMatrix &W,

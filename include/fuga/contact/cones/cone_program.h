@@ -10,8 +10,8 @@
 
 namespace fuga
 {
-  /** One to three unknowns from @p first on that lie in the cone z₀ ≥ f |(z₁, z₂)|; a single one is
-   * not negative. */
+  /** A block of one to three unknowns, beginning with @p first, that lies in the cone z₀ ≥ f |(z₁,
+   * z₂)|; a single unknown is not negative. */
   struct ConeBlock
   {
     std::size_t first, size;
@@ -23,10 +23,10 @@ namespace fuga
    *
    *     min ½ zᵀM z - rᵀz,    z in the cones of the blocks,
    *
-   * with M symmetric and positive semidefinite. Its forces λ = M z - r lie in the dual cones,
-   * |(λ₁, λ₂)| ≤ f λ₀, and λ·z = 0 in every block. A primal-dual interior point method, with the
-   * scaling of Nesterov and Todd and the corrector of Mehrotra, solves it whatever the motions are
-   * that M resists, strongly, weakly or not at all.
+   * with M symmetric and positive semidefinite. Its forces λ = M z - r lie in the dual cones, |(λ₁,
+   * λ₂)| ≤ f λ₀, and λ·z = 0 in every block. It is solved by a primal-dual interior point method
+   * with the scaling of Nesterov and Todd and the corrector of Mehrotra, regardless of whether M
+   * resists motions strongly, weakly or not at all.
    */
   class ConeProgram
   {
@@ -36,24 +36,25 @@ namespace fuga
     /** The side of the complementarity on which a block ends. */
     enum class Place
     {
-      /** Its force is inside the cone; it has no rate. */
+      /** The force is inside its cone; there is no rate. */
       at_rest,
       /** Force and rate are on the surfaces of their cones. */
       on_surface,
-      /** It has no force. */
+      /** There is no force. */
       unloaded
     };
 
     struct Solution
     {
       Vector z, forces;
-      /** Of the blocks. */
+      /** The place of each block. */
       std::vector<Place> places;
-      /** False if z grows without bounds; it is then what the method reached. */
+      /** False if z grows without bounds; z is then the last iterate of the method. */
       bool is_bounded = true;
     };
 
-    /** Returns nothing if the method comes to a standstill before the solution. */
+    /** Solve the program for the linear term @p r. Return nothing if the method stagnates before it
+     * reaches the solution. */
     std::optional<Solution>
     solve(const Vector &r) const;
 
@@ -63,9 +64,9 @@ namespace fuga
     class NewtonStep;
 
     std::vector<ConeBlock> blocks;
-    /** z = scale y, y in the cones y₀ ≥ |(y₁, y₂)|. */
+    /** The scaling z = scale y to unknowns y in the cones y₀ ≥ |(y₁, y₂)|. */
     Vector scale;
-    /** M in the unknowns y. */
+    /** The matrix M in terms of the unknowns y. */
     DenseMatrix A;
   };
 } // namespace fuga

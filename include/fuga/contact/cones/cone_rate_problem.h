@@ -14,46 +14,47 @@
 
 namespace fuga
 {
-  /** How a path with circular friction cones goes on. */
+  /** The way in which a path with circular friction cones goes on. */
   struct ConeContinuation
   {
     bool exists = false;
     JointRates rates;
-    /** Of the elements of the boundary set, in their order. */
+    /** States of the elements of the boundary set, in their order. */
     std::vector<ContactState> states;
-    /** Unit slip directions of the slipping ones among them. */
+    /** Unit slip directions of the elements among them that slip. */
     std::vector<TangentVector> directions;
     unsigned int n_schemes = 0;
-    /** Set if nothing exists because a motion meets no resistance. */
+    /** True if nothing exists because some motion meets no resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
-    /** If nothing exists: that is certain, since a proof rules out every combination of states. */
+    /** If nothing exists: true if that is certain, since a proof rules out every combination of
+     * states. */
     bool is_ruled_out = false;
-    /** Otherwise a virtual motion that may show that no rates exist: find_barrier(). */
+    /** Otherwise: a virtual motion that may show that no rates exist, see find_barrier(). */
     std::optional<JointRates> barrier;
-    /** λ̇, where the load is an unknown. */
+    /** The rate λ̇ of the load, where the load is an unknown. */
     double load_rate = 0.;
-    /** Sign of the determinant of the scheme: negative beyond critical friction. */
+    /** Sign of the determinant of the scheme; it is negative beyond critical friction. */
     int determinant_sign = 0;
-    /** Only a search found it. */
+    /** True if only a search found it. */
     bool by_search = false;
   };
 
   /**
-   * The rate problem for elements with circular friction cones (doc/theory.md, section 17). With v
-   * the rates of dislocation and q = r - W v those of the bar forces:
+   * The rate problem for elements with circular friction cones (doc/theory.md, section 17). Let v
+   * be the rates of dislocation and q = r - W v those of the bar forces; then
    *
    *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ ρ̇ - (e·q_t + f q_n) ≥ 0,   v_n = γ tan ψ
    *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
    *                                 v_t = 0, or on it and v_t ∥ q_t
    *
-   * with ρ̇ the rate of the strength at the present pressure. All other elements keep their rows in
-   * the working scheme.
+   * where ρ̇ is the rate of the strength at the present pressure. All other elements keep their
+   * rows in the working scheme.
    *
-   * A semismooth Newton method on the states and slip directions. If it goes round in circles it
-   * starts again from the solution for a softer layer, from solutions for associated friction, and
-   * from block Gauss-Seidel sweeps from element to element. Accepted is only what satisfies every
-   * condition.
+   * The problem is solved by a semismooth Newton method in the states and slip directions. If the
+   * method cycles, it is restarted from the solution for a softer layer, from solutions for
+   * associated friction, and from block Gauss-Seidel sweeps over the elements. Only results that
+   * satisfy every condition are accepted.
    */
   class ConeRateProblem
   {
@@ -61,9 +62,9 @@ namespace fuga
     ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
     /**
-     * In @p background the elements of @p set are stuck, all others have their states. @p
-     * resticking: elements whose slip has just come to rest; what is @p widening times rounding
-     * does not move them again.
+     * Solve the rate problem for the elements of @p set. In @p background these elements are stuck
+     * and all others have their states. @p resticking lists the elements whose slip has just come
+     * to rest; rates up to @p widening times rounding do not move them again.
      */
     ConeContinuation
     solve(const JointState &state,
@@ -73,36 +74,37 @@ namespace fuga
           const std::vector<std::size_t> &resticking,
           const double widening);
 
-    /** It is certain that the last set has one solution, whatever the load (doc/theory.md, section
-     * 17). */
+    /** Return whether it is certain that the last set has one solution, whatever the load
+     * (doc/theory.md, section 17). */
     bool
     has_one_solution() const;
 
-    /** All directions of slip of the last set are given, and its states have few enough
-     * combinations to try all. */
+    /** Return whether all directions of slip of the last set are given and its states have few
+     * enough combinations to try them all. */
     bool
     can_be_enumerated() const;
 
-    /** The same, or the directions that are not given can be solved for. */
+    /** Return the same as can_be_enumerated(), but also true if the directions that are not given
+     * can be solved for. */
     bool
     is_small() const;
 
-    /** The solution just found, and what a search finds beside it. All there are if
-     * can_be_enumerated(); one may come twice. */
+    /** Return the solution just found and the others that a search finds. These are all solutions
+     * if can_be_enumerated(); one of them may occur twice. */
     std::vector<ConeContinuation>
     all_solutions(WorkingScheme &background, const Drive &drive);
 
-    /** What determines the rate of a load that is an unknown. */
+    /** The condition that determines the rate of a load that is an unknown. */
     enum class Control
     {
       /** Something moves; the scale of the rates is arbitrary. */
       motion,
-      /** The displacement of the load that is due to the motion stands still. */
+      /** The displacement of the load that is due to the motion stays constant. */
       displacement
     };
 
-    /** The same with a load that gives way: the rates are driven by @p drive and λ̇ times
-     * @p unit_load (doc/theory.md, eqs. 7a and 7b). */
+    /** Solve the rate problem with a load that gives way: the rates are driven by @p drive and λ̇
+     * times @p unit_load (doc/theory.md, eqs. 7a and 7b). */
     ConeContinuation
     solve_yielding(const JointState &state,
                    const std::vector<BoundaryElement> &set,
@@ -116,39 +118,41 @@ namespace fuga
     struct Candidate
     {
       std::size_t element = 0;
-      /** First of its rows in the reduced system: n, then t1, t2 if it has friction. */
+      /** The first of its rows in the reduced system: n, then t1 and t2 if the element has
+       * friction. */
       std::size_t row = 0;
       double friction = 0.;
-      /** tan ψ */
+      /** The rise tan ψ of the lips per unit of slip. */
       double rise = 0.;
-      /** Rates of the strength at the present pressure, and of the tensile strength. */
+      /** Rates of the shear strength at the present pressure and of the tensile strength. */
       double strength_rate = 0., tension_rate = 0.;
-      /** Rate of the shear that a broken bond still carries if the element is open. */
+      /** Rate of the shear that a broken bond still carries, used if the element is open. */
       TangentVector shear_release = {{0., 0.}};
-      /** On the boundary of no strength: every direction of slip is free, or there is none. */
+      /** True on the boundary of zero strength, where every direction of slip is free or there is
+       * no slip. */
       bool at_apex = false;
-      /** It may open. */
+      /** True if the element may open. */
       bool grazing = false;
-      /** Tangential rows: none without friction, one where only one bar is free. */
+      /** Number of tangential rows: none without friction, one where only one bar is free. */
       std::size_t n_tangents  = 0;
       bool resting            = false;
       ContactState state      = ContactState::stick;
       TangentVector direction = {{1., 0.}};
-      /** Rate of slip, and f times the rate at which the element presses, at the apex. */
+      /** Rate of slip, and f times the rate at which the element presses at the apex. */
       double slip = 0., strength = 0.;
     };
 
-    /** What the present rates ask of a candidate. */
+    /** The state that the present rates demand of a candidate. */
     struct Demand
     {
       ContactState state      = ContactState::stick;
       TangentVector direction = {{1., 0.}};
       double slip = 0., strength = 0.;
-      /** By how much they contradict its present state. */
+      /** The amount by which the rates contradict its present state. */
       double violation = 0.;
     };
 
-    /** A state that a candidate may take, and the direction of its slip to begin with. */
+    /** A state that a candidate may take, and the direction of slip that it begins with. */
     struct Choice
     {
       ContactState state;
@@ -162,18 +166,19 @@ namespace fuga
       cycled
     };
 
-    /** Schemes that are tried, all violations changed at once and then the worst one alone. */
+    /** Number of schemes that are tried: first with all violations changed at once, then with the
+     * worst one alone. */
     static constexpr unsigned int n_together = 25, n_iterations = 80;
 
-    /** r and W of the boundary set, and the size of the terms in W. */
+    /** The matrix W and the vector r of the boundary set, and the size of the terms in W. */
     struct ReducedSystem
     {
       DenseMatrix W;
       Vector r, diagonal;
     };
 
-    /** The reduced system of a set. Returns false if something moves freely although all of it is
-     * stuck: the mechanism of @p result. */
+    /** Set up the reduced system of @p set. Return false if something moves freely although the
+     * whole set is stuck; @p result then contains the mechanism. */
     bool
     take_set(const JointState &state,
              const std::vector<BoundaryElement> &set,
@@ -197,19 +202,21 @@ namespace fuga
     try_all(ConeContinuation &result, const std::function<bool()> &note);
     void
     try_guesses(ConeContinuation &result, const std::function<bool()> &note);
-    /** Calls @p note at every solution until it returns true; then the candidates keep it. */
+    /** Call @p note at every solution until it returns true; the candidates then keep that
+     * solution. */
     bool
     search(ConeContinuation &result, const std::function<bool()> &note);
-    /** The last resort: returns whether a search found a solution; if not, @p result may say why. */
+    /** As a last resort, search for a solution. Return whether one was found; if not, @p result may
+     * tell why. */
     bool
     search_or_prove(WorkingScheme &background, const Drive &drive, ConeContinuation &result);
-    /** Only where all directions of slip are given. */
+    /** Search and prove. This works only where all directions of slip are given. */
     bool
     search_with_proof(ConeContinuation &result);
     LcpNoise
     noise_of_slips() const;
-    /** Through the states of all others while those of @p may_open are given; nothing if what opens
-     * is without support. */
+    /** Search all states of the other elements while those of @p may_open are given. Return nothing
+     * if the elements that open are without support. */
     std::optional<LcpSearch>
     search_slips(const std::vector<std::size_t> &may_open, const std::vector<bool> &opened) const;
     Vector
@@ -244,14 +251,14 @@ namespace fuga
     end_idle_motion();
     bool
     is_admissible(const Vector &motion) const;
-    /** What loads that grow and strengths that fall do to a motion, per square of the path
-     * parameter; and the sum of the sizes of its terms. */
+    /** Return the power that growing loads and falling strengths exert on @p motion, per square of
+     * the path parameter; set @p size to the sum of the sizes of its terms. */
     double
     driving_power(const Vector &motion, double &size) const;
     Outcome
     iterate(const unsigned int max_iterations, ConeContinuation &result);
-    /** Rates of the present scheme; false if something moves freely in it, which is then held by
-     * weak springs. */
+    /** Compute the rates of the present scheme. Return false if something moves freely in it; weak
+     * springs then hold it. */
     bool
     solve_scheme();
     bool
@@ -279,16 +286,16 @@ namespace fuga
     static constexpr double rate_tolerance = ContactBoundary::RateNoise::share;
     double
     noise(const std::size_t row) const;
-    /** The tangential rows of a candidate in v, q or the diagonal; the second is zero if it has
-     * none. */
+    /** Return the tangential rows of a candidate in @p values (v, q or the diagonal); the second
+     * entry is zero if there is no such row. */
     static TangentVector
     tangential_rows(const Candidate &candidate, const Vector &values)
     {
       return {
         {values[candidate.row + 1], candidate.n_tangents == 2 ? values[candidate.row + 2] : 0.}};
     }
-    /** Mean stiffness along the tangents, and the noise of the tangential forces and the strength.
-     */
+    /** Return the mean stiffness along the tangents; shear_noise() is the noise of the tangential
+     * forces and the strength. */
     double
     shear_stiffness(const Candidate &candidate) const;
     double
@@ -303,15 +310,15 @@ namespace fuga
     std::vector<std::size_t> bars;
     DenseMatrix W;
     Vector r, v, q;
-    /** Diagonal of the stiffness before bars were released: the size of the terms in W. */
+    /** The diagonal of the stiffness before bars were released, i.e. the size of the terms in W. */
     Vector diagonal;
-    /** Null vector of the last singular scheme. */
+    /** The null vector of the last singular scheme. */
     Vector free_motion;
-    /** Of the last scheme; 0 if it is singular. */
+    /** Sign of the determinant of the last scheme; 0 if that scheme is singular. */
     int determinant_sign = 0;
-    /** What the last sweep of those that did not come to rest changed. */
+    /** The change of the rates in the last of those sweeps that did not come to rest. */
     Vector drift;
-    /** Rounding, in units of itself, that does not move what has just come to rest. */
+    /** Multiple of the rounding errors that does not move elements which have just come to rest. */
     double noise_at_rest = 1.;
   };
 } // namespace fuga

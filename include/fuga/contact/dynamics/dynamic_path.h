@@ -14,20 +14,20 @@
 namespace fuga
 {
   /**
-   * The contact of bodies in motion, step of time by step of time. A step is the static problem
-   * with another stiffness, see MovingBodies, and the paper's step-by-step analysis leads through
-   * it from event to event: at its end all contact conditions hold. Where events within a step
-   * cost energy, because the time integration knows nothing of them, or an element slips beyond the
-   * time at which it comes to rest, the step is halved; each length has its own stiffness,
+   * The contact of bodies in motion, computed time step by time step. A step is the static problem
+   * with another stiffness, see MovingBodies, and the paper's step-by-step analysis follows it from
+   * event to event, so that all contact conditions hold at its end. The step is halved where events
+   * within it cost energy, because the time integration does not know of them, or where an element
+   * slips beyond the time at which it comes to rest. Each length has its own stiffness, which is
    * condensed when first needed. (doc/theory.md, section 19)
    *
    * A motion until rest (TimeGrid) reports no levels, and ends with the verdict that the load is
-   * beyond its limit if the bodies still move behind the last step.
+   * beyond its limit if the bodies still move after the last step.
    */
   class DynamicPath : public ContactPath, private MotionProgress
   {
   public:
-    /** @p system and @p history: those of the bodies at rest. */
+    /** Constructor. @p system and @p history are those of the bodies at rest. */
     DynamicPath(const std::vector<ContactElement> &elements,
                 const LayeredSystem &system,
                 const LoadHistory &history,
@@ -40,39 +40,41 @@ namespace fuga
     SchemeWork
     work() const override;
 
-    /** Of the energies, those before the motion: each length of steps has its own. */
+    /** Return the number of iterations. The energies in it are those before the motion, since each
+     * length of steps has its own. */
     IterationCount
     iterations() const override;
 
-    /** As resume(), from a cut between two whole steps. A motion until rest has none. */
+    /** Do the same as resume(), from a cut between two whole steps. A motion until rest has no such
+     * cuts. */
     PathResult
     resume_motion(const PathCut &cut,
                   const MotionCut &motion,
                   const std::vector<double> &levels,
                   PathObserver &observer);
 
-    /** What belongs to last_cut(). */
+    /** Return the part of the last cut that last_cut() does not contain. */
     const MotionCut &
     last_motion_cut() const
     {
       return motion_cut;
     }
 
-    /** Since the motion began. */
+    /** Return the energies since the motion began. */
     const MotionLedger &
     energies() const
     {
       return ledger;
     }
 
-    /** Steps by rung. */
+    /** Return the number of steps of each rung. */
     const std::vector<std::size_t> &
     n_steps() const
     {
       return steps_of_rung;
     }
 
-    /** Whether the last step ended where a whole one does. */
+    /** Return whether the last step ended where a whole one does. */
     bool
     is_at_whole_step() const
     {
@@ -86,9 +88,9 @@ namespace fuga
     {
       PathResult result;
       StepRecord record;
-      /** Why there is no state at the end of the step; empty if there is one. */
+      /** The reason why there is no state at the end of the step; empty if there is one. */
       std::string failure;
-      /** Where a layer was at its closure limit, if that is why. */
+      /** The state in which a layer was at its closure limit, if that is the reason. */
       std::optional<JointState> exhausted;
     };
 
@@ -97,7 +99,7 @@ namespace fuga
 
     void
     begin(const JointState &state);
-    /** The energy that is rounding of what the joints carry in @p state. */
+    /** Return the energy that is rounding of the forces and jumps of the joints in @p state. */
     double
     rounding_of_work(const JointState &state) const;
 
@@ -107,7 +109,7 @@ namespace fuga
     void
     restore_motion(const MotionCut &motion);
 
-    /** From the present time by one step of a rung, or by two of the next one. */
+    /** Advance from the present time by one step of rung @p number, or by two of the next one. */
     void
     advance(const unsigned int number,
             const std::vector<double> &levels,
@@ -121,23 +123,25 @@ namespace fuga
     Attempt
     attempt(const unsigned int number, const JointState &state, const PathResult &result);
 
-    /** The shortest step, @p number, has failed, and so has the @p last attempt at load time @p t. */
+    /** Throw because the shortest step, @p number, has failed, and so has the @p last attempt at
+     * load time @p t. */
     [[noreturn]] void
     give_up(const Attempt &last, const unsigned int number, const double t) const;
 
-    /** After an attempt that is accepted: the rung of the longest step that will not cost too much,
-     * if it costs what this one has cost. Nothing if this one has failed or costs too much. */
+    /** Return the rung to continue with after an attempt that is accepted: that of the longest step
+     * that will not cost too much if it costs what this one has cost. Return nothing if this
+     * attempt has failed or costs too much. */
     std::optional<unsigned int>
     promising_rung_after(const Attempt &attempt, const unsigned int number) const;
 
-    /** Events cost far more than is allowed already, before the end of the step. */
+    /** Return whether events already cost far more than is allowed before the end of the step. */
     bool
     is_hopeless(const StepRecord &record, const unsigned int number) const;
 
     double
     cost_of_events(const StepRecord &record, const unsigned int number) const;
 
-    /** What events may cost [MNm]. */
+    /** Return the energy that events may cost [MNm]. */
     double
     allowed_cost(const StepRecord &record) const;
 
@@ -149,15 +153,16 @@ namespace fuga
            PathResult &result,
            PathObserver &observer);
 
-    /** Work of friction beyond the time at which slips came to rest [MNm]. */
+    /** Return the work of friction beyond the time at which slips came to rest [MNm]. */
     double
     cost_of_rest(const StepRecord &record, const double length) const;
 
-    /** Mean rate of slip of an element in a step [m/s]; zero if it does not slip at the end. */
+    /** Return the mean rate of slip of an element in a step [m/s]; zero if it does not slip at the
+     * end. */
     TangentVector
     mean_slip_rate(const StepRecord &record, const std::size_t k, const double length) const;
 
-    /** Load time after this number of the shortest steps. */
+    /** Return the load time after @p tick of the shortest steps. */
     double
     time_at(const std::size_t tick) const;
 
@@ -165,10 +170,10 @@ namespace fuga
     const TimeGrid grid;
     const PathOptions options;
     std::vector<std::unique_ptr<Rung>> rungs;
-    /** In the time of a step. */
+    /** The load history in the time of a step. */
     const LoadHistory history_of_step;
     MotionCut motion_cut;
-    /** Where follow() goes on instead of beginning. */
+    /** The cut from which follow() goes on instead of beginning. */
     std::optional<MotionCut> restart;
   };
 } // namespace fuga

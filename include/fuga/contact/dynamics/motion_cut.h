@@ -10,21 +10,23 @@
 
 namespace fuga
 {
-  /** What a motion hands on from step to step besides the bodies and the state of the joints. */
+  /** The data that a motion passes from step to step besides the bodies and the state of the
+   * joints. */
   struct MotionProgress
   {
-    /** Shortest steps so far. */
+    /** Number of the shortest steps so far. */
     std::size_t tick = 0;
     MotionLedger ledger;
-    /** Steps by rung. */
+    /** Number of steps of each rung. */
     std::vector<std::size_t> steps_of_rung;
-    /** By element: mean slip rate in the step before. */
+    /** Mean slip rate of each element in the previous step. */
     std::vector<TangentVector> slip_rates;
-    /** Of the step before [s]. */
+    /** Length of the previous step [s]. */
     double length_before = 0.;
     /** Largest mean rate of a jump in any step so far [m/s]. */
     double largest_rate = 0.;
-    /** Of the longest step that is worth an attempt, by what the step before has cost. */
+    /** Rung of the longest step that is worth an attempt, judging by what the previous step has
+     * cost. */
     unsigned int promising_rung = 0;
   };
 
@@ -43,14 +45,14 @@ namespace fuga
     visit("promising_rung", promising_rung);
   }
 
-  /** A place between two steps of time from which a motion can be followed again, bit for bit: what
-   * a PathCut does not know. */
+  /** A place between two time steps from which a motion can be followed again, bit for bit. It
+   * contains what a PathCut does not know. */
   struct MotionCut
   {
     MotionProgress progress;
     MotionMemory bodies;
-    /** Of the rungs that have been needed: their numbers, and what the paths through them hand on
-     * from step to step. */
+    /** The numbers of the rungs that have been needed, and the data that the paths through them
+     * pass from step to step. */
     std::vector<std::pair<unsigned int, PathMemory>> rungs;
   };
 

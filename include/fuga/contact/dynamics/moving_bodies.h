@@ -12,7 +12,7 @@
 
 namespace fuga
 {
-  /** How a stage is cut into steps of time. */
+  /** The division of a stage into time steps. */
   struct TimeGrid
   {
     /** Load times at which the motion begins and ends. */
@@ -20,16 +20,18 @@ namespace fuga
     unsigned int n_steps = 1;
     /** Length of a step [s]. */
     double step = 0.;
-    /** How often a step may be halved. */
+    /** Number of times that a step may be halved. */
     unsigned int halvings = 0;
-    /** Share of the largest energy that the events of a step may cost, or else it is halved. */
+    /** Share of the largest energy that the events of a step may cost; otherwise the step is
+     * halved. */
     double event_tolerance = 0.;
-    /** Share of the largest energy that is kinetic where bodies rest. */
+    /** Share of the largest energy below which the kinetic energy is that of bodies at rest. */
     static constexpr double at_rest = 1e-6;
-    /** The motion ends when the bodies have come to rest; the steps are the most there may be. */
+    /** True if the motion ends when the bodies have come to rest; n_steps is then an upper
+     * bound. */
     bool until_rest = false;
 
-    /** Length of the steps of a rung, see MovingBodies [s]. */
+    /** Return the length of the steps of a rung, see MovingBodies [s]. */
     double
     length_of(const unsigned int rung) const
     {
@@ -38,32 +40,32 @@ namespace fuga
   };
 
   /**
-   * Energies of bodies in motion since it began [MNm], without what the bodies store because they
-   * were loaded before. Nothing is lost if
+   * Energies of bodies in motion since it began [MNm], without the energy that the bodies store
+   * because they were loaded before. No energy is lost if (doc/theory.md, section 19)
    *
-   *     work = kinetic + bodies + damping + joints + numerical + sudden.  (doc/theory.md, section
-   * 19)
+   *     work = kinetic + bodies + damping + joints + numerical + sudden.
    */
   struct MotionLedger
   {
-    /** Of the loads that have changed, of the ground, and of the forces with which the joints
+    /** Work of the changes of the loads, of the ground, and of the forces with which the joints
      * carried the loads before the motion. */
     double work    = 0.;
     double kinetic = 0.;
     double bodies  = 0.;
-    /** What dampers and the damping of the bodies have taken. */
+    /** Energy that dampers and the damping of the bodies have taken. */
     double damping = 0.;
-    /** ∫ p·dδ: what the layers have stored and friction has taken. */
+    /** ∫ p·dδ: the energy that the layers have stored and friction has taken. */
     double joints = 0.;
-    /** What the integration in time takes: by its own damping, and because its forces of the joints
-     * are linear within a step, where those of a path with events are not. */
+    /** Energy that the time integration takes: by its own damping, and because its joint forces are
+     * linear within a step while those of a path with events are not. */
     double numerical = 0.;
-    /** What is lost where nodes without mass are out of balance when the motion begins: they reach
-     * their equilibrium at once, however fast they would have to be. */
+    /** Energy that is lost where nodes without mass are out of balance when the motion begins: they
+     * reach their equilibrium at once, however fast they would have to be. */
     double sudden = 0.;
-    /** The largest of them so far. */
+    /** The largest of these energies so far. */
     double largest = 0.;
-    /** Less than this is rounding of what the joints carried before the motion. */
+    /** Energies below this value are rounding of the forces and jumps of the joints before the
+     * motion. */
     double rounding = 0.;
 
     void
@@ -72,7 +74,7 @@ namespace fuga
       largest = std::max({largest, std::abs(work), kinetic, bodies, damping, std::abs(joints)});
     }
 
-    /** Of the largest energy, without rounding. */
+    /** Return @p energy as a share of the largest energy, without rounding. */
     double
     share(const double energy) const
     {
@@ -102,7 +104,7 @@ namespace fuga
     visit("rounding", rounding);
   }
 
-  /** What a TimeIntegration remembers of the steps so far. */
+  /** The data that a TimeIntegration remembers of the steps so far. */
   struct IntegrationMemory
   {
     /** Displacement since the beginning [m], velocity and acceleration. */
@@ -111,9 +113,9 @@ namespace fuga
     Vector out_of_balance;
     /** See TimeIntegration::steady_velocity(). */
     Vector steady_v;
-    /** See TimeIntegration::damping_forces(): the product is needed more than once. */
+    /** See TimeIntegration::damping_forces(); stored since the product is needed more than once. */
     Vector damped;
-    /** What is out of balance besides. */
+    /** The remaining forces that are out of balance. */
     Vector defect;
   };
 
@@ -131,14 +133,14 @@ namespace fuga
     visit("defect", defect);
   }
 
-  /** What MovingBodies remember between two steps. */
+  /** The data that MovingBodies remember between two steps. */
   struct MotionMemory
   {
-    /** Since the motion began [s]. */
+    /** Time since the motion began [s]. */
     double time = 0.;
-    /** Of the bars when it began, and on the bodies now. */
+    /** Forces of the bars when the motion began, and forces that act on the bodies now. */
     Vector first_forces, forces;
-    /** Of the bodies, and of what moves beside them. */
+    /** Time integrations of the bodies, and of what moves beside them. */
     std::vector<IntegrationMemory> integrations;
   };
 
@@ -154,53 +156,53 @@ namespace fuga
   }
 
   /**
-   * Bodies with inertia between joints, integrated in time by steps of the length h/2^k, k the
-   * number of a *rung*. What the contact layer sees of a step is a small linear system in the
-   * changes x of the interface coordinates,
+   * Bodies with inertia between joints, integrated in time by steps of the length h/2^k, where k is
+   * the number of a *rung*. The contact layer sees a step as a small linear system in the changes x
+   * of the interface coordinates,
    *
    *     Ŝ x + Bᵀ (p - p_n) = g,     δ = δ_n + δ̄ + B x,           (doc/theory.md, section 19)
    *
-   * with Ŝ of the stiffness K + a1 C + a0 M, which is the same in all steps of a rung; δ̄ is how far
-   * the bodies come if they go on as they move, and the push g is what inertia, damping, the bodies
-   * and the growth of the loads leave out of balance then.
+   * where Ŝ is condensed from the stiffness K + a1 C + a0 M and is the same in all steps of a rung;
+   * δ̄ are the jumps that result if the bodies go on as they move, and the push g is the imbalance
+   * that inertia, damping, the bodies and the growth of the loads then leave.
    */
   class MovingBodies
   {
   public:
     virtual ~MovingBodies() = default;
 
-    /** The joints carry the forces @p forces when the motion begins, with the energies that are put
-     * into @p ledger. */
+    /** Begin the motion while the joints carry @p forces, and put its initial energies into
+     * @p ledger. */
     virtual void
     begin(const Vector &forces, MotionLedger &ledger) = 0;
 
-    /** Ŝ of a rung. */
+    /** Return the condensed stiffness Ŝ of a rung. */
     virtual DenseMatrix
     condensed_stiffness(const unsigned int rung) = 0;
 
-    /** B, n_bars x n_coordinates. */
+    /** Return B, n_bars x n_coordinates. */
     virtual const SparseOperator &
     jump_operator() const = 0;
 
-    /** From the present time. */
+    /** A step from the present time. */
     struct Step
     {
-      /** δ̄. */
+      /** The jumps δ̄. */
       Vector jumps;
-      /** g. */
+      /** The push g. */
       Vector push;
     };
 
-    /** A step of this rung. */
+    /** Begin a step of this rung. */
     virtual Step
     begin_step(const unsigned int rung) = 0;
 
-    /** The step begun last goes to its end, with the coordinates @p x and the bars
-     * carry @p forces. Brings @p ledger up to date, but for what depends on the path of the joints. */
+    /** Complete the step begun last, with the coordinates @p x and bars that carry @p forces.
+     * Update @p ledger, except for the terms that depend on the path of the joints. */
     virtual void
     finish_step(const Vector &x, const Vector &forces, MotionLedger &ledger) = 0;
 
-    /** From which restore() goes on, bit for bit. */
+    /** Return the data from which restore() goes on, bit for bit. */
     virtual MotionMemory
     memory() const = 0;
 

@@ -11,13 +11,13 @@
 
 namespace fuga
 {
-  /** Tells when bodies have come to rest: their kinetic energy stays below a small share of the
-   * largest it had for half of the time that they have moved. Where they only turn back it is as
-   * small for thousandths of that time. */
+  /** Detects when bodies have come to rest: their kinetic energy stays below a small share of its
+   * largest value for half of the time that they have moved. Where they only turn back, it is that
+   * small only for thousandths of that time. */
   class RestWatch
   {
   public:
-    /** Behind a step, all of which are equally long. */
+    /** Note the kinetic energy after a step; all steps are equally long. */
     void
     note(const double kinetic_energy)
     {

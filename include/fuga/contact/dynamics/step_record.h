@@ -12,22 +12,23 @@
 namespace fuga
 {
   /**
-   * Keeps the reports of a step of time until it is known whether the step counts, and adds up what
+   * Stores the reports of a time step until it is known whether the step counts, and sums up what
    * it costs the joints.
    */
   class StepRecord : public PathObserver
   {
   public:
-    /** The step begins in @p start and ends at the load time @p end. Its path has a time of its own,
-     * from 0 to 1, lest the shortest steps of long stages have few digits, and does not know the
-     * water in joints, which stands still during a motion: all states that are handed on get the
-     * load time, the part of the step that is done, and the water of @p start. */
+    /** The step begins in the state @p start and ends at the load time @p end. Its path has a time
+     * of its own, from 0 to 1, so that the shortest steps of long stages do not lose digits, and
+     * does not know the water in joints, which is constant during a motion. All states that are
+     * handed on therefore get the load time, the part of the step that is done, and the water of
+     * @p start. */
     StepRecord(const JointState &start,
                const double end,
                const std::vector<ContactElement> &elements,
                const LayeredSystem &system);
 
-    /** A path whose record is @p hopeless is not followed any further. */
+    /** Stop following a path when its record is @p hopeless. */
     void
     stop_if(std::function<bool(const StepRecord &)> hopeless)
     {
@@ -49,7 +50,7 @@ namespace fuga
     void
     reached(const std::size_t index, const JointState &state) override;
 
-    /** Tells @p observer everything. */
+    /** Report everything to @p observer. */
     void
     replay(PathObserver &observer) const;
 
@@ -59,39 +60,39 @@ namespace fuga
       return first;
     }
 
-    /** Where the path of the step has come to. */
+    /** Return the state that the path of the step has reached. */
     const JointState &
     end() const
     {
       return last;
     }
 
-    /** The same in the motion. */
+    /** Return the same state in the motion. */
     JointState
     end_of_motion() const
     {
       return in_motion(last);
     }
 
-    /** ∫ p·dδ of all bars [MNm]. */
+    /** Return ∫ p·dδ of all bars [MNm]. */
     double
     joint_work() const;
 
-    /** (p_n + p)/2 · Δδ: what the time integration takes for it. */
+    /** Return (p_n + p)/2 · Δδ: the work that the time integration assumes instead. */
     double
     work_of_means() const;
 
     /**
-     * What events within the step cost [MNm], as far as it is done: the time integration knows of
-     * (p_n + p)/2 only. Sum over the elements of the difference between the work of this mean on
-     * the jump and joint_work(), and of that between the mean and the mean along the path, an
-     * impulse, whose
-     * work on lips that move with @p rate [m/s] comes later. @p length: of the step [s].
+     * Return the cost of the events within the step [MNm], as far as it is done; the time
+     * integration knows only (p_n + p)/2. The cost is the sum over the elements of two differences:
+     * that between the work of this mean on the jump and joint_work(), and that between the mean
+     * and the mean along the path, an impulse, whose work on lips that move with @p rate [m/s]
+     * comes later. @p length is the length of the step [s].
      */
     double
     cost_of_events(const double length, const double rate) const;
 
-    /** Largest change of a jump [m]. */
+    /** Return the largest change of a jump [m]. */
     double
     largest_change() const;
 
@@ -110,12 +111,12 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     JointState last;
-    /** By bar ∫ p dδ, and ∫ p dt with the time of the path. */
+    /** ∫ p dδ of each bar, and ∫ p dt with the time of the path. */
     Vector work, impulse;
-    /** Work that is known to half of the change of the forces only. */
+    /** Work that is known only up to half of the change of the forces. */
     double cost_of_jumps = 0.;
     std::function<bool(const StepRecord &)> is_hopeless;
-    /** Called with this object, which may have moved since. */
+    /** A report; it is called with this object, which may have been moved since. */
     using Report = std::function<void(const StepRecord &, PathObserver &)>;
     std::vector<Report> reports;
   };

@@ -16,7 +16,7 @@
 namespace fuga
 {
   /**
-   * A step of bodies in motion as a static problem: the condensed stiffness Ŝ of a rung, see
+   * A step of bodies in motion as a static problem. It has the condensed stiffness Ŝ of a rung, see
    * MovingBodies, and three patterns that change from step to step: the forces on the coordinates
    * at its beginning; those at its end, with δ̄; and, always with the factor 1, the jumps δ_n with
    * which it begins.
@@ -24,18 +24,18 @@ namespace fuga
   class StepSystem : public ContactSystem
   {
   public:
-    /** @p rung: that of the @p stiffness. @p jump_operator and @p elements must live as long as this
-     * object. */
+    /** Constructor. @p rung is that of @p stiffness. @p jump_operator and @p elements must live as
+     * long as this object. */
     StepSystem(DenseMatrix &&stiffness,
                const unsigned int rung,
                const SparseOperator &jump_operator,
                const std::vector<ContactElement> &elements);
 
-    /** A step from @p state. @p energy: the largest of the motion so far [MNm]. */
+    /** Begin a step from @p state. @p energy is the largest energy of the motion so far [MNm]. */
     void
     begin(const JointState &state, const MovingBodies::Step &step, const double energy);
 
-    /** Factors of the patterns; the time is the part of the step that is done. */
+    /** Return the factors of the patterns; the time is the part of the step that is done. */
     static LoadHistory
     history();
 
@@ -45,7 +45,7 @@ namespace fuga
       return *layered_system;
     }
 
-    /** x at the end of the step, where the bars have these jumps and forces. */
+    /** Return x at the end of the step, where the bars have these jumps and forces. */
     Vector
     coordinates(const Vector &jumps, const Vector &forces);
 
@@ -67,16 +67,17 @@ namespace fuga
       return B;
     }
 
-    /** The push, with the momentum of the bodies, over a whole step of the grid: that over a short
-     * one, after a flight, is all the force there is, and smaller than what rounding of the way so
-     * far is worth. */
+    /** Return the size of the push, including the momentum of the bodies, over a whole step of the
+     * grid. Over a short one, after a flight, the push is the only force, and smaller than the
+     * effect of rounding in the displacements so far. */
     double
     force_scale() const override
     {
       return pushed;
     }
 
-    /** Joints that stay closed take and store nothing of what moves. */
+    /** Return the largest energy: joints that stay closed take and store nothing of the moving
+     * energy. */
     double
     energy_scale() const override
     {
@@ -89,7 +90,7 @@ namespace fuga
       return E;
     }
 
-    /** None: inertia resists every motion. */
+    /** Return an empty matrix: inertia resists every motion. */
     const DenseMatrix &
     rigid_motions() const override
     {
@@ -103,20 +104,21 @@ namespace fuga
     }
 
   private:
-    /** Ŝ x̄ + g, with B x̄ = δ̄: what the push would be if the bodies did not go on as they move. */
+    /** Return Ŝ x̄ + g with B x̄ = δ̄, i.e. the push that would act if the bodies did not go on as
+     * they move. */
     Vector
     whole_push(const MovingBodies::Step &step) const;
 
     DenseMatrix S;
     const unsigned int rung;
     const SparseOperator &B;
-    /** Dᵀ B = 1. */
+    /** The dual D of the jump operator, Dᵀ B = 1. */
     SparseOperator dual;
     DenseMatrix no_motions, no_loads, F, E;
     std::optional<LayeredSystem> layered_system;
-    /** Forces of the closed joint per unit of force on the coordinates, by columns. */
+    /** Forces of the closed joint per unit of force on the coordinates, stored by columns. */
     DenseMatrix reactions_to_units;
-    /** Of S, once they are needed. */
+    /** Factors of S, computed when first needed. */
     std::optional<LuFactors> factors;
     double pushed = 0., energy = 0.;
   };

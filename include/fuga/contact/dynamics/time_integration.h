@@ -16,52 +16,53 @@ namespace fuga
    *
    *     M ü + C u̇ + K u + Gᵀ p = f(t)
    *
-   * with a diagonal M, in increments: a step of the length h solves
+   * with a diagonal M, formulated in increments: a step of the length h solves
    *
    *     (K + a1 C + a0 M) (Δu - Δū) + Gᵀ Δp = push,
    *
-   * with what Δu would be if bodies went on as they move.
+   * where Δū is the Δu that would result if the bodies went on as they move.
    *
-   * With the spectral radius 1 it is the trapezoidal rule, which keeps the energy. Degrees of
+   * For a spectral radius of 1 it is the trapezoidal rule, which conserves the energy. Degrees of
    * freedom without mass are in equilibrium at all times.
    */
   class TimeIntegration : private IntegrationMemory
   {
   public:
-    /** C times a velocity. */
+    /** A function that multiplies C by a velocity. */
     using Damping = std::function<Vector(const Vector &)>;
 
-    /** @p mass: diagonal of M [MN s²/m]; @p spectral_radius: ρ∞ from 0 to 1. */
+    /** Constructor. @p mass is the diagonal of M [MN s²/m], @p spectral_radius is ρ∞ between 0 and
+     * 1. */
     TimeIntegration(Vector mass, Damping damping, const double spectral_radius);
 
-    /** a0 [1/s²] and a1 [1/s] of a step of the length @p h. */
+    /** Return a0 [1/s²]; damping_factor() returns a1 [1/s], both for a step of the length @p h. */
     double
     mass_factor(const double h) const;
     double
     damping_factor(const double h) const;
 
-    /** With the velocity @p v, where @p net_forces = f - K u - Gᵀ p. */
+    /** Begin with the velocity @p v, where @p net_forces = f - K u - Gᵀ p. */
     void
     begin(const Vector &v, const Vector &net_forces);
 
-    /** What a step changes of displacements and velocities. */
+    /** The change of displacements and velocities in a step. */
     struct Change
     {
       Vector u, v;
     };
 
-    /** Δū, Δv̄ of a step of the length @p h: accelerations stay what they are, and of degrees of
-     * freedom without mass the velocities. */
+    /** Return Δū, Δv̄ of a step of the length @p h, for which accelerations remain constant, and so
+     * do velocities of degrees of freedom without mass. */
     Change
     predicted(const double h) const;
 
-    /** Of a step over which f - K Δū - C Δv̄ changes by @p growth. */
+    /** Return the push of a step over which f - K Δū - C Δv̄ changes by @p growth. */
     Vector
     push(const Vector &growth) const;
 
-    /** Goes on by a step with the solution @p correction, Δu - Δū, and over which the loads were @p
-     * mean in the mean. Counts work, kinetic energy, damping, and what the method takes by itself.
-     */
+    /** Advance by a step with the solution @p correction, Δu - Δū, over which the loads had the
+     * mean value @p mean. Add to @p ledger the work, the kinetic energy, the damping, and the
+     * energy that the method itself takes. */
     void
     advance(const double h, const Vector &correction, const Vector &mean, MotionLedger &ledger);
 
@@ -77,16 +78,16 @@ namespace fuga
       return v;
     }
 
-    /** Of degrees of freedom without mass the mean one over the last step, about which what the
-     * rule has for them alternates from step to step. */
+    /** Return the velocity; for degrees of freedom without mass the mean velocity over the last
+     * step, about which the velocity of the rule alternates from step to step. */
     const Vector &
     steady_velocity() const
     {
       return steady_v;
     }
 
-    /** Where there is no mass, this alternates from step to step: take second differences of the
-     * displacement there. */
+    /** Return the acceleration. Where there is no mass it alternates from step to step; use second
+     * differences of the displacement there. */
     const Vector &
     acceleration() const
     {
@@ -99,26 +100,26 @@ namespace fuga
       return m;
     }
 
-    /** C v; empty without damping. */
+    /** Return C v; empty without damping. */
     const Vector &
     damping_forces() const
     {
       return damped;
     }
 
-    /** Says what f - K u - Gᵀ p really is: the next step makes up for the rounding errors that have
-     * added up. */
+    /** Set the true value of f - K u - Gᵀ p; the next step makes up for the rounding errors that
+     * have accumulated. */
     void
     correct(const Vector &net_forces);
 
-    /** Changes accelerations at the end of the step so that inertia takes over @p forces of what the
-     * last correct() found out of balance: the elimination has rounded away a share of K, and that
-     * of the resultants of bodies which only inertia resists is more of them the stiffer they are.
-     */
+    /** Change the accelerations at the end of the step so that inertia takes over @p forces, a part
+     * of the imbalance that the last correct() found: the elimination has rounded away a share of
+     * K, which is larger relative to the resultants of bodies that only inertia resists the stiffer
+     * these bodies are. */
     void
     accelerate(const Vector &forces);
 
-    /** f - C v - K u - Gᵀ p, which is M a but for what the method damps. */
+    /** Return f - C v - K u - Gᵀ p, which equals M a except for what the method damps. */
     const Vector &
     inertia() const
     {
@@ -141,7 +142,7 @@ namespace fuga
     }
 
   private:
-    /** At the end of a step that goes as predicted(). */
+    /** Return the acceleration at the end of a step that goes as predicted(). */
     double
     predicted_acceleration(const std::size_t i, const double h) const;
 

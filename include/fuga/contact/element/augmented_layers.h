@@ -12,41 +12,43 @@
 namespace fuga
 {
   /**
-   * Rigid and very stiff layers whose forces are to be functions of the jumps: an augmented
+   * Rigid and very stiff layers whose forces have to be functions of the jumps: an augmented
    * Lagrangian method (doc/theory.md, section 18). A layer of the compliance D, zero if it is
-   * rigid, is taken for one of a small compliance D + c that feels its jump enlarged by c p̂, with p̂
-   * [MN] what is known of its force p. Where p̂ = p the layer is as it was, and p̂ := p comes closer
-   * to that by a factor of about c times the stiffness of the bodies, which their lips bound.
+   * rigid, is replaced by one of a small compliance D + c that feels its jump enlarged by c p̂,
+   * where p̂ [MN] is the known estimate of its force p. If p̂ = p the layer is the original one,
+   * and the update p̂ := p comes closer to that by a factor of about c times the stiffness of the
+   * bodies, which is bounded by that of their lips.
    */
   class AugmentedLayers
   {
   public:
     /**
-     * @p lips: for every bar a bound of the stiffness of the bodies against its jump [MN/m]. Bars
-     * with a compliance stay as they are where the @p jump_operator has more bars than coordinates:
-     * they share their forces by it, and hold the rigid ones there.
+     * Constructor. @p lips contains for every bar a bound of the stiffness of the bodies against
+     * its jump [MN/m]. Where the @p jump_operator has more bars than coordinates, bars with a
+     * compliance remain as they are: they share their forces according to it, and hold the rigid
+     * ones there.
      */
     AugmentedLayers(const std::vector<ContactElement> &elements,
                     const Vector &lips,
                     const SparseOperator &jump_operator);
 
-    /** The elements with a compliance in every layer. */
+    /** Return the elements, with a compliance in every layer. */
     const std::vector<ContactElement> &
     elements() const
     {
       return compliant;
     }
 
-    /** Takes the forces of stiff layers from @p forces of all bars. */
+    /** Set the forces p̂ of stiff layers from @p forces of all bars. */
     void
     update(const Vector &forces);
 
-    /** Adds c p̂ to the jumps of the bars of stiff layers. */
+    /** Add c p̂ to the jumps of the bars of stiff layers. */
     void
     enlarge(Vector &jumps) const;
 
-    /** Largest force that the bodies may feel of what stiff layers still deform too much under @p
-     * forces [MN]. */
+    /** Return the largest force [MN] that the bodies may feel from the excess deformation of stiff
+     * layers under @p forces. */
     double
     defect(const Vector &forces) const;
 
@@ -54,7 +56,7 @@ namespace fuga
     struct StiffBar
     {
       unsigned int bar;
-      /** c [m/MN], and p̂ [MN]. */
+      /** c [m/MN] and p̂ [MN]. */
       double added_compliance, known_force;
     };
 

@@ -12,11 +12,11 @@
 namespace fuga
 {
   /**
-   * What happens to an element besides its state when the state changes at a load: lips that meet
-   * have gap 0, a bond is lost for good where the lips part, friction and a brittle bond are lost
-   * at the first slip. Forces that were carried by what is lost become `unreleased`.
-   * @p direction: that of slip, see slip_direction(). @p no_force: force of the normal bar that
-   * counts as zero [MN].
+   * Change the state of an element at a load, with everything besides the state that changes: lips
+   * that meet have gap 0, a bond is lost for good where the lips part, friction and a brittle bond
+   * are lost at the first slip. Forces that were carried by the lost strength become `unreleased`.
+   * @p direction is the direction of slip, see slip_direction(). @p no_force is the force of the
+   * normal bar that counts as zero [MN].
    */
   void
   change_state(const ContactElement &element,
@@ -27,8 +27,8 @@ namespace fuga
                JointState &state);
 
   /**
-   * The bond of element @p k is lost, and what the element carries is unreleased. Under tension the
-   * element can only be open.
+   * Break the bond of element @p k; the forces that the element carries become unreleased. Under
+   * tension the element can only be open.
    */
   void
   break_bond(const ContactElement &element,
@@ -37,20 +37,20 @@ namespace fuga
              JointState &state);
 
   /**
-   * The strengths with which the elements go through a step from @p start: lips that meet within
-   * it do not rise before the next one, as nobody knows how much of their way they slid apart. If
-   * they rose by all of it they would be pressed together as soon as they meet, by a force that
-   * depends on their way alone: most steps would have two ends or none.
+   * Return the strengths with which the elements go through a step from @p start. Lips that meet
+   * within the step do not rise before the next one, since it is not known for how much of their
+   * way they slid apart. If they rose by all of it they would be pressed together as soon as they
+   * meet, by a force that depends on their way alone, and most steps would have two ends or none.
    */
   std::vector<Strength>
   strengths_in_step(const JointState &start);
 
   /**
-   * What a step from @p start costs if it ends in @p end: bonds that would have to carry more than
-   * they can break; elements that begin to slip although they have lost nothing for it lose what
-   * that costs, and those that open as well. Takes it from the strengths of @p start, but for the
-   * dilatancy, and returns whether it is anything: then @p end is no equilibrium.
-   * @p direction_of(k): that of slip.
+   * Subtract from the strengths of @p start, except for the dilatancy, what a step from @p start
+   * costs if it ends in @p end: bonds that would have to carry more than their strength break;
+   * elements that begin to slip although they have lost nothing for it lose what that costs, and so
+   * do those that open. Return whether anything is lost; @p end is then no equilibrium.
+   * @p direction_of(k) is the direction of slip.
    */
   bool
   lose_strength_in_step(const std::vector<ContactElement> &elements,

@@ -12,15 +12,17 @@
 
 namespace fuga
 {
-  /** Where the shear of an element stands with respect to its strength. */
+  /** The position of the shear of an element relative to its strength. */
   enum class ShearPosition
   {
-    /** |T| below the strength, or no tangential bar: the shear cannot change the state. */
+    /** |T| is below the strength, or there is no tangential bar: the shear cannot change the
+     * state. */
     inside,
-    /** |T| at a strength above zero. */
+    /** |T| is at a strength above zero. */
     at_strength,
-    /** T = 0 and no strength (N = 0, no cohesion): the apex of Coulomb's cone. With two tangential
-       bars and no strength whatever the pressure the shear is none, and `inside`. */
+    /** T = 0 and the strength is zero (N = 0, no cohesion): the apex of Coulomb's cone. With two
+     * tangential bars, an element without strength at any pressure has no shear, and is
+     * `inside`. */
     at_apex
   };
 
@@ -28,35 +30,37 @@ namespace fuga
   struct BoundaryElement
   {
     std::size_t element = 0;
-    /** N = 0 and gap = 0: the element may open, or stay closed. */
+    /** N = 0 and gap = 0: the element may open or stay closed. */
     bool grazing        = false;
     ShearPosition shear = ShearPosition::inside;
-    /** Sign of T if at_strength; of no meaning with two tangential bars. */
+    /** Sign of T if at_strength; meaningless with two tangential bars. */
     double sign = 0.;
-    /** With two tangential bars, that of T if at_strength. */
+    /** Direction of T if at_strength, with two tangential bars. */
     TangentVector direction = {{1., 0.}};
   };
 
-  /** Something that must stay positive, and its rate along the path. */
+  /** A quantity that must stay positive, and its rate along the path. */
   struct Reserve
   {
     double value = 0.;
     double rate  = 0.;
     /** Value that counts as zero. */
     double tolerance = 0.;
-    /** Rate that counts as none. */
+    /** Rate that counts as zero. */
     double noise = 0.;
 
-    /** It is zero, and stays so but for rounding: the rate problem has taken its rate for none. */
+    /** Return whether the value is zero and stays zero up to rounding, because the rate problem has
+     * treated its rate as zero. */
     bool
     rests() const
     {
       return value <= tolerance && rate >= -std::max(tolerance, noise);
     }
 
-    /** How far below zero it may be at @p tau along a path of which this is the beginning: as far as
-     * there, and where it rests there by what rounding leads it; rates that begin large on a soft
-     * layer soon have less @p noise_there. */
+    /** Return how far below zero the value may be at @p tau along a path of which this is the
+     * beginning: as far as at the beginning and, where it rests there, in addition as far as
+     * rounding leads it. Rates that begin large on a soft layer soon have a smaller
+     * @p noise_there. */
     double
     drift(const double tau, const double noise_there) const
     {
@@ -69,7 +73,7 @@ namespace fuga
   constexpr double no_boundary = std::numeric_limits<double>::infinity();
 
   /**
-   * Answers where a state stands with respect to the boundaries of Coulomb's contact conditions:
+   * Determines the position of a state relative to the boundaries of Coulomb's contact conditions:
    * which elements are on one, and how far along given rates the next one is reached. With two
    * tangential bars the cone is circular. Tolerances are relative to the rounding errors of the
    * forces and jumps concerned.
@@ -79,40 +83,40 @@ namespace fuga
   public:
     ContactBoundary(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
-    /** Takes the scales of forces and jumps from a state; to be called before the others. */
+    /** Set the scales of forces and jumps from a state; to be called before the other functions. */
     void
     set_scales(const JointState &state, const Vector &factors, const double widening);
 
-    /** What is used up along given rates within a length that the load time cannot tell from none
-     * counts as zero. */
+    /** Raise the tolerances so that changes along given rates within a length that the load time
+     * cannot distinguish from zero count as zero. */
     void
     take_unresolved(const JointRates &rates, const double length);
 
-    /** Gaps up to @p gap count as closed. Whether fewer did before. */
+    /** Let gaps up to @p gap count as closed. Return whether fewer did so before. */
     bool
     take_for_closed(const double gap);
 
-    /** All elements on a boundary, slipping ones included. */
+    /** Return all elements on a boundary, slipping ones included. */
     std::vector<BoundaryElement>
     elements_on_boundary(const JointState &state) const;
 
     /**
-     * Length τ along the straight line state + τ rates after which the first boundary is reached,
-     * for a stuck element with two tangential bars the smallest root of |T + τ Ṫ|² = (r + τ ṙ)², r
-     * its strength; infinity if none is.
+     * Return the length τ along the straight line state + τ rates after which the first boundary is
+     * reached; for a stuck element with two tangential bars this is the smallest root of |T + τ
+     * Ṫ|² = (r + τ ṙ)², where r is its strength. Return infinity if none is reached.
      */
     double
     distance(const JointState &state, const JointRates &rates, const Drive &drive) const;
 
     /**
-     * The reserves of all elements at a point: gap of open elements, tension and strength left of
-     * closed ones, the rise that is left to those that slide; always in the same order for the same
-     * states.
+     * Return the reserves of all elements at a point: the gap of open elements, the remaining
+     * tension and strength of closed ones, the remaining rise of those that slide; always in the
+     * same order for the same states.
      */
     std::vector<Reserve>
     reserves(const JointState &state, const JointRates &rates, const Drive &drive) const;
 
-    /** Force below which a bar counts as unloaded [MN]. */
+    /** Return the force below which a bar counts as unloaded [MN]. */
     double
     force_tolerance(const std::size_t bar) const
     {
@@ -125,32 +129,32 @@ namespace fuga
       return force_tolerances;
     }
 
-    /** Force below which the shear strength of an element, or its distance from it, is zero [MN].
-     */
+    /** Return the force below which the shear strength of an element, or the distance of the shear
+     * from it, counts as zero [MN]. */
     double
     strength_tolerance(const std::size_t element, const Strength &strength) const;
 
-    /** Gap that counts as closed [m]. */
+    /** Return the gap that counts as closed [m]. */
     double
     gap_tolerance() const
     {
       return zero_gap;
     }
 
-    /** What counts as zero among given rates. */
+    /** Tells which values among given rates count as zero. */
     class RateNoise
     {
     public:
-      /** Of the terms a rate is the difference of: what a linear solution leaves. */
+      /** Share of the terms whose difference a rate is: the error that a linear solution leaves. */
       static constexpr double share = 1e-10;
 
       RateNoise(const LayeredSystem &system, const JointRates &rates, const Drive &drive);
 
-      /** Rate of the force of a bar. */
+      /** Return the noise of the rate of the force of a bar. */
       double
       force(const std::size_t bar) const;
 
-      /** Rate of any jump. */
+      /** Return the noise of the rate of any jump. */
       double
       jump() const
       {
@@ -163,12 +167,12 @@ namespace fuga
       double scaled_dislocation;
       double jump_noise;
       double least_noise;
-      /** No bound where no force drives, but strengths that change. */
+      /** There is no bound where strengths change but no force drives. */
       double largest_noise = std::numeric_limits<double>::infinity();
     };
 
   private:
-    /** The shear of an element, its strength, their rates, and the tolerance of both [MN]. */
+    /** The shear of an element, its strength, the rates of both, and their tolerance [MN]. */
     struct Shear
     {
       TangentVector force, rate;
@@ -198,8 +202,8 @@ namespace fuga
                      const RateNoise &noise) const;
     double
     noise_of_shear(const std::size_t k, const JointState &state, const RateNoise &noise) const;
-    /** Whether a nonlinear layer is closed by more than rounding: its lips do not open, be its
-     * force too small to know its shear. */
+    /** Return whether a nonlinear layer is closed by more than rounding: its lips do not open, even
+     * if its force is too small to determine its shear. */
     bool
     is_visibly_closed(const JointState &state, const std::size_t k) const;
     void

@@ -12,31 +12,31 @@ namespace fuga
   /*
    * Water pressure in joints that follows the opening (doc/theory.md, section 12). The water
    * ω = q - missing + kept that presses the two sides of an element apart is a load on the joint;
-   * q(t) is what belongs to the present access of the water to all elements. A change of access
-   * leaves ω as it is, so that what it should become is missing; that fades at constant load like
-   * the strength of a broken bond. What an isolated element has kept does not fade. All of these
-   * functions do nothing if no joint has water.
+   * q(t) belongs to the present access of the water to all elements. A change of access does not
+   * change ω, so that the difference to its new value is missing; this part fades at constant load
+   * like the strength of a broken bond. The part that an isolated element has kept does not fade.
+   * All of these functions do nothing if no joint has water.
    */
 
-  /** Whether a crack may lower the pressure of the elements behind its tip. */
+  /** Tells whether a crack may lower the pressure of the elements behind its tip. */
   enum class WaterRelief
   {
     allowed,
-    /** Not once a contact configuration came back at the same load: relief may close a crack, and
-     * the closed crack fill again. */
+    /** Used once a contact configuration has come back at the same load: relief may close a crack,
+     * and the closed crack may fill again. */
     refused
   };
 
-  /** Sets ω at the load factors @p factors. */
+  /** Set ω at the load factors @p factors. */
   void
   set_water(const LayeredSystem &system, const Vector &factors, JointState &state);
 
   /**
-   * Lets the water follow the states of the elements, without changing ω. An open element that is
+   * Let the water follow the states of the elements, without changing ω. An open element that is
    * connected with the reservoir is filled by it, one that is connected with the tailwater only by
-   * that; a connection that would lower the pressure counts only behind the tip of the crack, where
-   * all neighbours are open too, so that the tip cannot open and close for ever.
-   * @p no_force: what counts as no force [MN], per bar. Returns the elements whose access changed.
+   * that. A connection that would lower the pressure counts only behind the tip of the crack, where
+   * all neighbours are open too, so that the tip cannot open and close for ever. @p no_force is the
+   * force that counts as zero [MN], per bar. Return the elements whose access has changed.
    */
   std::vector<std::size_t>
   renew_water(const std::vector<ContactElement> &elements,
@@ -46,7 +46,7 @@ namespace fuga
               const WaterRelief relief,
               JointState &state);
 
-  /** Adds the reactions to the rates of the water, ω̇ = q̇, less the rate of what is missing. */
+  /** Add the reactions to the rates of the water, ω̇ = q̇, minus the rate of the missing part. */
   void
   add_water_rates(const LayeredSystem &system,
                   const JointState &state,

@@ -8,9 +8,9 @@
 
 namespace fuga
 {
-  /** A scheme that answers with a larger motion, in units of LayeredSystem::scale() and of the
-   * force that drives it, is a mechanism: this, and no pivot, is what tells it from a soft scheme.
-   */
+  /** Largest motion in units of LayeredSystem::scale() and of the force that drives it. A scheme
+   * that answers with a larger one is a mechanism; this, and no pivot, distinguishes it from a soft
+   * scheme. */
   constexpr double largest_motion = 1e8;
 
   /** The way in which equilibrium is lost. */
@@ -21,27 +21,27 @@ namespace fuga
     sliding,
     /** The lips only part. */
     overturning,
-    /** Both. */
+    /** The lips slide and part. */
     mixed
   };
 
-  /** The motion changes no force: nothing resists it. */
+  /** Return whether the motion changes no force, i.e. nothing resists it. */
   bool
   is_free_motion(const JointRates &motion, const LayeredSystem &system);
 
-  /** Share of the largest jump below which open lips are closed to a motion: one that closes them
-   * moves nothing freely, and proves no limit load. */
+  /** Share of the largest jump below which open lips count as closed to a motion: a motion that
+   * closes them is not free, and proves no limit load. */
   constexpr double closed_to_motions = 1e-8;
 
-  /** The widest gap of open lips that are closed to motions and that @p motion closes; zero if
-   * there is none [m]. */
+  /** Return the widest gap of the open lips that are closed to motions and that @p motion closes;
+   * zero if there is none [m]. */
   double
   widest_gap_closed(const JointRates &motion,
                     const std::vector<ContactElement> &elements,
                     const LayeredSystem &system,
                     const JointState &state);
 
-  /** Jumps of a motion, scaled to a largest value of one. */
+  /** Return the jumps of a motion, scaled to a largest value of one. */
   Vector
   mechanism_jumps(const JointRates &motion, const LayeredSystem &system);
 
@@ -49,8 +49,9 @@ namespace fuga
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
 
   /**
-   * The state in which a mechanism with these jumps moves an element that is on a boundary in
-   * @p state. A bond that still carries shear keeps its state: it would have to break first.
+   * Return the state in which a mechanism with these jumps moves an element that is on a boundary
+   * in @p state. A bond that still carries shear keeps its state, since it would have to break
+   * first.
    */
   ContactState
   state_in_mechanism(const BoundaryElement &candidate,

@@ -15,33 +15,33 @@ namespace fuga
   using BarWeights = std::array<double, 3>;
 
   /**
-   * One unknown of a working scheme and its equation: an amount of dislocation x along `column`,
-   * and what the state of the element demands of it,
+   * One unknown of a working scheme, an amount of dislocation x along `column`, and the equation
+   * that the state of the element demands of it,
    *
    *     own · p - stiffness · d = right-hand side,     d = Σ x column,
    *
-   * p and d those of the bars of the element, linearised (doc/theory.md, section 3).
+   * linearised, where p and d are those of the bars of the element (doc/theory.md, section 3).
    */
   struct SchemeRow
   {
     enum class Demand
     {
-      /** p = what a broken bond still carries, else 0. */
+      /** p = the force that a broken bond still carries, else 0. */
       no_force,
       /** e·T + f N = cohesive strength, in the direction e of slip; in the plane T + σ f N = σ
-         (cohesive strength), σ its sign. */
+       * (cohesive strength), where σ is its sign. */
       sliding,
       /** The force is that of the nonlinear layer. */
       layer,
       /** Across the slip, the force is that of the nonlinear layer. */
       layer_across,
-      /** Gap 0 above lips that rise as they slide, with a rigid or linear layer. */
+      /** The gap is 0 above lips that rise as they slide, with a rigid or linear layer. */
       riding
     };
 
     Demand demand       = Demand::no_force;
     std::size_t element = 0;
-    /** By which the row is known: no two rows of a scheme have the same. */
+    /** The bar by which the row is identified: no two rows of a scheme have the same one. */
     std::size_t bar = 0;
     BarWeights own = {{0., 0., 0.}}, stiffness = {{0., 0., 0.}};
     BarWeights column = {{0., 0., 0.}};
@@ -54,7 +54,8 @@ namespace fuga
     }
   };
 
-  /** The direction in which an element slips in a state, in space @p direction; zero if it does not. */
+  /** Return the direction in which an element slips in a state, in space @p direction; zero if it
+   * does not slip. */
   inline TangentVector
   slip_direction(const ContactElement &element,
                  const ContactState state,
@@ -66,11 +67,11 @@ namespace fuga
   }
 
   /**
-   * Appends the rows of element @p k in the given state, in space with the given direction of slip.
+   * Append the rows of element @p k in the given state, in space with the given direction of slip.
    * @p tangent is that of a nonlinear layer. An element that has no strength left, with two
-   * tangential bars, carries no shear whatever its state: its slip needs no direction.
-   * @p turning: in a finite step, the slip of the step over the shear force [m/MN], by which a
-   * force across the slip turns it; along a path, where slips of the past do not turn, nothing.
+   * tangential bars, carries no shear in any state, so that its slip needs no direction. In a
+   * finite step, @p turning is the slip of the step over the shear force [m/MN], by which a force
+   * across the slip turns it; along a path, where slips of the past do not turn, it is zero.
    */
   void
   append_rows(const ContactElement &element,
@@ -83,11 +84,13 @@ namespace fuga
               std::vector<SchemeRow> &rows,
               const std::optional<double> &turning = {});
 
-  /** Left minus right side of the equation behind a row, not linearised [MN]. */
+  /** Return the left minus the right side of the equation that belongs to a row, not linearised
+   * [MN]. */
   double
   row_residual(const SchemeRow &row, const ContactElement &element, const JointState &at);
 
-  /** Rate of the right side of a row under a drive, in state @p state [MN per unit of the path]. */
+  /** Return the rate of the right side of a row under a drive, in @p state [MN per unit of the
+   * path]. */
   double
   row_drive(const SchemeRow &row,
             const ContactElement &element,

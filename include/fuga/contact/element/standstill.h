@@ -11,23 +11,23 @@
 namespace fuga
 {
   /**
-   * Memory of the decisions at one load, for steps without length. An element that was on a
-   * boundary there stays on it, whatever rounding says, so the boundary set only grows; a scheme
-   * that comes back with the same set would come back for ever and is noticed.
+   * Remembers the decisions at one load, for steps of zero length. An element that was on a
+   * boundary there stays on it, whatever rounding says, so the boundary set only grows. A scheme
+   * that comes back with the same set would come back for ever and is detected.
    */
   class Standstill
   {
   public:
-    /** The load went on, or a strength was lost: what was known of the boundary does not hold any
-     * more. */
+    /** Forget the boundary elements: the load went on, or a strength was lost, so that they do not
+     * hold any more. */
     void
     forget();
 
-    /** The set with all elements that were on a boundary before at this load. */
+    /** Return the union of @p set and all elements that were on a boundary before at this load. */
     std::vector<BoundaryElement>
     unite(std::vector<BoundaryElement> set);
 
-    /** Notes a step without length. Tells whether the scheme is new with the present set. */
+    /** Note a step of zero length. Return whether the scheme is new with the present set. */
     bool
     note(const std::vector<ContactState> &scheme);
 
@@ -37,7 +37,7 @@ namespace fuga
       return steps;
     }
 
-    /** Schemes that came back. */
+    /** Return the number of schemes that came back. */
     std::size_t
     n_repetitions() const
     {

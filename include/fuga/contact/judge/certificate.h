@@ -18,31 +18,31 @@
 
 namespace fuga
 {
-  /** @p value relative to @p scale; zero if both are. */
+  /** Return @p value relative to @p scale; zero if both are. */
   double
   share(const double value, const double scale);
 
-  /** The part of a bar vector in the tangent plane of an element, zero without tangential bars. */
+  /** Return the tangential part of a bar vector for an element; zero without tangential bars. */
   TangentVector
   shear_part(const ContactElement &element, const Vector &of_bars);
 
-  /** The unit vector along @p v; zero if v is. */
+  /** Return the unit vector along @p v; zero if @p v is zero. */
   TangentVector
   direction(const TangentVector &v);
 
   /**
-   * How far a state is from satisfying each condition of the contact problem. Every entry is
-   * relative: to the largest force, jump or energy of the scene so far.
+   * Tells how far a state is from satisfying each condition of the contact problem. Every entry is
+   * relative to the largest force, jump or energy of the scene so far.
    */
   struct Certificate
   {
     /** S x + Bᵀp = F a. */
     double equilibrium = 0.;
-    /** Forces and moments on every floating body. */
+    /** Balance of forces and moments on every floating body. */
     double body_equilibrium = 0.;
     /** gap ≥ 0 where there is no layer to close, or the element is open. */
     double penetration = 0.;
-    /** N ≤ 0, or the tensile strength of a bond. */
+    /** N ≤ 0, or ≤ the tensile strength of a bond. */
     double tension = 0.;
     /** |T| ≤ f|N| + cA. */
     double cone = 0.;
@@ -50,20 +50,20 @@ namespace fuga
     double complementarity = 0.;
     /** T·ṡ ≥ 0, slip only at the strength, and in 3D in the direction of T. */
     double slip_direction = 0.;
-    /** N and T follow from closure and elastic shear by the laws of the layer, the rise of the lips
-     * from their slip. */
+    /** N and T follow from closure and elastic shear by the laws of the layer, and the rise of the
+     * lips from their slip. */
     double layer_law = 0.;
-    /** External work = energy of bodies + energy of layer + dissipation. */
+    /** External work = energy of the bodies + energy of the layer + dissipation. */
     double energy = 0.;
 
     double
     worst() const;
 
-    /** Entries with their names, in the order above. */
+    /** Return the entries with their names, in the order above. */
     std::array<std::pair<std::string_view, double>, 9>
     entries() const;
 
-    /** Keeps the larger of each entry. */
+    /** Keep the larger value of each entry. */
     void
     absorb(const Certificate &other);
   };
@@ -94,13 +94,13 @@ namespace fuga
 
   /**
    * The independent judge. It knows the bodies (S, F, B), the elements with their laws and the
-   * loads, and checks what the solver claims; it shares no operator, scheme or tolerance with the
-   * solver.
+   * loads, and checks the results of the solver; it shares no operator, scheme or tolerance with
+   * the solver.
    */
   class Judge : private JudgeMemory
   {
   public:
-    /** Energies are judged by the largest load up to @p end_of_loading. */
+    /** Constructor. Energies are judged relative to the largest load up to @p end_of_loading. */
     Judge(const ContactSystem &system,
           const std::vector<ContactElement> &elements,
           const LoadHistory &history,
@@ -110,44 +110,44 @@ namespace fuga
           const std::vector<ContactElement> &elements,
           const LoadHistory &history);
 
-    /** Adds the work of a smooth piece of the path of parameter length @p length. */
+    /** Add the work of a smooth piece of the path of the parameter length @p length. */
     void
     follow(const PathPoint &from, const PathPoint &to, const double length);
 
-    /** The path was left: energies are unknown from now on and no longer judged. */
+    /** Note that the path was left: from now on energies are unknown and no longer judged. */
     void
     lose_track();
 
-    /** Judges a state that lies at the end of what was followed. */
+    /** Judge a state that lies at the end of the part of the path that was followed. */
     Certificate
     judge(const JointState &state);
 
-    /** Judges the motion of the joints with which a path ended in @p state. */
+    /** Judge the motion of the joints with which a path ended in @p state. */
     MechanismCertificate
     judge_mechanism(const JointState &state, const Vector &motion) const;
 
-    /** Judges virtual rates that are to show that no rates exist in @p state. Proves nothing while
-     * lost strength is given up, with water in the joints, or in motion. */
+    /** Judge virtual rates that are meant to show that no rates exist in @p state. The certificate
+     * proves nothing while lost strength is given up, with water in the joints, or in motion. */
     BarrierCertificate
     judge_barrier(const JointState &state, const JointRates &barrier) const;
 
-    /** Which rigid motions of the bodies are looked for. */
+    /** The set of rigid motions of the bodies that is searched. */
     enum class Motions
     {
-      /** Those that the contact allows. */
+      /** Motions that the contact allows. */
       possible,
-      /** Those on which no change of the joints' forces that friction allows does positive work:
+      /** Motions on which no change of the joint forces that friction allows does positive work:
        * sliding lips rise by the angle of friction. */
       resisted_by_none
     };
 
-    /** Of these motions in @p state the one on which the growing load does most work; jumps,
-     * largest one. Nothing if it does work on none. */
+    /** Return the jumps, the largest being one, of that one of these motions in @p state on which
+     * the growing load does most work. Return nothing if it does work on none of them. */
     std::optional<Vector>
     driven_motion(const JointState &state, const Motions motions = Motions::possible) const;
 
-    /** A rigid motion that the contact allows in @p state and that proves a limit load if any does;
-     * jumps, largest one. */
+    /** Return the jumps, the largest being one, of a rigid motion that the contact allows in
+     * @p state and that proves a limit load if any does. */
     std::optional<Vector>
     mechanism(const JointState &state) const;
 
@@ -157,7 +157,7 @@ namespace fuga
       return ledger;
     }
 
-    /** Work done by friction in each element so far [MNm]. */
+    /** Return the work done by friction in each element so far [MNm]. */
     const Vector &
     dissipation() const
     {
@@ -170,42 +170,42 @@ namespace fuga
       return *this;
     }
 
-    /** Goes on judging where another judge of the same problem was. */
+    /** Continue judging where another judge of the same problem was. */
     void
     restore(const JudgeMemory &memory)
     {
       static_cast<JudgeMemory &>(*this) = memory;
     }
 
-    /** Goes on judging, in @p state, where the judge of an earlier phase of construction was. */
+    /** Continue judging, in @p state, where the judge of an earlier phase of construction was. */
     void
     begin_phase(const JudgeMemory &memory, const JointState &state);
 
-    /** Goes on judging a step of time, whose system and loads these are, in the time of
-     * JointState::part_of_step; both live until the next call. What counts as energy of the bodies
-     * is then the work on Ŝ, inertia included. */
+    /** Continue by judging a time step with the given system and loads, in the time of
+     * JointState::part_of_step; both arguments must live until the next call. The work on Ŝ,
+     * inertia included, then counts as energy of the bodies. */
     void
     begin_step(const ContactSystem &of_step, const LoadHistory &history_of_step);
 
-    /** The step ends in @p state, which was judged if it was to be. */
+    /** End the step in @p state, which has been judged if it was to be. */
     void
     end_step(const JointState &state);
 
-    /** The bodies come to rest with this energy of deformation: all else that the steps counted is
-     * no energy that is stored. */
+    /** Let the bodies come to rest with this energy of deformation; everything else that the steps
+     * counted is not stored energy. */
     void
     end_motion(const double energy_of_bodies);
 
-    /** Interface coordinates x of the jumps at load time @p t. */
+    /** Return the interface coordinates x of the jumps at load time @p t. */
     Vector
     coordinates(const Vector &jumps, const double t) const;
 
-    /** The same where nothing is imposed: of a motion, or of rates. */
+    /** Return the same where nothing is imposed, i.e. for a motion or for rates. */
     Vector
     coordinates(const Vector &jumps) const;
 
   private:
-    /** In the time of the history: that of the loads, or of the present step. */
+    /** Return the time in the history, which is that of the loads or of the present step. */
     double
     time(const JointState &state) const
     {
@@ -214,16 +214,16 @@ namespace fuga
 
     Vector
     jumps(const Vector &dislocations, const Vector &forces) const;
-    /** Loads on the interface coordinates without those of water that came in. */
+    /** Return the loads on the interface coordinates without those of water that has entered. */
     Vector
     loads(const double t) const;
-    /** Forces of water in open elements, as the loads demand; empty without water. */
+    /** Return the forces of water in open elements, as the loads demand; empty without water. */
     Vector
     water(const JointState &state) const;
-    /** Adds Bᵀ ω. */
+    /** Add Bᵀ ω. */
     void
     add_water(const JointState &state, Vector &loads) const;
-    /** Of the bodies, for coordinates x and the elastic forces S x. */
+    /** Return the energy of the bodies for coordinates x and the elastic forces S x. */
     double
     energy_of_bodies(const Vector &x, const Vector &elastic) const;
     void
@@ -232,10 +232,10 @@ namespace fuga
     resistance(const Vector &x) const;
     double
     body_equilibrium_error(const JointState &state) const;
-    /** What errors of energy are related to, under a largest force of the loads [MNm]. */
+    /** Return the scale of errors of energy for the largest force @p load of the loads [MNm]. */
     double
     scale_of_energy(const double load);
-    /** Of forces on lips that these move by their own last digits [MNm]. */
+    /** Return the work of the forces on lips that they move by their own last digits [MNm]. */
     double
     rounding_of_work() const;
     void
@@ -245,58 +245,59 @@ namespace fuga
                   Certificate &result) const;
     Freedom
     freedom(const std::size_t k, const JointState &state, const Vector &delta) const;
-    /** What of the jump @p w of an element contradicts its freedom. */
+    /** Return the part of the jump @p w of an element that contradicts its freedom. */
     double
     inadmissible_jump(const std::size_t k, const Freedom &freedom, const Vector &w) const;
-    /** The rates of the load's factors, as far as it grows. */
+    /** Return the rates of the load factors, as far as the load grows. */
     Vector
     growth_of_factors(const JointState &state) const;
-    /** Of the growing load, of falling strength and of what broken bonds let go, on the rigid
-     * motions of the bodies. */
+    /** Return the powers of the growing load, of falling strength and of the forces that broken
+     * bonds release, on the rigid motions of the bodies. */
     Vector
     powers_of_growth(const JointState &state) const;
-    /** Of the wanted motions the one nearest to @p target, a combination of the orthonormal columns
-     * @p jumps_of; jumps, largest one. Empty if that is none. */
+    /** Return the wanted combination of the orthonormal columns of @p jumps_of that is nearest to
+     * @p target, scaled to a largest jump of one; empty if there is none. */
     Vector
     nearest_motion(const JointState &state,
                    const Motions wanted,
                    const DenseMatrix &jumps_of,
                    const Vector &target) const;
-    /** The same on the jumps @p motion, beside the sum of its terms. */
+    /** Return the same power on the jumps @p motion, relative to the sum of its terms. */
     double
     drive(const JointState &state, const Vector &motion) const;
-    /** Shear that a broken bond has lost and still carries: of lips that slide, along the force. */
+    /** Return the shear that a broken bond has lost but still carries; along the force if lips
+     * slide. */
     TangentVector
     lost_shear(const std::size_t k, const JointState &state) const;
     void
     check_slip(const PathPoint &from, const PathPoint &to, const double length);
-    /** A stuck element must not slip. */
+    /** Check that a stuck element does not slip. */
     void
     check_rest(const std::size_t k, const JointState &from, const JointState &to);
-    /** Work of shear force and rise [MNm] between two points of the path. */
+    /** Return the work of shear force and rise [MNm] between two points of the path. */
     double
     work_of_slip(const std::size_t k,
                  const PathPoint &from,
                  const PathPoint &to,
                  const double length);
-    /** The same of the normal force of open lips, which a broken bond still carries. */
+    /** Return the work of the normal force of open lips, which a broken bond still carries. */
     double
     work_of_unloading(const std::size_t k,
                       const PathPoint &from,
                       const PathPoint &to,
                       const double length) const;
-    /** Rate of slip of an element that slips or is open. */
+    /** Return the rate of slip of an element that slips or is open. */
     TangentVector
     slip_rate(const std::size_t k, const PathPoint &point) const;
-    /** The part of a force, or of a rate of slip, in the direction in which a slipping element is
-     * said to slip: with one tangential bar the state tells it, with two it is that of the vector
-     * itself. */
+    /** Return the part of a force, or of a rate of slip, in the direction in which a slipping
+     * element is said to slip: with one tangential bar the state determines it, with two it is that
+     * of the vector itself. */
     double
     along_slip(const std::size_t k, const JointState &state, const TangentVector &v) const;
-    /** @p way: how far the lips slid. */
+    /** Check the rise of the lips. @p way is the distance that they slid. */
     void
     check_rise(const std::size_t k, const JointState &from, const JointState &to, const double way);
-    /** The largest normal or tangential part of an element. */
+    /** Return the largest normal or tangential part of an element. */
     double
     largest_of_elements(const Vector &of_bars) const;
     void
@@ -315,7 +316,7 @@ namespace fuga
     layer(const std::size_t k, const JointState &state) const;
     Layer
     layer_rates(const std::size_t k, const PathPoint &point) const;
-    /** Of a bar whose layer has this compliance [MN/m]. */
+    /** Return the stiffness of bodies and layer in series for a bar of this compliance [MN/m]. */
     double
     own_stiffness(const std::size_t bar, const double compliance) const;
 
@@ -325,13 +326,13 @@ namespace fuga
       double normal_jump, shear_jump, pull, shear;
     };
 
-    /** Of the virtual dislocation @p y and the virtual forces. */
+    /** Return the errors of the virtual dislocation @p y and the virtual forces. */
     VirtualError
     virtual_error(const Freedom &freedom,
                   const Layer &y,
                   const double pull,
                   const TangentVector &shear) const;
-    /** [MNm] */
+    /** Return the energy stored in an element [MNm]. */
     double
     stored_energy(const std::size_t k, const JointState &state) const;
 
@@ -342,7 +343,7 @@ namespace fuga
     const std::vector<ContactElement> &elements;
     const LoadHistory *history;
     RigidBasis rigid_motions;
-    /** Gives coordinates from jumps if there are more bars than coordinates. */
+    /** Dual of B; it gives coordinates from jumps if there are more bars than coordinates. */
     SparseOperator dual;
     /** 2-norms of the rows of S. */
     Vector stiffness_row_norms;

@@ -11,26 +11,27 @@
 
 namespace fuga
 {
-  /** How far the answer of a problem moves when its loads, or the jumps of its joints, change in
-   * their last digits. */
+  /** Measures how far the answer of a problem moves when its loads, or the jumps of its joints,
+   * change in their last digits. */
   struct Conditioning
   {
     /** The relative change of all loads. */
     double change = 0.;
-    /** By how much forces and jumps at the levels and at the end then differ, beside the largest of
-     * the path. */
+    /** Resulting change of the forces and jumps at the levels and at the end, relative to the
+     * largest of the path. */
     double forces = 0., jumps = 0.;
-    /** The path ends in another way, or at another load by more than the change explains. */
+    /** True if the path ends in another way, or at a load that differs by more than the change
+     * explains. */
     bool other_end = false;
 
     /**
-     * By how much a force moves, beside the largest of the path, if the dislocation of its bar
-     * changes in the last digit that a double has: ε |d| W_ii. Joints that move far beside stiff
-     * ones that carry little have large values; loads need not change for that.
+     * Change of a force, relative to the largest of the path, if the dislocation of its bar changes
+     * in the last digit of a double: ε |d| W_ii. Joints that move far beside stiff ones that carry
+     * little have large values, even if the loads do not change.
      */
     double last_digit = 0.;
 
-    /** Whether an error of this relative size is that of the data. */
+    /** Return whether an error of this relative size can be attributed to the data. */
     bool
     explains(const double error) const
     {
@@ -45,11 +46,11 @@ namespace fuga
   };
 
   /**
-   * Follows a path from its beginning and again with all loads larger by some 1e-15: what a double
-   * can just tell. An answer that moves by as much as it violates the contact conditions is known
-   * no better, whatever the solver does. Costs several paths: for answers that are in doubt.
-   * @p make_path makes the path under given loads. No further one is followed once what was found
-   * is @p enough.
+   * Follow a path from its beginning, and again with all loads larger by about 1e-15, the least
+   * change that a double resolves. An answer that moves by as much as it violates the contact
+   * conditions is not known any better, whatever the solver does. This costs several paths and is
+   * meant for answers that are in doubt. @p make_path makes the path under given loads. No further
+   * path is followed once the result so far is @p enough.
    */
   Conditioning
   conditioning(const std::function<std::unique_ptr<ContactPath>(const LoadHistory &)> &make_path,

@@ -9,8 +9,8 @@
 
 namespace fuga
 {
-  /** Energies since the start [MNm]. External work and bodies without the part that the loads would
-   * store in the fully bonded structure. */
+  /** Energies since the start [MNm]. External work and the energy of the bodies do not include the
+   * part that the loads would store in the fully bonded structure. */
   struct EnergyLedger
   {
     double external_work = 0.;
@@ -30,7 +30,7 @@ namespace fuga
     visit("dissipation", dissipation);
   }
 
-  /** What the judge remembers of the path that it followed. */
+  /** The data that the judge remembers of the path that it followed. */
   struct JudgeMemory
   {
     EnergyLedger ledger;
@@ -42,9 +42,9 @@ namespace fuga
     double largest_load    = 0.;
     double wrong_slip_work = 0.;
     double wrong_rise      = 0.;
-    /** Of earlier phases of construction. */
+    /** Energy of the bodies from earlier phases of construction. */
     double energy_of_bodies_before = 0.;
-    /** Steps of time are judged; energies when they began. */
+    /** True while time steps are judged; at_rest are the energies when they began. */
     bool in_motion = false;
     EnergyLedger at_rest;
   };

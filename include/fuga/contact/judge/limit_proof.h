@@ -10,8 +10,8 @@
 
 namespace fuga
 {
-  /** What proves that a path cannot go on: the one of a limit load, or the other one where that is
-   * all that shows that there is no continuation. */
+  /** The proof that a path cannot go on: that of a limit load, or the barrier where it is the only
+   * evidence that there is no continuation. */
   struct LimitProof
   {
     MechanismCertificate mechanism;
@@ -25,15 +25,17 @@ namespace fuga
   };
 
   /**
-   * What makes a limit load a verdict, in the plane and in space: the motion with which the path
-   * ended in @p last_state (without states: before its first load) must prove it, see
-   * MechanismCertificate::proves(). If it does not, the judge looks for one that does, which then
-   * takes its place in @p result. A path that found no continuation has met a limit load all the
-   * same if there is such a motion; if it has only not found any (PathResult::tried), it needs one,
-   * or a virtual motion that proves that there is none (PathResult::barrier,
-   * BarrierCertificate::proves()), or a jump (Jump::shows_instability()). Does nothing for other
-   * verdicts, nor where the motion itself was followed beyond the limit.
-   * @throws NumericalFailure if no motion proves a limit load, or what was only not found.
+   * Prove a limit load, in the plane and in space. A limit load becomes a verdict if the motion
+   * with which the path ended in @p last_state (without states: before its first load) proves it,
+   * see MechanismCertificate::proves(). If it does not, the judge looks for a motion that does,
+   * which then takes its place in @p result. A path that found no continuation has also met a limit
+   * load if there is such a motion; if it merely did not find one (PathResult::tried), it needs
+   * such a motion, or a virtual motion that proves that there is none (PathResult::barrier,
+   * BarrierCertificate::proves()), or a jump (Jump::shows_instability()). The function does nothing
+   * for other verdicts, nor where the motion itself was followed beyond the limit.
+   *
+   * @throws NumericalFailure if no motion proves a limit load, or a continuation was merely not
+   * found.
    */
   LimitProof
   prove_limit(const Judge &judge,

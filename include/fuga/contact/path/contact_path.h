@@ -12,8 +12,8 @@
 namespace fuga
 {
   /**
-   * The step-by-step analysis of the contact along a load history, from event to event: what
-   * EventPath, which knows S as a matrix, and MatrixFreePath have in common.
+   * The step-by-step analysis of the contact along a load history, from event to event. This base
+   * class contains what EventPath, which knows S as a matrix, and MatrixFreePath have in common.
    */
   class ContactPath
   {
@@ -21,45 +21,46 @@ namespace fuga
     virtual ~ContactPath() = default;
 
     /**
-     * Follows the whole history, reporting to @p observer at the load times @p levels (increasing).
+     * Follow the whole history and report to @p observer at the load times @p levels (increasing).
      * @throws NumericalFailure if a step cannot be completed.
      */
     PathResult
     run(const std::vector<double> &levels, PathObserver &observer);
 
     /**
-     * Follows the rest of a history from a cut of run() on the same problem; levels, events and the
-     * end are the same bit for bit. Reports only what comes after the cut and its reports. Stages
-     * behind the end of the history of the cut do not matter to it.
+     * Follow the rest of a history from a cut of run() on the same problem; levels, events and the
+     * end are the same bit for bit. Report only what comes after the cut and its reports. Stages
+     * after the end of the history of the cut do not affect it.
      * @throws NumericalFailure also if the path is not the same.
      */
     PathResult
     resume(const PathCut &cut, const std::vector<double> &levels, PathObserver &observer);
 
     /**
-     * Follows the loads from a state in which the path of another problem ended: the one before a
-     * change of construction. Of @p end, state, result, iterations and next level count.
+     * Follow the loads from a state in which the path of another problem ended: the one before a
+     * change of construction. Only state, result, iterations and next level of @p end are used.
      * @throws NumericalFailure, as run().
      */
     PathResult
     go_on(const PathCut &end, const std::vector<double> &levels, PathObserver &observer);
 
     /**
-     * Follows the loads from @p state in the schemes as they are: one of many paths through nearly
-     * the same loads. Counts on from @p so_far; no levels.
+     * Follow the loads from @p state in the schemes as they are, as one of many paths through
+     * nearly the same loads. Continue the counts of @p so_far; there are no levels.
      * @throws NumericalFailure, as run().
      */
     PathResult
     follow_step(const JointState &state, const PathResult &so_far, PathObserver &observer);
 
-    /** The last cut, if the observer wants cuts; after the end of the history the end itself. */
+    /** Return the last cut, if the observer wants cuts; after the end of the history it is the end
+     * itself. */
     const PathCut &
     last_cut() const
     {
       return cut;
     }
 
-    /** What a cut keeps besides the state. */
+    /** Return the data that a cut keeps besides the state. */
     virtual PathMemory
     memory() const
     {
@@ -72,14 +73,15 @@ namespace fuga
       iteration_count = memory.iterations;
     }
 
-    /** Work of the steps along curves so far. */
+    /** Return the work of the steps along curves so far. */
     virtual IterationCount
     iterations() const
     {
       return iteration_count;
     }
 
-    /** The energies of @p then count: what was followed since has come to nothing. */
+    /** Reset the energies to those of @p then, because what was followed since has been
+     * discarded. */
     void
     take_back_energies(const IterationCount &then)
     {
@@ -88,7 +90,7 @@ namespace fuga
       iteration_count.energy_lost    = then.energy_lost;
     }
 
-    /** Work on the matrices of the working schemes so far. */
+    /** Return the work on the matrices of the working schemes so far. */
     virtual SchemeWork
     work() const = 0;
 
@@ -97,37 +99,39 @@ namespace fuga
                 const LayeredSystem &system,
                 const LoadHistory &history);
 
-    /** follow() with all that a cut knows but its memory. */
+    /** Call follow() with everything that a cut contains except for its memory. */
     PathResult
     follow_from_cut(const std::vector<double> &levels, PathObserver &observer);
 
-    /** The loop over the events, from the last cut on. */
+    /** Loop over the events, beginning at the last cut. */
     virtual PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) = 0;
 
-    /** Keeps a place from which the path can be followed again, if the observer wants it. */
+    /** Store a place from which the path can be followed again, if the observer wants it. */
     void
     make_cut(const JointState &state, const PathResult &result, ReportCounter &observer);
 
-    /** What changes next: lost strength and water at a fixed load, or the load up to its next
-     *  corner. */
+    /** Return what changes next: lost strength and water at a fixed load, or the load up to its
+     * next corner. */
     Course
     next_course(const JointState &state) const;
 
-    /** The reactions of the stuck joint, and water in open elements, to loads at @p factor_rates. */
+    /** Set the reactions of the stuck joint, and of water in open elements, to loads at
+     * @p factor_rates. */
     void
     set_reactions(const JointState &state, const Vector &factor_rates, Drive &drive) const;
 
-    /** Factor by which the tolerances of boundaries grow at a standstill. */
+    /** Return the factor by which the tolerances of boundaries grow at a standstill. */
     double
     widening_of_tolerances() const;
 
-    /** The same of the rounding that does not move an element which has just come to rest. */
+    /** Return the factor for the rounding that does not move an element which has just come to
+     * rest. */
     double
     widening_at_rest() const;
 
-    /** PathSegment::find_end(); at a failure what was reached before it is reported, and @p state
-     * is its end. */
+    /** Call PathSegment::find_end(). If it fails, report what was reached before; @p state is then
+     * the end of that. */
     double
     find_end(PathSegment &segment,
              const Course &course,
@@ -135,8 +139,8 @@ namespace fuga
              PathObserver &observer,
              JointState &state);
 
-    /** Counts a segment that ended in @p state, and tells progress from a step without length.
-     *  @throws PathFailure at a standstill without end. */
+    /** Count a segment that ended in @p state, and distinguish progress from a step of zero length.
+     * @throws PathFailure at a standstill without end. */
     void
     note_step(const PathSegment &segment,
               const Course &course,
@@ -147,7 +151,7 @@ namespace fuga
     void
     note_zero_step(const JointState &state, PathResult &result);
 
-    /** Gives an element another state, with all that goes with it; the event. */
+    /** Give an element another state, with everything that depends on it; return the event. */
     ContactEvent
     change_element(const std::size_t k,
                    const ContactState to,
@@ -156,9 +160,9 @@ namespace fuga
                    JointState &state) const;
 
     /**
-     * Lets the water in joints follow the states of the elements, unless it stands still in this
-     * stage; see renew_water(). @p no_force: what counts as no force [MN], per bar. Whether
-     * anything changed: then the water changes at this load, before the load goes on.
+     * Let the water in joints follow the states of the elements, unless it stands still in this
+     * stage; see renew_water(). @p no_force is the force that counts as zero [MN], per bar. Return
+     * whether anything has changed; the water then changes at this load, before the load goes on.
      */
     bool
     let_water_follow(const Vector &no_force,
@@ -166,20 +170,20 @@ namespace fuga
                      PathObserver &observer,
                      PathResult &result);
 
-    /** Counts and reports events at one load. */
+    /** Count and report events at one load. */
     static void
     report(const std::vector<ContactEvent> &events,
            const JointState &state,
            PathObserver &observer,
            PathResult &result);
 
-    /** Reports the levels up to the load of @p state, to which the path has jumped. */
+    /** Report the levels up to the load of @p state, to which the path has jumped. */
     void
     reach_levels(const std::vector<double> &levels,
                  const JointState &state,
                  PathObserver &observer);
 
-    /** The limit load with the mechanism @p motion. */
+    /** Record the limit load with the mechanism @p motion. */
     void
     take_limit(const JointState &state, const JointRates &motion, PathResult &result) const;
 

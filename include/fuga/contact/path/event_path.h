@@ -14,9 +14,9 @@ namespace fuga
 {
   /**
    * The paper's step-by-step analysis: find the load of the next event on the contact, advance to
-   * it exactly, change the working scheme, go on. Knows bars, laws and loads, and no mesh. Elements
-   * have one tangential bar, in the plane, or two, with Coulomb's circular cone (doc/theory.md,
-   * section 17), or none.
+   * it exactly, change the working scheme, and continue. The class knows bars, laws and loads, but
+   * no mesh. Elements have one tangential bar, in the plane, or two, with Coulomb's circular cone
+   * (doc/theory.md, section 17), or none.
    */
   class EventPath : public ContactPath
   {
@@ -33,35 +33,36 @@ namespace fuga
     void
     restore(const PathMemory &memory) override;
 
-    /** From @p from, a settled state, to the end of the present course at once, where the events on
-     * the way lead nowhere: as Follow::stage_ends does, or else as a jump. Whether there is an
-     * equilibrium to jump to. */
+    /** Jump from @p from, a settled state, directly to the end of the present course, where the
+     * events on the way lead nowhere: as Follow::stage_ends does, or else as a jump. Return whether
+     * there is an equilibrium to jump to. */
     bool
     jump_over_course(const JointState &from, PathObserver &observer, PathResult &result);
 
   private:
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
-    /** To the next event. Whether the path goes on behind it. */
+    /** Advance to the next event. Return whether the path goes on after it. */
     bool
     advance(JointState &state,
             const std::vector<double> &levels,
             PathObserver &observer,
             PathResult &result);
-    /** Where no continuation exists. Whether there is another way on. */
+    /** Handle a state from which no continuation exists. Return whether there is another way on. */
     bool
     leave_path(JointState &state,
                const Continuation &continuation,
                const std::vector<double> &levels,
                PathObserver &observer,
                PathResult &result);
-    /** Where the path cannot be computed there may yet be an equilibrium behind. */
+    /** Try to jump where the path cannot be computed, because an equilibrium may exist beyond that
+     * place. */
     bool
     jump_over_failure(JointState &state,
                       const std::vector<double> &levels,
                       PathObserver &observer,
                       PathResult &result);
-    /** Takes @p end for the state, with its events. */
+    /** Set the state to @p end, and report its events. */
     void
     jump_to(const JointState &end, JointState &state, PathObserver &observer, PathResult &result);
     bool
@@ -69,12 +70,12 @@ namespace fuga
                    const std::vector<double> &levels,
                    PathObserver &observer,
                    PathResult &result);
-    /** What counts as zero in forces, jumps and their rates at @p state. */
+    /** Set the values that count as zero in forces, jumps and their rates at @p state. */
     void
     set_boundary(const JointState &state, const Course &course, const double widening);
     Continuation
     decide(JointState &state, const Course &course, PathObserver &observer, PathResult &result);
-    /** Asks again, with more elements on their boundaries, where nothing moves freely and yet no
+    /** Solve again, with more elements on their boundaries, where nothing moves freely and yet no
      * @p continuation exists. */
     void
     decide_on_wider_boundary(JointState &state,
@@ -90,17 +91,18 @@ namespace fuga
                   const Drive &drive,
                   Continuation &continuation,
                   PathResult &result);
-    /** States and strengths of the working scheme become those of @p state. */
+    /** Set the states and strengths of the working scheme to those of @p state. */
     void
     take_scheme(JointState &state);
-    /** Whether the scheme costs strength, so that its rates do not hold. */
+    /** Return whether the scheme costs strength, so that its rates do not hold. */
     bool
     adopt_scheme(JointState &state,
                  const std::vector<BoundaryElement> &set,
                  const std::size_t n_branches,
                  PathObserver &observer,
                  PathResult &result) const;
-    /** On request. @p ahead: how much the load may still grow. */
+    /** Follow the path beyond a limit load, on request. @p ahead is the amount by which the load
+     * may still grow. */
     void
     go_beyond_limit(JointState &state,
                     const double ahead,
@@ -122,19 +124,20 @@ namespace fuga
                    const double last_t);
     YieldingLoad
     yielding_load(const ControlledStep &step, const JointState &state) const;
-    /** One near by, at loads that are larger by @p ahead or as far as the course or the level lets
-     * them grow. */
+    /** Return an equilibrium near by, at loads that are larger by @p ahead, or by as much as the
+     * course or the level lets them grow. */
     std::optional<JumpEnd>
     equilibrium_ahead(const JointState &state,
                       const double ahead,
                       const std::vector<double> &levels);
-    /** Whether the path goes on behind a jump. */
+    /** Jump to an equilibrium near by. Return whether the path goes on after the jump. */
     bool
     jump_to_equilibrium(JointState &state,
                         const std::vector<double> &levels,
                         PathObserver &observer,
                         PathResult &result);
-    /** @p size of the force rates that others are small against, if it is larger than they. */
+    /** Return whether the direction of a slip turns. @p size is the size of the force rates that
+     * others are compared with, if it is larger than they. */
     bool
     turns(const PathPoint &start, const bool is_curved, double size = 0.) const;
     void
@@ -156,7 +159,7 @@ namespace fuga
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;
-    /** Those of the last step, if it was one without length. */
+    /** The rates of the last step if its length was zero. */
     JointRates last_rates;
   };
 } // namespace fuga

@@ -9,28 +9,29 @@
 namespace fuga
 {
   /**
-   * From a state to the end of a course in one step, without the events between: the state at the
-   * end satisfies all contact conditions with the slip of the whole step in the direction of the
-   * shear force there (backward Euler). It is the state that the events lead to if every element
-   * that slips or opens does so all the way, in one direction; otherwise the path matters and only
-   * the events find it. Of strength an element loses what opening or slip costs, if equilibrium
-   * without this loss needs the opening or the slip.
+   * A step from a state to the end of a course, without the events in between: the state at the end
+   * satisfies all contact conditions with the slip of the whole step in the direction of the shear
+   * force there (backward Euler). This is the state that the events lead to if every element that
+   * slips or opens does so all the way, in one direction; otherwise the path matters, and only the
+   * events find it. An element loses the strength that opening or slip costs if equilibrium without
+   * this loss needs the opening or the slip.
    *
-   * A semismooth Newton method on the condensed system, after Alart and Curnier: each solution is
-   * that of a working scheme, whose states and directions of slip follow from forces and jumps,
-   * made comparable by the stiffness of the bars. Where it does not converge for the whole course
-   * it begins from its solution for a part of it. (doc/theory.md, section 3)
+   * The state is found by a semismooth Newton method on the condensed system, after Alart and
+   * Curnier: each iterate is the solution of a working scheme, whose states and directions of slip
+   * follow from forces and jumps, made comparable by the stiffness of the bars. Where the method
+   * does not converge for the whole course, it begins from its solution for a part of it.
+   * (doc/theory.md, section 3)
    */
   class ImplicitStep
   {
   public:
     ImplicitStep(const PathContext &context, const Course &course);
 
-    /** The end of the course in a step from @p from; nothing if none was found. */
+    /** Return the end of the course in a step from @p from; nothing if none was found. */
     std::optional<JointState>
     solve(const JointState &from);
 
-    /** Schemes solved so far. */
+    /** Return the number of schemes solved so far. */
     std::size_t
     n_schemes() const
     {
@@ -38,12 +39,12 @@ namespace fuga
     }
 
   private:
-    /** What an element should do according to forces and jumps. */
+    /** The state that an element should take according to forces and jumps. */
     struct Demand
     {
       ContactState state      = ContactState::open;
       TangentVector direction = {{1., 0.}};
-      /** Slip over shear force, see WorkingScheme::let_turn() [m/MN]. */
+      /** Slip divided by shear force, see WorkingScheme::let_turn() [m/MN]. */
       double turning = 0.;
     };
 
@@ -51,7 +52,7 @@ namespace fuga
     solve(const JointState &from, const double tau, const JointState &guess);
     bool
     find_equilibrium(const double tau, JointState &state);
-    /** Lips that have begun to slip, unlike @p before, slide until nothing shears them. */
+    /** Let lips that have begun to slip, unlike in @p before, slide until nothing shears them. */
     void
     unload_slips(const std::vector<ContactState> &before, JointState &state) const;
     bool
@@ -74,7 +75,7 @@ namespace fuga
 
     PathContext context;
     const Course &course;
-    /** Where the step begins, with the strength that is left at its end. */
+    /** The beginning of the step, with the strength that is left at its end. */
     JointState start;
     std::size_t schemes = 0;
   };

@@ -11,21 +11,21 @@
 namespace fuga
 {
   /**
-   * The path in implicit steps, from one corner of the loads or requested level to the next, for
-   * bodies whose stiffness S is not known as a matrix. Forces are functions of the jumps
+   * The path computed in implicit steps, from one corner of the loads or requested level to the
+   * next, for bodies whose stiffness S is not known as a matrix. Forces are functions of the jumps
    * (ReturnMapping; those of rigid layers by AugmentedLayers), so
    *
    *     S x + p(x) = F a(t)
    *
-   * is solved by a semismooth Newton method, each step of it one solution of the bodies with the
-   * bars in their present scheme (doc/theory.md, section 18); with p = Bᵀ(p(B x) - ω) where joints
+   * is solved by a semismooth Newton method, in which each step is one solution of the bodies with
+   * the bars in their present scheme (doc/theory.md, section 18); p = Bᵀ(p(B x) - ω) where joints
    * cross and water presses them apart. Water follows the elements that are open at the end of a
    * step. Energies and events are not known.
    */
   class MatrixFreePath : public ContactPath
   {
   public:
-    /** Of @p system the bars are known only. */
+    /** Constructor. Only the bars of @p system are used. */
     MatrixFreePath(const std::vector<ContactElement> &elements,
                    const LayeredSystem &system,
                    const ContactSystem &bodies,
@@ -42,7 +42,7 @@ namespace fuga
     PathResult
     follow(const std::vector<double> &levels, ReportCounter &observer) override;
 
-    /** The bodies and the elements' response to their jumps. */
+    /** The solution of the bodies, and the response of the elements to their jumps. */
     struct Trial
     {
       TangentSolver::Solution bodies;
@@ -52,7 +52,7 @@ namespace fuga
       Vector dilations;
     };
 
-    /** The jumps that the joints feel, those of rigid layers enlarged. */
+    /** Return the jumps that the joints feel, with those of rigid layers enlarged. */
     Vector
     jumps(const double t, const Trial &trial) const;
     void
@@ -66,14 +66,16 @@ namespace fuga
     /** @throws NumericalFailure */
     JointState
     step_to(const JointState &from, const double t);
-    /** The end of a step from @p from, with the @p trial as guess; none if it is not found. */
+    /** Return the end of a step from @p from, with @p trial as the initial guess; nothing if it is
+     * not found. */
     std::optional<JointState>
     end_of_step(JointState from, const double t, Trial &trial);
-    /** The joints with what the water does to them at the end of a step that has led to @p state. */
+    /** Return the joints with the effects of the water at the end of a step that has led to
+     * @p state. */
     JointState
     let_water_in(JointState state, PathObserver &observer, PathResult &result);
-    /** Brings the trial into equilibrium with the strengths that @p from has; false if that is not
-     * found. */
+    /** Bring @p trial into equilibrium with the strengths of @p from. Return false if no
+     * equilibrium is found. */
     bool
     find_equilibrium(const JointState &from, const double t, Trial &trial);
     JointState
@@ -84,7 +86,7 @@ namespace fuga
     const ContactSystem &bodies;
     const TangentSolver &solver;
     const std::size_t n_bars;
-    /** Of the jump operator. */
+    /** The dual of the jump operator. */
     const SparseOperator dual;
     AugmentedLayers layers;
     SchemeWork scheme_work;

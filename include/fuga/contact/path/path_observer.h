@@ -11,20 +11,20 @@
 
 namespace fuga
 {
-  /** One change of the working scheme. */
+  /** A single change of the working scheme. */
   struct ContactEvent
   {
     double t            = 0.;
     std::size_t element = 0;
     ContactState from   = ContactState::stick;
     ContactState to     = ContactState::stick;
-    /** Continuations known at this load: 1 unless friction is beyond critical. */
+    /** Number of continuations known at this load: 1 unless friction is beyond critical. */
     std::size_t n_branches = 1;
-    /** Where the water came from and comes from, if this event is a connection of an open element
-     * with reservoir or tailwater that comes or goes; else the same twice. */
+    /** The origin of the water before and after this event, if the event is a connection of an open
+     * element with reservoir or tailwater that appears or disappears; otherwise twice the same. */
     std::array<WaterAccess, 2> water = {{WaterAccess::seepage, WaterAccess::seepage}};
 
-    /** The words before and after it in every output. */
+    /** Return the words for the state before and after the event, as used in all output. */
     std::array<std::string_view, 2>
     names() const
     {
@@ -34,37 +34,37 @@ namespace fuga
     }
   };
 
-  /** Receives the path as it is found. All calls come in the order of the load time. */
+  /** Receives the path as it is found. All calls are made in the order of the load time. */
   class PathObserver
   {
   public:
     virtual ~PathObserver() = default;
 
-    /** Whether EventPath::last_cut() is to be kept up to date. */
+    /** Return whether EventPath::last_cut() is to be kept up to date. */
     virtual bool
     wants_cuts() const
     {
       return false;
     }
 
-    /** Whether the path is to go on behind what it has reported. If not, its result is that of the
-     * part which was followed. */
+    /** Return whether the path is to go on after what it has reported. If not, its result is that
+     * of the part which was followed. */
     virtual bool
     wants_more() const
     {
       return true;
     }
 
-    /** The path went from @p from to @p to (τ apart by @p length), smoothly. */
+    /** The path went smoothly from @p from to @p to, which are @p length apart in τ. */
     virtual void
     advanced(const PathPoint &from, const PathPoint &to, const double length) = 0;
 
-    /** The path went to @p to by an implicit step: what happened between is not known. */
+    /** The path went to @p to by an implicit step; what happened in between is not known. */
     virtual void
     jumped(const JointState &to) = 0;
 
-    /** The same within a step of bodies in motion, with work on the joints [MNm], see StepRecord.
-     */
+    /** The path jumped within a step of bodies in motion, with work on the joints [MNm], see
+     * StepRecord. */
     virtual void
     jumped_in_motion(const JointState &to, const double /*work*/)
     {
@@ -79,27 +79,28 @@ namespace fuga
     virtual void
     reached(const std::size_t index, const JointState &state) = 0;
 
-    /** Bodies begin to move with their inertia; steps of time follow. */
+    /** The bodies begin to move with their inertia; time steps follow. */
     virtual void
     began_motion()
     {
     }
 
-    /** A step of time begins: from here on the bodies resist as @p system does, under the loads
+    /** A time step begins: from here on the bodies resist as @p system does, under the loads
      * @p history of the step. */
     virtual void
     began_step(const ContactSystem & /*system*/, const LoadHistory & /*history*/)
     {
     }
 
-    /** It has come to its end in @p state, of which all else has been reported. */
+    /** The time step has ended in @p state, and everything else in it has been reported. */
     virtual void
     ended_step(const JointState & /*state*/)
     {
     }
 
-    /** A state beyond the limit load, after the largest jump has grown by @p length: at the limit, and
-     * at the end of every step. Here the load time may stay or fall. */
+    /** The path has reached a state beyond the limit load, after the largest jump has grown by
+     * @p length. This is called at the limit, and at the end of every step; the load time may stay
+     * constant or fall here. */
     virtual void
     went_beyond(const double /*length*/, const JointState & /*state*/)
     {
@@ -107,9 +108,9 @@ namespace fuga
   };
 
   /**
-   * Reports a segment whose end has been found, from station to station, with a stop at every
-   * requested
-   * load time from number @p next_level on, which is counted up. Returns the state at the end.
+   * Report a segment whose end has been found, from station to station, with a stop at every
+   * requested load time beginning with number @p next_level, which is incremented. Return the state
+   * at the end.
    */
   JointState
   report_piecewise(PathSegment &segment,

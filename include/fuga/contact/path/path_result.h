@@ -9,7 +9,7 @@
 
 namespace fuga
 {
-  /** How a path ended. */
+  /** The way in which a path ended. */
   enum class Verdict
   {
     /** The requested end of the load history was reached. */
@@ -19,22 +19,23 @@ namespace fuga
     /** No quasi-static continuation exists although nothing moves freely (friction beyond
        critical). */
     no_continuation,
-    /** Several continuations exist (friction beyond critical), and the path is not to choose. */
+    /** Several continuations exist (friction beyond critical), and the path was told not to
+     * choose. */
     non_unique_continuation
   };
 
-  /** What is known of the first place on a path where friction was seen beyond its critical value.
-   */
+  /** Information about the first place on a path where friction was found to be beyond its critical
+   * value. */
   struct CriticalFriction
   {
     double t = 0.;
-    /** Elements on their strength that decide: no other ones differ between the continuations. */
+    /** The elements on their strength that decide: no others differ between the continuations. */
     std::vector<std::size_t> elements;
     /** Number of continuations; a lower bound if not `all_counted`. */
     std::size_t n_branches = 0;
     bool all_counted       = false;
-    /** Signs of the determinants of their schemes; if there is no continuation, of the scheme in
-     * which all elements on their strength slip. */
+    /** Signs of the determinants of the schemes of the continuations; if there is no continuation,
+     * the sign for the scheme in which all elements on their strength slip. */
     std::vector<int> determinant_signs;
   };
 
@@ -50,14 +51,14 @@ namespace fuga
     visit("determinant_signs", determinant_signs);
   }
 
-  /** What the path did beyond its limit load. */
+  /** The course of the path beyond its limit load. */
   struct BeyondLimit
   {
     enum class End
     {
-      /** The path did not go there. */
+      /** The path did not go beyond the limit. */
       none,
-      /** The largest jump has grown as far as asked for. */
+      /** The largest jump has grown as far as requested. */
       largest_jump,
       /** The load has fallen to where its stage, or the linear piece of it, began. */
       load_removed,
@@ -86,22 +87,23 @@ namespace fuga
     visit("n_steps", n_steps);
   }
 
-  /** From a state that no continuous path leaves to another equilibrium near by. */
+  /** A jump from a state that no continuous path leaves to another equilibrium near by. */
   struct Jump
   {
     bool found = false;
-    /** Load time before it, and what it goes on by. */
+    /** Load time before the jump, and its increase in the jump. */
     double t = 0., length = 0.;
     /** Largest change of a jump of the joints [m]. */
     double size = 0.;
-    /** What bodies, layers and loads give off, and what of it friction takes in a slow motion; the
-     * rest becomes motion [MNm]. */
+    /** Energy that bodies, layers and loads release, and the part of it that friction takes in a
+     * slow motion; the rest becomes motion [MNm]. */
     double released = 0., dissipated = 0.;
-    /** The size where it is looked for with a hundredth of that length, if it is [m]. */
+    /** The size if the equilibrium is sought with a hundredth of that length, if this was done
+     * [m]. */
     double size_nearer = 0.;
 
-    /** That no continuous path leads to its end: its size does not fall with its length, and it
-     * sets free more than friction takes. */
+    /** Return whether the jump shows that no continuous path leads to its end: its size does not
+     * decrease with its length, and it releases more energy than friction takes. */
     bool
     shows_instability() const
     {
@@ -128,29 +130,29 @@ namespace fuga
     Verdict verdict         = Verdict::done;
     double t                = 0.;
     MechanismKind mechanism = MechanismKind::none;
-    /** Jumps of the bars in the mechanism, largest 1. */
+    /** Jumps of the bars in the mechanism, scaled to a largest one of 1. */
     Vector mechanism_jumps;
     std::size_t n_events     = 0;
     std::size_t n_zero_steps = 0;
     std::size_t n_steps      = 0;
-    /** Implicit steps that took the place of events. */
+    /** Number of implicit steps that replaced events. */
     std::size_t n_jumps    = 0;
     unsigned int n_schemes = 0;
-    /** Continuations found by each RateMethod. */
+    /** Number of continuations found by each RateMethod. */
     std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
-    /** Decisions with several continuations. */
+    /** Number of decisions with several continuations. */
     std::size_t n_non_unique = 0;
     CriticalFriction critical;
     BeyondLimit beyond;
-    /** The last one, and how many the path followed. */
+    /** The last jump, and the number of jumps that the path followed. */
     Jump jump;
     std::size_t n_followed_jumps = 0;
-    /** Of these, where the path could not be computed. */
+    /** Number of those jumps that were made because the path could not be computed. */
     std::size_t n_failures = 0;
-    /** What was tried, where a path ends with `no_continuation` only because no way on was found:
-     * without a proof this is no verdict, see prove_limit(). Empty otherwise. */
+    /** Description of what was tried, where a path ends with `no_continuation` only because no way
+     * on was found: without a proof this is no verdict, see prove_limit(). Empty otherwise. */
     std::string tried;
-    /** Virtual rates that may prove it then; empty if there are none. */
+    /** Virtual rates that may then prove it; empty if there are none. */
     JointRates barrier;
   };
 
@@ -196,12 +198,13 @@ namespace fuga
     visit("barrier", barrier);
   }
 
-  /** What a path takes along from segment to segment besides its state. */
+  /** The data that a path passes from segment to segment besides its state. */
   struct PathMemory
   {
     IterationCount iterations;
     SchemeMemory scheme;
-    /** Of the elements off their boundaries, where some have two tangential bars. */
+    /** Memory of the scheme of the elements off their boundaries, where some elements have two
+     * tangential bars. */
     SchemeMemory background;
   };
 
@@ -217,20 +220,20 @@ namespace fuga
 
   /**
    * A place between two segments, where the load goes on, from which a path can be followed again,
-   * bit for bit. Segments are
-   * never cut: where they are divided would change the steps along a curve. What the observer heard
-   * behind the cut, levels for instance, is counted instead and not reported again.
+   * bit for bit. Segments are never cut, since dividing them would change the steps along a curve.
+   * Reports to the observer after the cut, levels for instance, are counted instead and not
+   * repeated.
    */
   struct PathCut
   {
     JointState state;
-    /** What was found so far. */
+    /** The result so far. */
     PathResult result;
     PathMemory memory;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
-    /** Reports to the observer since the cut. */
+    /** Number of reports to the observer since the cut. */
     std::size_t n_reports = 0;
   };
 

@@ -9,17 +9,20 @@
 namespace fuga
 {
   /**
-   * Hands the reports of a path on and counts them. A path that is followed again from a cut
-   * reports the same again; what its observer has heard already is not repeated. After each report
-   * the path can be left in good order: that is where it ends if the user wishes so.
+   * Hands on the reports of a path and counts them. A path that is followed again from a cut
+   * repeats its reports; those that its observer has already received are not repeated. After each
+   * report the path can be left in a consistent state, and this is where it ends if the user wishes
+   * so.
    */
   class ReportCounter : public PathObserver
   {
   public:
-    /** @p n_reports: how many reports, the first ones, are not handed on; from now on it counts. */
+    /** Constructor. The first @p n_reports reports are not handed on; from now on this argument
+     * counts the reports. */
     ReportCounter(PathObserver &observer, std::size_t &n_reports);
 
-    /** Begins to count anew. @throws NumericalFailure if less was reported than had been heard. */
+    /** Restart the count. @throws NumericalFailure if fewer reports were made than had been
+     * received before. */
     void
     start();
 
@@ -47,9 +50,9 @@ namespace fuga
     went_beyond(const double length, const JointState &state) override;
 
   private:
-    /** A step of time is being reported, which is not interrupted. */
+    /** True while a time step is being reported, which is not interrupted. */
     bool in_step = false;
-    /** Makes the report unless it was heard before. @throws Interrupted after it. */
+    /** Make the report unless it was received before. @throws Interrupted after it. */
     template <typename Report>
     void
     hand_on(const Report &report);

@@ -18,12 +18,12 @@ namespace fuga
   };
 
   /**
-   * Looks for an equilibrium at the end of @p course near @p from, from which no continuous path
-   * leads there: bodies and joints move on against a viscous resistance κ ẋ of the interface
-   * coordinates, in implicit steps, until they rest; κ is as large as the steps need to be solvable
-   * and falls to zero. Each step obeys all contact conditions. Nothing if the motion grows without
-   * bound, or rests nowhere; nor where joints cross or have corners, or water follows their
-   * opening.
+   * Find an equilibrium at the end of @p course near @p from, if no continuous path leads there
+   * from @p from. Bodies and joints move on against a viscous resistance κ ẋ of the interface
+   * coordinates, in implicit steps, until they rest; κ is as large as needed to make the steps
+   * solvable, and decreases to zero. Each step obeys all contact conditions. Return nothing if the
+   * motion grows without bound, or rests nowhere; nor is this possible where joints cross or have
+   * corners, or where water follows their opening.
    */
   std::optional<JumpEnd>
   find_equilibrium_nearby(const std::vector<ContactElement> &elements,

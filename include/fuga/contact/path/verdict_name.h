@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** A verdict in words, as summary.json has it. */
+  /** Return a verdict in words, as used in summary.json. */
   std::string
   verdict_name(const Verdict verdict);
 } // namespace fuga

@@ -10,12 +10,12 @@ namespace fuga
 {
   /**
    * The rate problem of a boundary set as a linear complementarity problem (doc/theory.md, eq. 7):
-   * z ≥ 0 the rates of opening and of slip in each admissible direction, q + M z ≥ 0 the rates of
-   * the reserves. Rows and columns are scaled to a unit diagonal of W.
+   * z ≥ 0 are the rates of opening and of slip in each admissible direction, q + M z ≥ 0 the rates
+   * of the reserves. Rows and columns are scaled to a unit diagonal of W.
    */
   struct BoundaryLcp
   {
-    /** One z: a rate of dislocation that takes its element into `state`. */
+    /** One component of z: a rate of dislocation that takes its element into `state`. */
     struct Unknown
     {
       std::size_t element;
@@ -28,13 +28,13 @@ namespace fuga
     DenseMatrix M;
     Vector q;
     /** Covering vector of Lemke's method that excludes meaningless rays, and the part of it that
-     * does so: the rest, here 1, may be any number between 0 and 1.1. */
+     * does so; the remaining part, here 1, may be any number between 0 and 1.1. */
     Vector covering, friction_share;
-    /** True rates of dislocation are scale z. */
+    /** Scale of the unknowns: the true rates of dislocation are scale z. */
     Vector scale;
     /** Rates with every boundary element closed and stuck. */
     JointRates stuck;
-    /** Rates that a unit dislocation rate of each unknown causes. */
+    /** Rates caused by a unit dislocation rate of each unknown. */
     std::vector<JointRates> responses;
 
     std::size_t
@@ -43,7 +43,7 @@ namespace fuga
       return unknowns.size();
     }
 
-    /** The motion Σ z × response. */
+    /** Return the motion Σ z × response. */
     JointRates
     motion(const Vector &z) const;
   };

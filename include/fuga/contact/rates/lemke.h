@@ -8,7 +8,7 @@
 
 namespace fuga
 {
-  /** How Lemke's method ended. */
+  /** The way in which Lemke's method ended. */
   enum class LcpStatus
   {
     solved,
@@ -21,10 +21,10 @@ namespace fuga
   struct LcpSolution
   {
     LcpStatus status = LcpStatus::undecided;
-    /** z ≥ 0 with q + M z ≥ 0 complementary to it; on a ray the direction of the ray. */
+    /** z ≥ 0 with q + M z ≥ 0 complementary to it; on a ray, the direction of the ray. */
     Vector z;
-    /** Where the ray begins. If the artificial variable is zero there but for rounding, this is the
-     * solution. */
+    /** The point where the ray begins. If the artificial variable is zero there up to rounding,
+     * this is the solution. */
     Vector vertex;
 
     bool
@@ -35,13 +35,13 @@ namespace fuga
   };
 
   /**
-   * Linear complementarity problem  z ≥ 0,  q + M z ≥ 0,  z·(q + M z) = 0  by Lemke's method with
-   * the lexicographic ratio test (Cottle, Pang & Stone, The Linear Complementarity Problem, 4.4
-   * and 4.9). All rows of (q, basis inverse) are lexicographically positive from the first pivot
-   * on, so no basis comes back: finite for every M, a solution or a ray. O(n²) per pivot. The
-   * diagonal of
-   * @p M should be of order one: ties are told by rounding errors relative to that. @p covering: the
-   * positive vector that multiplies the artificial variable.
+   * Solve the linear complementarity problem  z ≥ 0,  q + M z ≥ 0,  z·(q + M z) = 0  by Lemke's
+   * method with the lexicographic ratio test (Cottle, Pang & Stone, The Linear Complementarity
+   * Problem, 4.4 and 4.9). All rows of (q, basis inverse) are lexicographically positive from the
+   * first pivot on, so that no basis comes back: the method is finite for every M and ends with a
+   * solution or a ray. Each pivot costs O(n²). The diagonal of @p M should be of order one: ties
+   * are recognised by rounding errors relative to that. @p covering is the positive vector that
+   * multiplies the artificial variable.
    */
   LcpSolution
   solve_lcp(const DenseMatrix &M, const Vector &q, const Vector &covering);

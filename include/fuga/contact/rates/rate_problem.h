@@ -12,49 +12,51 @@
 
 namespace fuga
 {
-  /** How the continuation was found; every next one is tried when the one before failed. */
+  /** The method by which the continuation was found; each method is tried when the one before has
+   * failed. */
   enum class RateMethod
   {
-    /** The scheme as it was, or with all violating elements switched at once until none violates.
-     */
+    /** Keep the scheme, or switch all violating elements at once until none violates. */
     block_switching,
-    /** One element at a time, lowest index first. */
+    /** Switch one element at a time, the one with the lowest index first. */
     single_switching,
-    /** All combinations of a small boundary set. */
+    /** Try all combinations of a small boundary set. */
     enumeration,
-    /** Lexicographic Lemke on the whole boundary set. */
+    /** Apply the lexicographic Lemke method to the whole boundary set. */
     lemke,
-    /** Single switching from many first guesses and Lemke with several covering vectors, then all
-     * combinations, divided until each is ruled out. */
+    /** Use single switching from many first guesses and Lemke's method with several covering
+     * vectors, then all combinations, divided until each of them is ruled out. */
     search
   };
 
-  /** What the rate problem found. */
+  /** The result of the rate problem. */
   struct Continuation
   {
-    /** True: `rates` satisfy every rate inequality, and the working scheme has the states that go
-     * with them. */
+    /** If true, `rates` satisfy every rate inequality, and the working scheme has the states that
+     * belong to them. */
     bool exists = false;
     JointRates rates;
-    /** Beside a nonlinear layer a motion that nothing resists rests in them: the curve may not hold
-     * it. */
+    /** True if, beside a nonlinear layer, a motion that nothing resists rests in these rates; the
+     * curve may not hold it. */
     bool rests = false;
-    /** Elements lose strength as they take these states: the rates do not hold. */
+    /** True if elements lose strength as they take these states, so that the rates do not hold. */
     bool costs_strength = false;
     RateMethod method   = RateMethod::block_switching;
-    /** If none exists: that is certain, since a proof rules out every combination of states. */
+    /** If no continuation exists: true if that is certain, since a proof rules out every
+     * combination of states. */
     bool is_ruled_out = false;
-    /** If none exists: the motion that meets the least resistance, if one was found. */
+    /** If no continuation exists: true if a motion was found; mechanism is the one that meets the
+     * least resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
-    /** In space, if nothing moves freely either: a virtual motion that may show that none exists.
-     */
+    /** If nothing moves freely either, in space: a virtual motion that may show that no
+     * continuation exists. */
     std::optional<JointRates> barrier;
-    /** Continuations known. */
+    /** Number of continuations known. */
     std::size_t n_branches = 1;
-    /** Schemes tried. */
+    /** Number of schemes tried. */
     unsigned int n_schemes = 0;
-    /** One of them had a negative determinant. */
+    /** True if one of them had a negative determinant. */
     bool met_negative_determinant = false;
   };
 
@@ -63,22 +65,22 @@ namespace fuga
   {
     /** States of the boundary elements. */
     std::vector<ContactState> states;
-    /** With two tangential bars, those of their slips. */
+    /** Directions of their slips, with two tangential bars. */
     std::vector<TangentVector> directions;
     JointRates rates;
-    /** Sign of the determinant of its scheme: negative beyond critical friction. */
+    /** Sign of the determinant of the scheme; it is negative beyond critical friction. */
     int determinant_sign = 0;
     /** Σ T ṡ [MN m per unit of the path]. */
     double dissipation = 0.;
-    /** Σ Ṫ ṡ: decides between branches that leave from the apex of the cone, where T = 0. */
+    /** Σ Ṫ ṡ; it decides between branches that leave from the apex of the cone, where T = 0. */
     double dissipation_growth = 0.;
   };
 
-  /** How the joints go on beyond a limit load, where the load is no longer given. */
+  /** The way in which the joints go on beyond a limit load, where the load is no longer given. */
   struct ControlledContinuation
   {
     bool exists = false;
-    /** Per unit of the largest jump [m]. */
+    /** Rates per unit of the largest jump [m]. */
     JointRates rates;
     /** Rate of the load time per unit of the largest jump [1/m]: zero on a plateau, negative where
      * the load falls. */
@@ -88,7 +90,7 @@ namespace fuga
   struct BoundaryLcp;
 
   /**
-   * Decides by rates, for all elements on a boundary at once, how the joints go on:
+   * Determines from rates how the joints go on, for all elements on a boundary at once:
    *
    *     at the strength, σ = sign T:   0 ≤ σ ṡ  ⟂  (f|N|)˙ - σ Ṫ ≥ 0,
    *     N = 0 and gap = 0:             0 ≤ ġ   ⟂  -Ṅ ≥ 0,  with the same in both directions
@@ -103,7 +105,8 @@ namespace fuga
                 const LayeredSystem &system,
                 WorkingScheme &scheme);
 
-    /** With two tangential bars: the scheme in which all elements of the boundary set are stuck. */
+    /** Return the scheme in which all elements of the boundary set are stuck, with two tangential
+     * bars. */
     WorkingScheme &
     background()
     {
@@ -117,9 +120,9 @@ namespace fuga
     }
 
     /**
-     * Finds a continuation from @p state under @p drive; the states of the scheme are the first
-     * guess. @p resticking: elements whose slip has just come to rest; with two tangential bars,
-     * what is @p widening times rounding does not move them again.
+     * Find a continuation from @p state under @p drive, with the states of the scheme as the first
+     * guess. @p resticking lists the elements whose slip has just come to rest; with two tangential
+     * bars, rates up to @p widening times rounding do not move them again.
      */
     Continuation
     solve(const JointState &state,
@@ -129,31 +132,32 @@ namespace fuga
           const double widening                      = 1.);
 
     /**
-     * Elements of @p set that give reason to look for further continuations: the determinant of the
-     * present scheme changes its sign if one of them begins or ceases to slip. All of them if the
-     * determinant is not positive. Costs nothing beside a solution of the rate problem.
+     * Return the elements of @p set that give reason to look for further continuations: the
+     * determinant of the present scheme changes its sign if one of them begins or ceases to slip.
+     * Return all of them if the determinant is not positive. The cost is negligible compared with a
+     * solution of the rate problem.
      */
     std::vector<std::size_t>
     critical_elements(const std::vector<BoundaryElement> &set);
 
     /**
-     * False if it is certain that the continuation just found is the only one, or if nothing speaks
-     * against it where that is not known. Certain where the slips are monotone; where not all of
-     * the set are slips of tangential bars the determinants are asked.
+     * Return false if it is certain that the continuation just found is the only one, or if that is
+     * not known but nothing speaks against it. It is certain where the slips are monotone; where
+     * not all elements of the set are slips of tangential bars the determinants are used.
      */
     bool
     may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found);
 
     /**
-     * Continuations with different rates. All of them if can_be_enumerated(), otherwise those that
-     * switching from several schemes and Lemke's method with several
-     * covering vectors reach. The one that the present scheme describes, if it is one, comes first;
-     * the present scheme is restored.
+     * Return the continuations with different rates. These are all of them if can_be_enumerated(),
+     * otherwise those that are reached by switching from several schemes and by Lemke's method with
+     * several covering vectors. The one that the present scheme describes, if it is one, comes
+     * first; the present scheme is restored.
      */
     std::vector<Branch>
     branches(const JointState &state, const std::vector<BoundaryElement> &set, const Drive &drive);
 
-    /** Gives the elements of @p set the states of a branch. */
+    /** Give the elements of @p set the states of a branch. */
     void
     take(const std::vector<BoundaryElement> &set, const Branch &branch)
     {
@@ -165,9 +169,10 @@ namespace fuga
     }
 
     /**
-     * The motion that goes on at a load which may fall or stay: the rate problem with the load rate
-     * λ̇ as one more unknown and the amount of motion as given (doc/theory.md, section 7). @p
-     * unit_load drives at λ̇ = 1. The working scheme takes the states that go with it.
+     * Find the motion that goes on at a load which may fall or stay: the rate problem with the load
+     * rate λ̇ as an additional unknown and with a given amount of motion (doc/theory.md, section
+     * 7). @p unit_load is the drive at λ̇ = 1. The working scheme takes the states that belong to
+     * the motion.
      */
     ControlledContinuation
     solve_controlled(const JointState &state,
@@ -175,9 +180,9 @@ namespace fuga
                      const Drive &unit_load);
 
     /**
-     * The release of lost strength that no constant load allows: the load falls while that part of
-     * its displacement which is due to opening and slip stands still (doc/theory.md, eq. 7b). The
-     * rates are those per unit of @p release.
+     * Find the release of lost strength that no constant load allows: the load falls while that
+     * part of its displacement which is due to opening and slip stays constant (doc/theory.md, eq.
+     * 7b). The rates are those per unit of @p release.
      */
     ControlledContinuation
     solve_release(const JointState &state,
@@ -185,12 +190,14 @@ namespace fuga
                   const Drive &release,
                   const Drive &unit_load);
 
-    /** The states of @p set have few enough combinations to try all. With two tangential bars, where
-     * directions of slip are all given, that is so for the set decided last. */
+    /** Return whether the states of @p set have few enough combinations to try them all. With two
+     * tangential bars, where directions of slip are all given, the answer is that for the set
+     * decided last. */
     bool
     can_be_enumerated(const std::vector<BoundaryElement> &set) const;
 
-    /** With two tangential bars, the search tried all combinations of states of the last set. */
+    /** Return whether, with two tangential bars, the search tried all combinations of states of the
+     * last set. */
     bool
     is_small() const
     {
@@ -241,11 +248,12 @@ namespace fuga
     {
       all_at_once,
       one_at_a_time,
-      /** The same where all else has failed: rates_of_scheme(). */
+      /** Like one_at_a_time, but where all else has failed; see rates_of_scheme(). */
       last_resort
     };
-    /** Along a curve every point is a solution of its own, in which a free motion that rests has to
-     * be held: only as a @p last_resort it is no mechanism. */
+    /** Compute the rates of the scheme. Along a curve every point is a solution of its own, in
+     * which a free motion that rests has to be held; it is not considered a mechanism only as a
+     * @p last_resort. */
     std::optional<WorkingScheme::FreeMotion>
     rates_of_scheme(const Drive &drive, const bool last_resort = false);
     bool
@@ -254,7 +262,7 @@ namespace fuga
                   const Drive &drive,
                   const Stride stride,
                   Continuation &result);
-    /** Tries all schemes until @p found returns true. */
+    /** Try all schemes until @p found returns true. */
     template <typename Found>
     bool
     enumerate(const JointState &state,
@@ -279,7 +287,7 @@ namespace fuga
                     const std::vector<BoundaryElement> &set,
                     const Drive &drive,
                     Continuation &result);
-    /** Whether switching from the present scheme ends in a continuation. */
+    /** A function that returns whether switching from the present scheme ends in a continuation. */
     using Guess = std::function<bool()>;
     void
     guess_by_resistance(const BoundaryLcp &lcp,
@@ -291,7 +299,8 @@ namespace fuga
                    const Drive &drive,
                    const std::vector<std::size_t> &resticking,
                    const Guess &guess);
-    /** Searches what is left when all else has failed; finds a continuation or rules it out. */
+    /** Search the remaining combinations when all else has failed; find a continuation or rule it
+     * out. */
     void
     search_all(const JointState &state,
                const std::vector<BoundaryElement> &set,
@@ -317,7 +326,7 @@ namespace fuga
     is_new(const std::vector<Branch> &known, const JointRates &rates, const Drive &drive) const;
     std::vector<std::vector<ContactState>>
     first_guesses(const std::vector<BoundaryElement> &set);
-    /** Adds to @p known, up to @p n_wanted. */
+    /** Search for branches in addition to @p known, up to a total of @p n_wanted. */
     std::vector<Branch>
     search_branches(const JointState &state,
                     const std::vector<BoundaryElement> &set,
@@ -333,7 +342,7 @@ namespace fuga
     ConeRateProblem cones;
   };
 
-  /** The states an element on a boundary can take. */
+  /** Return the states that an element on a boundary can take. */
   std::vector<ContactState>
   admissible_states(const BoundaryElement &element);
 } // namespace fuga

@@ -9,11 +9,12 @@
 
 namespace fuga
 {
-  /** Combinations of states that are tried at most: 4 of six elements, 2 of twelve. */
+  /** Largest number of combinations of states that are tried: 4 states of six elements, 2 of
+   * twelve. */
   constexpr double most_combinations = 4096.;
 
-  /** How many combinations there are of one choice for every element; @p choices lists those of
-   * each. */
+  /** Return the number of combinations of one choice for every element, where @p choices lists
+   * those of each element. */
   template <typename Choice>
   double
   n_combinations(const std::vector<std::vector<Choice>> &choices)
@@ -24,8 +25,8 @@ namespace fuga
     return n;
   }
 
-  /** Calls @p visit with the numbers of the choices of every combination, those of the first element
-   * running fastest, until it returns true. Whether it did. */
+  /** Call @p visit with the numbers of the choices of every combination, those of the first element
+   * running fastest, until it returns true. Return whether it did. */
   template <typename Choice, typename Visit>
   bool
   any_combination(const std::vector<std::vector<Choice>> &choices, const Visit &visit)

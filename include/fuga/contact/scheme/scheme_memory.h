@@ -9,7 +9,7 @@
 
 namespace fuga
 {
-  /** A row of the active matrix that was removed (by its number) or, if `removed` is none,
+  /** A row of the active matrix that was removed (given by its number) or, if `removed` is none,
    * appended. */
   struct RowExchange
   {
@@ -20,24 +20,25 @@ namespace fuga
   };
 
   /**
-   * All that the next solution of a working scheme depends on. The last bits of the updated inverse
-   * depend on its history. It is not kept itself: the matrix it was last factorised from and the
-   * rows exchanged since, repeated in their order, give it again bit for bit.
+   * Everything that the next solution of a working scheme depends on. The last bits of the updated
+   * inverse depend on its history. The inverse itself is not stored: it is reproduced bit for bit
+   * from the matrix that was last factorised and the rows exchanged since, repeated in their order.
    */
   struct SchemeMemory
   {
     bool outdated = true;
     bool singular = false;
-    /** The inverse belongs to an earlier stiffness of nonlinear layers. */
+    /** True if the inverse belongs to an earlier stiffness of nonlinear layers. */
     bool stale = false;
     std::vector<ContactState> states;
-    /** Of slip, in space. */
+    /** Directions of slip, in space. */
     std::vector<TangentVector> directions;
     std::vector<Strength> strengths;
-    /** By element; empty if no layer is nonlinear. */
+    /** Tangents of the layers, by element; empty if no layer is nonlinear. */
     std::vector<LayerTangent> tangents;
     std::vector<SchemeRow> rows;
-    /** Rows of the matrix that was factorised, capacity of its inverse, and what followed. */
+    /** Rows of the matrix that was factorised, the capacity of its inverse, and the exchanges that
+     * followed. */
     std::vector<SchemeRow> factorised_rows;
     std::size_t capacity = 0;
     std::vector<RowExchange> exchanges;

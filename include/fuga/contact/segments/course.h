@@ -12,7 +12,7 @@
 
 namespace fuga
 {
-  /** Everything the segments share, by reference. */
+  /** References to everything that the segments share. */
   struct PathContext
   {
     const std::vector<ContactElement> &elements;
@@ -22,9 +22,9 @@ namespace fuga
   };
 
   /**
-   * A load that gives way to the motion it causes, beyond its limit: the load time is
-   * t + τ ṫ + κ (τ - Σ c (d - d0)), the bracket being zero where c measures the motion exactly. How
-   * stiff κ [1/m] is does not change the path, only its parameter.
+   * A load that gives way to the motion it causes, beyond its limit: the load time is t + τ ṫ + κ
+   * (τ - Σ c (d - d0)), where the bracket is zero if c measures the motion exactly. The stiffness κ
+   * [1/m] does not affect the path, only its parameter.
    */
   struct YieldingLoad
   {
@@ -34,14 +34,15 @@ namespace fuga
     /** Factors and drive per unit of the load time. */
     Vector factor_rates;
     Drive drive;
-    /** Between these load times the segment lies. */
+    /** Load times between which the segment lies. */
     double first_t = 0., last_t = 0.;
   };
 
   /**
-   * What changes along a segment: load factors a(τ) = factors + τ rates as the load time t + τ
-   * passes, or, at a fixed load, the shear that broken elements release as τ goes from 0 to 1, or,
-   * beyond a limit load, the load that goes with the growth τ of the largest jump.
+   * The quantities that change along a segment: the load factors a(τ) = factors + τ rates while the
+   * load time t + τ passes; or, at a fixed load, the shear that broken elements release as τ goes
+   * from 0 to 1; or, beyond a limit load, the load that belongs to the growth τ of the largest
+   * jump.
    */
   struct Course
   {
@@ -57,18 +58,18 @@ namespace fuga
     double t_end = 0.;
     Vector factors;
     Vector factor_rates;
-    /** At τ = 0; see drive_at(). */
+    /** Drive at τ = 0; see drive_at(). */
     Drive drive;
-    /** Of a strength reduction: the share 1/F of strength that is left is share + τ share_rate. */
+    /** The share 1/F of strength that a strength reduction leaves is share + τ share_rate. */
     double share      = 1.;
     double share_rate = 0.;
     /** Range of τ. */
     double length = 0.;
-    /** Beyond a limit load, where directions of slip turn: then the rates above are those at τ = 0.
-     */
+    /** Set beyond a limit load where directions of slip turn; the rates above are then those at
+     * τ = 0. */
     std::optional<YieldingLoad> yielding = {};
 
-    /** Load time at @p tau; the end of the course is met exactly. */
+    /** Return the load time at @p tau; the end of the course is met exactly. */
     double
     time_at(const double tau) const;
     Vector
@@ -76,15 +77,16 @@ namespace fuga
   };
 
   /**
-   * What drives the joints at a point of a course: Course::drive, and the rates of strength that
-   * belong to the pressures there while a strength reduction goes on (doc/theory.md, section 7).
+   * Return the quantities that drive the joints at a point of a course: Course::drive, and the
+   * rates of strength that belong to the pressures there during a strength reduction
+   * (doc/theory.md, section 7).
    */
   Drive
   drive_at(const std::vector<ContactElement> &elements,
            const Course &course,
            const JointState &state);
 
-  /** Gives @p strengths what a strength reduction leaves of them at @p tau. */
+  /** Reduce @p strengths to what a strength reduction leaves of them at @p tau. */
   void
   reduce_strengths(const std::vector<ContactElement> &elements,
                    const Course &course,
@@ -92,7 +94,7 @@ namespace fuga
                    std::vector<Strength> &strengths);
 
   /**
-   * Whether a reduction bends the path of a scheme: where something slides, the equations
+   * Return whether a reduction bends the path of a scheme: where something slides, the equations
    * themselves change with the strength. Otherwise only the boundaries move.
    */
   bool
@@ -100,27 +102,28 @@ namespace fuga
                        const Course &course,
                        const JointState &state);
 
-  /** What counts as zero in a state at @p tau, without what steps of no length have widened: that
-   * is for the point where they ended. */
+  /** Return the boundary with the values that count as zero in a state at @p tau, without the
+   * widening due to steps of zero length, which applies only to the point where they ended. */
   ContactBoundary
   boundary_at(const PathContext &context,
               const Course &course,
               const double tau,
               const JointState &state);
 
-  /** Gives up, from a state at the beginning of a course, what fades until @p tau. */
+  /** Release, from a state at the beginning of a course, what fades until @p tau. */
   void
   release(const Drive &drive, const double tau, JointState &state);
 
-  /** Sets load time and water of a state; returns the factors of the loads. */
+  /** Set load time and water of a state; return the factors of the loads. */
   Vector
   set_loads(const PathContext &context, const Course &course, const double tau, JointState &state);
 
-  /** What of a state follows from dislocations, forces and τ: slips, dilations, strengths. */
+  /** Set the parts of a state that follow from dislocations, forces and τ: slips, dilations,
+   * strengths. */
   void
   set_slips(const PathContext &context, const Course &course, const double tau, JointState &state);
 
-  /** The parts of a state that follow from dislocations and τ alone: forces p = R a - W d, see
+  /** Set the parts of a state that follow from dislocations and τ alone: forces p = R a - W d, see
    * LayeredSystem::forces() for @p known, time, slips, water, reduced strengths. */
   void
   complete_state(const PathContext &context,
@@ -129,7 +132,7 @@ namespace fuga
                  JointState &state,
                  const KnownForces *known = nullptr);
 
-  /** The forces of a state that complete_state() has completed. */
+  /** Return the forces of a state that complete_state() has completed. */
   KnownForces
   known_forces(const PathContext &context,
                const Course &course,

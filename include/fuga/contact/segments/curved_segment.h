@@ -9,16 +9,16 @@
 
 namespace fuga
 {
-  /** A slip rate below this share of the largest jump rate is zero. */
+  /** Share of the largest jump rate below which a slip rate counts as zero. */
   constexpr double slip_rate_tolerance = 1e-10;
 
   /**
    * The path of a working scheme with nonlinear layers, or of one whose friction is being reduced:
-   * a smooth curve, followed by a tangent predictor and an iterated corrector. The end is located
-   * on the curve itself: the event function is interpolated by cubics between solved points, the
-   * bracket shrinks until the function vanishes at a solved point, and every other event function
-   * is watched at every point, so none is skipped. The loss of slip (re-stick) is one of these
-   * events.
+   * it is a smooth curve, which is followed by a tangent predictor and an iterated corrector. The
+   * end is located on the curve itself: the event function is interpolated by cubics between solved
+   * points, the bracket shrinks until the function vanishes at a solved point, and every other
+   * event function is monitored at every point, so that none is skipped. The loss of slip
+   * (re-stick) is one of these events.
    */
   class CurvedSegment : public PathSegment
   {
@@ -51,7 +51,7 @@ namespace fuga
     energy_lost() override;
 
   private:
-    /** Something that must stay positive: value and derivative along the path. */
+    /** A quantity that must stay positive: its value and its derivative along the path. */
     struct EventFunction
     {
       double value        = 0.;
@@ -88,10 +88,10 @@ namespace fuga
     }
     bool
     is_behind_pole() const;
-    /** Of the step from point @p a to a next one; notes its energy in @p lost. */
+    /** Return the defect of the step from point @p a to a next one; set @p lost to its energy. */
     double
     step_defect(const std::size_t a, const PathPoint &to, const double length, double &lost) const;
-    /** Of the step between points a and a + 1. */
+    /** Return the energy of the step between points a and a + 1. */
     StepEnergy
     energy_behind(const std::size_t a) const;
     double
@@ -114,19 +114,20 @@ namespace fuga
     SchemeEquilibrium equilibrium;
     std::vector<double> taus;
     std::vector<PathPoint> points;
-    /** At the beginning: the forces, and what rests there. */
+    /** Forces, and reserves that rest, at the beginning. */
     const KnownForces known;
     const std::vector<Reserve> first_reserves;
-    /** There: boundary_at(). */
+    /** The boundary_at() the beginning. */
     const ContactBoundary first_boundary;
     /** Energy lost by the step to each point, where that is known [MN m]. */
     std::vector<std::optional<double>> losses;
     std::vector<std::vector<EventFunction>> functions;
-    /** Of any bar at the points so far: the scale of the iteration. All jumps may vanish at once,
-     * where all elements lift off or come down together, and would be no scale for themselves. */
+    /** Largest jump of any bar at the points so far, used as the scale of the iteration. All jumps
+     * may vanish at once, where all elements lift off or come down together, and would then be no
+     * scale for themselves. */
     double largest_jump = 0.;
     std::vector<std::size_t> lost_slip;
-    /** Of the scheme at the start of a strength reduction. */
+    /** Sign of the determinant of the scheme at the start of a strength reduction. */
     int determinant_sign  = 0;
     bool at_limit         = false;
     bool at_turning_point = false;

@@ -13,8 +13,8 @@ namespace fuga
    * A singly diagonally implicit Runge-Kutta pair of order 5(4) with explicit first stage:
    * ESDIRK5(4)7L[2]SA2 of C. A. Kennedy and M. H. Carpenter, Diagonally implicit Runge-Kutta
    * methods for stiff ODEs, Appl. Numer. Math. 146 (2019) 221-244. It is L-stable, its stages have
-   * order 2, and its last stage is the result, so that what the stages satisfy exactly the result
-   * does as well.
+   * order 2, and its last stage is the result, so that the result exactly satisfies whatever the
+   * stages satisfy exactly.
    */
   namespace runge_kutta
   {

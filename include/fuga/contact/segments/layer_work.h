@@ -9,16 +9,16 @@
 
 namespace fuga
 {
-  /** Energy that a step along a curve loses by interpolation, and the energy of the path beside
-   * which it is small or large [MN m]. */
+  /** Energy that a step along a curve loses by interpolation, and the energy of the path to which
+   * it is compared [MN m]. */
   struct StepEnergy
   {
     double lost = 0., scale = 0.;
   };
 
   /**
-   * What the cubics between two points of a path, @p length apart, miss of the energy that the
-   * nonlinear layers store on the way. The step ends at the place @p tau of @p course.
+   * Return the energy that the nonlinear layers store between two points of a path, @p length
+   * apart, and that the cubics between them miss. The step ends at the place @p tau of @p course.
    */
   StepEnergy
   energy_of_step(const PathContext &context,
@@ -29,20 +29,21 @@ namespace fuga
                  const double tau,
                  IterationCount &count);
 
-  /** The energy that a step loses, relative to what it may lose of that which the path has left, or
-   * to @p least_loss of the work; at most 1 for a step that is short enough. */
+  /** Return the energy that a step loses, relative to what it may lose of the allowance that the
+   * path has left, or to @p least_loss of the work; at most 1 for a step that is short enough. */
   double
   energy_defect(const StepEnergy &energy, const double least_loss, const IterationCount &count);
 
-  /** Counts what the steps of @p segment have lost: the steps to come may lose so much less. */
+  /** Count the energy that the steps of @p segment have lost; the following steps may lose
+   * correspondingly less. */
   void
   note_segment(const PathContext &context,
                const Course &course,
                PathSegment &segment,
                IterationCount &count);
 
-  /** Speed of slip of an element that slips, in the direction in which its strength acts [m per
-   * unit of the path]; negative if the slip turns back. */
+  /** Return the speed of slip of an element that slips, in the direction in which its strength acts
+   * [m per unit of the path]; negative if the slip turns back. */
   double
   slip_speed(const PathContext &context, const PathPoint &point, const std::size_t k);
 } // namespace fuga

@@ -10,47 +10,48 @@
 
 namespace fuga
 {
-  /** How nonlinear layers are iterated. */
+  /** Options that control how a path is followed. */
   struct PathOptions
   {
     enum class Iteration
     {
-      /** Newton with the tangent stiffness of the layer. */
+      /** Newton's method with the tangent stiffness of the layer. */
       newton,
-      /** The paper's iteration (3), (7), (8) with a constant matrix; diverges where the layer
-         hardens too much. */
+      /** The paper's iteration (3), (7), (8) with a constant matrix; it diverges where the layer
+       * hardens too much. */
       constant_stiffness
     };
 
     enum class Follow
     {
-      /** From event to event. */
+      /** Follow the path from event to event. */
       events,
-      /** From corner to corner of the loads by implicit steps where that is possible. */
+      /** Proceed from corner to corner of the loads by implicit steps where that is possible. */
       stage_ends
     };
 
-    /** What happens where the joints can go on in several ways. */
+    /** The action where the joints can go on in several ways. */
     enum class NonUnique
     {
       /** The path ends with Verdict::non_unique_continuation. */
       stop,
       /** The first continuation found is followed. */
       first,
-      /** The one that dissipates most. */
+      /** The continuation that dissipates most is followed. */
       largest_dissipation
     };
 
     Follow follow        = Follow::events;
     NonUnique non_unique = NonUnique::stop;
-    /** Whether other continuations than the one found are looked for. */
+    /** True if continuations other than the one found are looked for. */
     bool looks_for_others = true;
-    /** Where no continuous path goes on, the path jumps to an equilibrium near by if there is one.
-     */
+    /** If true, the path jumps to an equilibrium near by, if there is one, where no continuous path
+     * goes on. */
     bool follow_jumps = false;
-    /** Goes on beyond a limit load, the load falling or constant. */
+    /** If true, the path goes on beyond a limit load, where the load falls or is constant. */
     bool beyond_limit = false;
-    /** How far the largest jump grows there [m]; 0: ten times the largest jump at the limit. */
+    /** Amount by which the largest jump grows there [m]; 0 stands for ten times the largest jump at
+     * the limit. */
     double beyond_jump  = 0.;
     Iteration iteration = Iteration::newton;
     /** Difference of two successive iterations that ends the iteration, relative to the largest
@@ -62,7 +63,8 @@ namespace fuga
     /** Energy that a path may lose by interpolation along curves, relative to the work of the bars.
      */
     static constexpr double largest_energy_loss = 3e-10;
-    /** What one step may lose of that work in any case, be the path ever so long. */
+    /** Energy that one step may lose relative to that work in any case, however long the path
+     * is. */
     double least_energy_loss    = 1e-12;
     unsigned int max_iterations = 200;
   };
@@ -73,11 +75,12 @@ namespace fuga
     std::size_t n_solutions  = 0;
     std::size_t n_iterations = 0;
     std::size_t max_in_one   = 0;
-    /** Largest energy the nonlinear layers stored: the scale of what a step may lose of it. */
+    /** Largest energy that the nonlinear layers have stored: the scale of what a step may lose of
+     * it. */
     double largest_energy = 0.;
-    /** The largest loads then, by the reactions of the closed joints. */
+    /** The largest loads up to then, measured by the reactions of the closed joints. */
     double largest_load = 0.;
-    /** Energy the steps have lost by interpolation [MN m]. */
+    /** Energy that the steps have lost by interpolation [MN m]. */
     double energy_lost = 0.;
   };
 

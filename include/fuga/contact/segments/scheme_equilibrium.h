@@ -10,7 +10,8 @@
 
 namespace fuga
 {
-  /** A closed layer is_at_closure_limit(), and no equilibrium is found behind that state. */
+  /** Thrown if a closed layer is_at_closure_limit(), and no equilibrium is found beyond that
+   * state. */
   class LawExhausted : public PathFailure
   {
   public:
@@ -28,15 +29,16 @@ namespace fuga
   class SchemeEquilibrium
   {
   public:
-    /** @p answer: which corrections count. */
+    /** Constructor. @p answer tells which corrections are accepted. */
     SchemeEquilibrium(const PathContext &context,
                       const Course &course,
                       const PathOptions &options,
                       IterationCount &count,
                       const SchemeAnswer answer = SchemeAnswer::of_no_mechanism);
 
-    /** Corrects @p state, which complete_state() has completed, at @p tau. @p largest_jump: the scale of
-     * the iteration; @p known: as there. Returns false if it does not converge. */
+    /** Correct @p state, which complete_state() has completed, at @p tau. @p largest_jump is the
+     * scale of the iteration; for @p known see there. Return false if the iteration does not
+     * converge. */
     bool
     solve(const double tau,
           const double largest_jump,
@@ -51,20 +53,20 @@ namespace fuga
     const SchemeAnswer answer;
   };
 
-  /** A closed layer is deformed by more than its law allows. */
+  /** Return whether a closed layer is deformed by more than its law allows. */
   bool
   passes_limit_of_law(const std::vector<ContactElement> &elements, const JointState &state);
 
-  /** Whether lips that are apart may meet behind the limit of their layer: where they do, an event
-   * has been passed, and a path that looks for it must be able to see that. */
+  /** Tells whether lips that are apart may meet beyond the limit of their layer: where they do, an
+   * event has been passed, and a path that looks for it must be able to see that. */
   enum class OpenLips
   {
     may_pass_limit,
     stay_short_of_limit
   };
 
-  /** Largest share of a change by which the jumps grow by @p growth_of that keeps every layer with a
-   * limit of deformation short of it. */
+  /** Return the largest share of a change, by which the jumps grow by @p growth_of, that keeps
+   * every layer with a limit of deformation short of it. */
   double
   limit_safeguard(const std::vector<ContactElement> &elements,
                   const JointState &state,

@@ -10,8 +10,8 @@
 namespace fuga
 {
   /**
-   * The length of the next step along a curve, for an error, relative to what is allowed, that
-   * grows with the fifth power of the length.
+   * Determines the length of the next step along a curve from an error, relative to what is
+   * allowed, that grows with the fifth power of the length.
    */
   class StepControl
   {
@@ -26,7 +26,7 @@ namespace fuga
       length = std::min(length, largest);
     }
 
-    /** The step has no end. */
+    /** Note that the step has no end. */
     void
     fail()
     {
@@ -34,8 +34,9 @@ namespace fuga
       length *= 0.25;
     }
 
-    /** Of steps from one point the second rejection tells how the error falls: by less than the
-     * order where directions turn into others at once. */
+    /** Note a rejected step. If a step from the same point is rejected a second time, the two
+     * errors show how the error falls: by less than the order where directions turn into others at
+     * once. */
     void
     reject(const double error)
     {
@@ -49,10 +50,10 @@ namespace fuga
       length *= std::max(0.1, 0.9 * std::pow(error, -1. / order));
     }
 
-    /** With @p foreseeing a change of what leads the error goes on from step to step: where
-     * directions turn faster and faster, as towards the apex of a cone, every second step would be
-     * rejected otherwise (Gustafsson, ACM Trans. Math. Softw. 20, 1994). A corner of a law, passed
-     * by short steps, tells nothing about what follows. */
+    /** Note an accepted step. With @p foreseeing, a change of the leading term of the error is
+     * extrapolated from step to step: where directions turn faster and faster, as towards the apex
+     * of a cone, every second step would be rejected otherwise (Gustafsson, ACM Trans. Math. Softw.
+     * 20, 1994). A corner of a law, passed by short steps, tells nothing about what follows. */
     void
     accept(const double error, const bool foreseeing)
     {

@@ -9,7 +9,8 @@
 
 namespace fuga
 {
-  /** It slips along two tangents and carries shear, so that the direction of slip may turn. */
+  /** Return whether an element slips along two tangents and carries shear, so that the direction of
+   * slip may turn. */
   inline bool
   may_turn(const ContactElement &element, const JointState &state, const std::size_t k)
   {
@@ -17,41 +18,41 @@ namespace fuga
            state.strengths[k].resists_shear();
   }
 
-  /** The stages so far of a step from τ on. */
+  /** The stages so far of a step that begins at τ. */
   struct SlipStages
   {
     double tau = -1., length = 0.;
-    /** Rates of slip along the directions, and these. */
+    /** Rates of slip along the directions, and these directions. */
     std::vector<Vector> rates;
     std::vector<std::vector<TangentVector>> directions;
-    /** The forces that slips with these rates take away per unit of τ, if they are the same all
-     * along. */
+    /** The forces that slips with these rates take away per unit of τ, if they are constant
+     * throughout. */
     std::vector<Vector> lost_forces;
 
-    /** Rates of slip of stage number @p j along both tangents. */
+    /** Return the rates of slip of stage number @p j along both tangents. */
     Vector
     velocity(const std::size_t j) const;
   };
 
   /**
-   * The path in one working scheme with slips whose directions turn. All elements but those are the
-   * *background*, a working scheme in which the turning elements stick; it answers their slips s
-   * and the rise of their lips, if need be as a nonlinear one that is linearised at every stage.
-   * With it
+   * The path in one working scheme with slips whose directions turn. All other elements form the
+   * *background*, a working scheme in which the turning elements stick. It responds to their slips
+   * s and the rise of their lips, if necessary as a nonlinear one that is linearised at every
+   * stage. With it
    *
    *     T_i + (f_i N_i - c_i) e_i = 0,   ṡ_i = γ_i e_i      for all turning elements i
    *
    * is integrated by a singly diagonally implicit Runge-Kutta pair of order 5(4): its stages are
-   * return mappings, its results are on the cones exactly, and slips that are long beside f N/k,
-   * with forces that follow them at once, do not shorten its steps. Nonlinear layers are algebraic
-   * equations of every stage. Events are located on the steps themselves: a step that passes one is
-   * repeated, shorter, until it ends there.
+   * return mappings, its results are exactly on the cones, and slips that are long compared with f
+   * N/k, with forces that follow them at once, do not shorten its steps. Nonlinear layers are
+   * algebraic equations of every stage. Events are located on the steps themselves: a step that
+   * passes one is repeated, shorter, until it ends there.
    */
   class TurningSegment : public PathSegment
   {
   public:
-    /** The scheme of @p context becomes that of the background. @p directions of all elements; those
-     * of the turning ones count. */
+    /** Constructor. The scheme of @p context becomes that of the background. @p directions are
+     * given for all elements; only those of the turning ones are used. */
     TurningSegment(const PathContext &context,
                    const Course &course,
                    const PathPoint &start,
@@ -85,17 +86,17 @@ namespace fuga
     energy_lost() override;
 
   private:
-    /** A point of the curve with all that steps and events need. */
+    /** A point of the curve with all data that steps and events need. */
     struct Station
     {
       double tau = 0.;
       PathPoint point;
       TurningStage stage;
-      /** Rates of slip along the directions: of the turning elements, then of those that slip along
-       * one tangent. */
+      /** Rates of slip along the directions: first of the turning elements, then of those that slip
+       * along one tangent. */
       Vector slip_rates;
       std::vector<Reserve> reserves;
-      /** By the step to this point [MN m]. */
+      /** Energy lost by the step to this point [MN m]. */
       double energy_lost = 0.;
     };
 
@@ -140,15 +141,16 @@ namespace fuga
     note_reserves(Station &station) const;
     double
     driving_force() const;
-    /** The load time, or the length of a path beyond a limit load, that others are small against.
-     */
+    /** Return the load time, or the length of a path beyond a limit load, that others are compared
+     * with. */
     double
     parameter_scale() const;
     bool
     loses_control(const Station &station) const;
     double
     error_of_rounding(const Station &from, const double shortest);
-    /** Where even the shortest step fails. @throws PathFailure if the curve does not end there. */
+    /** Handle a point where even the shortest step fails. @throws PathFailure if the curve does not
+     * end there. */
     void
     expect_end(const PathPoint &point, const double shortest);
     TurningStage
@@ -189,8 +191,8 @@ namespace fuga
     locate(const Station &from, const Station &passed);
     bool
     turns_back(const double negligible_load) const;
-    /** Whether the load cannot grow by more than these parts of a stage, to a limit or to a
-     * maximum; notes which. */
+    /** Return whether the load cannot grow by more than these parts of a stage, to a limit or to a
+     * maximum; note which. */
     bool
     is_below_end_of_path(const double near_limit, const double near_maximum);
     std::vector<CurvePoint>
@@ -201,29 +203,29 @@ namespace fuga
     PathContext context;
     const Course course;
     const PathPoint start;
-    /** There: boundary_at(). */
+    /** The boundary_at() the start. */
     const ContactBoundary first_boundary;
-    /** Numbers of the turning elements, and of all that slip: these first. */
+    /** Numbers of the turning elements, and of all elements that slip, the turning ones first. */
     std::vector<std::size_t> turning, slipping;
     /** tan ψ of the turning elements. */
     const Vector dilatancies;
-    /** The start as the background sees it: turning elements stick. */
+    /** The start as the background sees it, with the turning elements stuck. */
     JointState stuck;
-    /** The background answers linearly, everywhere along the segment in the same way. */
+    /** True if the background responds linearly, everywhere along the segment in the same way. */
     const bool linear;
     const double step_tolerance, least_energy_loss;
     IterationCount &count;
     TurningStageSolver solver;
     SchemeEquilibrium equilibrium;
-    /** Largest force and jump, what errors are relative to. */
+    /** Largest force and jump, which errors are relative to. */
     double force_scale = 0., jump_scale = 0.;
-    /** By how much an iteration about a nonlinear background has brought its slips closer to their
-     * end, at last. */
+    /** Factor by which the last iteration about a nonlinear background brought its slips closer to
+     * their end. */
     double contraction = 1.;
     bool at_limit = false, at_turning_point = false;
     double end = 0.;
     std::vector<Station> curve;
-    /** Of the last step that could be taken. */
+    /** The stages of the last step that was successful. */
     SlipStages last_stages;
     std::vector<std::size_t> lost_slip;
   };

@@ -18,9 +18,9 @@ namespace fuga
   struct TurningElement
   {
     std::size_t element = 0;
-    /** f, and c: all that does not depend on the pressure [MN]. */
+    /** f and c, where c contains everything that does not depend on the pressure [MN]. */
     double friction = 0., cohesion = 0.;
-    /** Their rates per unit of τ. */
+    /** Rates of f and c per unit of τ. */
     double friction_rate = 0., cohesion_rate = 0.;
     /** tan ψ: how fast the lips rise as they slide. */
     double rise = 0.;
@@ -28,7 +28,7 @@ namespace fuga
 
   /**
    * The forces of the turning elements near a point of the path, three each (N, T1, T2), as all
-   * others answer their slips s and the rise ω of their lips:
+   * other elements respond to their slips s and the rise ω of their lips:
    *
    *     p = forces + (τ - τ0) rates - against_slip (s - s0) - against_rise (ω - ω0)
    */
@@ -38,7 +38,7 @@ namespace fuga
     Accurate slips;
     Vector dilations;
     Vector forces, rates;
-    /** 3n x 2n, and 3n x n; the latter is empty where no lips rise. */
+    /** 3n x 2n and 3n x n matrices; the latter is empty where no lips rise. */
     DenseMatrix against_slip, against_rise;
   };
 
@@ -57,13 +57,13 @@ namespace fuga
   };
 
   /**
-   * The implicit equations of all turning elements together. Wanted are slips s = s* + ξ e, with
-   * ω = ω* + ξ tan ψ, in the directions e of T. With Demand::cone they are such that
-   * T + (f N - c) e = 0: a return mapping. With Demand::rates the slips ξ e are what flows with the
-   * rates at τ while the path goes on by λ: e·q_t + f q_n = λ (ċ - ḟ N), with q the change of
-   * forces by λ and ξ. Unknowns are ξ and the angles of e, so that neither N = 0 nor ξ = 0 is a
-   * singular point. Solved by a quasi-Newton method: factors are kept, for both demands, as long as
-   * they serve, and learn from their steps.
+   * The implicit equations of all turning elements together. They determine slips s = s* + ξ e,
+   * with ω = ω* + ξ tan ψ, in the directions e of T. With Demand::cone they are such that T + (f
+   * N - c) e = 0: a return mapping. With Demand::rates the slips ξ e are those that flow with the
+   * rates at τ while the path goes on by λ: e·q_t + f q_n = λ (ċ - ḟ N), where q is the change of
+   * forces by λ and ξ. The unknowns are ξ and the angles of e, so that neither N = 0 nor ξ = 0 is a
+   * singular point. They are solved by a quasi-Newton method: factors are kept, for both demands,
+   * as long as they are useful, and are updated from its steps.
    */
   class TurningStageSolver
   {
@@ -74,21 +74,23 @@ namespace fuga
       rates
     };
 
-    /** @p stiffness: of the tangential bars of each element, nothing else moving: the size of terms
-     * [MN/m]. */
+    /** Constructor. @p stiffness is that of the tangential bars of each element while nothing else
+     * moves, which gives the size of terms [MN/m]. */
     TurningStageSolver(const Vector &stiffness, IterationCount &count);
 
-    /** How the forces answer from now on, and the strengths of the elements. */
+    /** Set the response of the forces from now on; set_strengths() sets the strengths of the
+     * elements. */
     void
     set_response(TurningResponse &&response);
     void
     set_strengths(const std::vector<TurningElement> &elements);
 
-    /** The forces of the turning elements at @p tau with the slips and dilations of @p stage. */
+    /** Return the forces of the turning elements at @p tau with the slips and dilations of
+     * @p stage. */
     Vector
     forces_at(const double tau, const TurningStage &stage) const;
 
-    /** How fast they grow with τ if nothing slips. */
+    /** Return the rates at which they grow with τ if nothing slips. */
     const Vector &
     load_rates() const
     {
@@ -96,9 +98,9 @@ namespace fuga
     }
 
     /**
-     * Finds the stage at @p tau from the slips and dilations of @p base (s*, ω*) and the forces with
+     * Find the stage at @p tau from the slips and dilations of @p base (s*, ω*) and the forces with
      * them; @p advance is λ. The directions of @p stage and the lengths @p xi are the first guess
-     * and are overwritten. Returns false if there is no solution near by.
+     * and are overwritten. Return false if there is no solution near by.
      */
     bool
     solve(const Demand demand,
@@ -108,27 +110,27 @@ namespace fuga
           Vector &xi,
           TurningStage &stage);
 
-    /** The slips and dilations of @p base and of the lengths @p xi along the directions of
-     * @p stage. */
+    /** Set the slips and dilations to those of @p base plus the lengths @p xi along the directions
+     * of @p stage. */
     void
     set_slips(const TurningStage &base, const Vector &xi, TurningStage &stage) const;
 
-    /** The forces that slips and dilations take away. */
+    /** Return the forces that slips and dilations take away. */
     Vector
     resistance(const Vector &slips, const Vector &dilations) const;
 
-    /** Rates of slip γ that keep the forces on the cones, e·Ṫ + f Ṅ = ċ - ḟ N; nothing if they are
-     * not determined. */
+    /** Return the rates of slip γ that keep the forces on the cones, e·Ṫ + f Ṅ = ċ - ḟ N; nothing
+     * if they are not determined. */
     std::optional<Vector>
     slip_rates(const TurningStage &stage) const;
 
   private:
-    /** Residuals, two per element, and the forces that come with the flow, q of Demand::rates. */
+    /** Residuals, two per element, and the forces that belong to the flow, q of Demand::rates. */
     struct Residual
     {
       Vector values;
       Vector flow;
-      /** Largest one in units of what rounding leaves. */
+      /** Largest residual in units of the error that rounding leaves. */
       double worst = 0.;
     };
 
@@ -147,7 +149,7 @@ namespace fuga
             const TurningStage &base,
             Vector &xi,
             TurningStage &stage);
-    /** What rounding leaves of the residuals of the elements. */
+    /** Return the error that rounding leaves in the residuals of the elements. */
     Vector
     noise(const double tau, const TurningStage &base) const;
     Residual
@@ -157,19 +159,19 @@ namespace fuga
              const double advance,
              const Vector &xi,
              TurningStage &stage) const;
-    /** Returns false if it turned directions less than it should. */
+    /** Take a step. Return false if it turned directions less than it should. */
     static bool
     take_step(const Vector &step, const Vector &arms, Vector &xi, TurningStage &stage);
-    /** Factors for @p demand; those of the other demand serve as well at first. Returns whether they
-     * are new. */
+    /** Set the factors for @p demand; those of the other demand are sufficient at first. Return
+     * whether they are new. */
     bool
     take_factors(const Demand demand,
                  const double advance,
                  const Vector &xi,
                  const TurningStage &stage,
                  const Residual &residual);
-    /** Force number @p row that is lost as element @p j slips by @p slip, its lips rising by
-     * @p rise. */
+    /** Return force number @p row that is lost as element @p j slips by @p slip while its lips rise
+     * by @p rise. */
     double
     lost_force(const std::size_t row,
                const std::size_t j,
@@ -179,11 +181,12 @@ namespace fuga
     const Vector diagonal;
     IterationCount &count;
     TurningResponse response;
-    /** Size of the forces that the turning elements would have without their slips. */
+    /** Sizes of the forces that the turning elements would have without their slips. */
     Vector force_sizes;
     std::vector<TurningElement> turning;
     std::array<Factorisation, 2> factorisations;
-    /** Turns do more to the slips of others than factors without them could make up for. */
+    /** True if turns affect the slips of others by more than factors without them could
+     * compensate. */
     bool turns_are_coupled = false;
   };
 } // namespace fuga

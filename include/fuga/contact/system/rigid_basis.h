@@ -13,8 +13,8 @@ namespace fuga
 {
   /**
    * The rigid motions of the bodies that no support holds, orthonormal in the interface coordinates
-   * and in extended precision. A body on a soft joint moves by far more than it deforms; S x is
-   * then all rounding, unless the motion, which S does not feel, is taken out of x before.
+   * and in extended precision. A body on a soft joint moves far more than it deforms; S x is then
+   * nothing but rounding unless the motion, which S does not feel, is removed from x before.
    */
   class RigidBasis
   {
@@ -27,15 +27,15 @@ namespace fuga
       return motions.empty();
     }
 
-    /** x without its rigid part. */
+    /** Remove the rigid part from x. */
     void
     remove(Accurate &x) const;
 
-    /** Gives condensed forces f the resultants that the load patterns with the factors @p a have. */
+    /** Give condensed forces f the resultants of the load patterns with the factors @p a. */
     void
     correct_resultants(const Accurate &a, Accurate &f) const;
 
-    /** S x: the rigid part of x meets no resistance, and the resistance has no resultant. */
+    /** Return S x: the rigid part of x meets no resistance, and the resistance has no resultant. */
     Accurate
     resistance(const DenseMatrix &S, const Accurate &x) const;
 
@@ -43,7 +43,7 @@ namespace fuga
     struct Motion
     {
       Accurate coordinates;
-      /** Work of the load patterns. */
+      /** Work of the load patterns on the motions. */
       Accurate loads;
     };
 

@@ -8,8 +8,8 @@
 
 namespace fuga
 {
-  /** Rigid motions of floating bodies: jumps of all bars (columns), and the work of the loads on
-   * them. */
+  /** Rigid motions of floating bodies: the jumps of all bars (in columns), and the work of the
+   * loads on them. */
   struct RigidMotions
   {
     DenseMatrix jumps;
@@ -17,17 +17,18 @@ namespace fuga
   };
 
   /**
-   * Inserts springs between the bodies: the bars @p soft get the relation p = C (δ - d) instead of δ = d,
-   * the bars @p others keep theirs. W and R (on entry S and F of the bodies) are overwritten.
+   * Insert springs between the bodies: the bars @p soft get the relation p = C (δ - d) instead of
+   * δ = d, the bars @p others keep theirs. W and R (on entry S and F of the bodies) are
+   * overwritten.
    *
-   * A body that only soft bars hold moves by far more than it deforms, and W is then a small
+   * A body that only soft bars hold moves far more than it deforms, and W is then a small
    * difference of large numbers: with S/C = 1e9 nine digits would be lost. The motions that only
-   * soft bars resist are therefore explicit unknowns q, δ = G q + y, and W comes out right relative
-   * to C; equilibrium of the floating bodies holds to rounding. Derivation: doc/theory.md,
-   * section 3.
+   * soft bars resist are therefore explicit unknowns q, δ = G q + y, and W is accurate relative to
+   * C; equilibrium of the floating bodies holds to rounding. Derivation: doc/theory.md, section 3.
    *
-   * Returns the largest jump of another bar in a motion of size one that only soft bars are said to
-   * resist: zero but for the rounding of the geometry, and W is wrong by as much of these motions.
+   * Return the largest jump of another bar in a motion of size one that only soft bars are said to
+   * resist. It is zero up to the rounding of the geometry, and is the relative error of W in these
+   * motions.
    *
    * @throws NumericalFailure if the bodies are not held even with all bars closed and sticking.
    */
@@ -40,15 +41,14 @@ namespace fuga
                    const RigidMotions &motions);
 
   /**
-   * Inserts a bar of the compliance D between the bodies along every coordinate. The bars are split
+   * Insert a bar of the compliance D between the bodies along every coordinate. The bars are split
    * at the bodies' own stiffness: each half uses the formula that does not cancel. W and R (on
-   * entry S and F of the bodies) are overwritten.
-   * Returns and throws what insert_soft_bars() does.
+   * entry S and F of the bodies) are overwritten. Return and throw the same as insert_soft_bars().
    */
   double
   insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions);
 
-  /** Rows @p rows and columns @p columns of A. */
+  /** Return rows @p rows and columns @p columns of A. */
   DenseMatrix
   submatrix(const DenseMatrix &A,
             const std::vector<std::size_t> &rows,
@@ -57,11 +57,11 @@ namespace fuga
   DenseMatrix
   transposed(const DenseMatrix &A);
 
-  /** All column numbers of A. */
+  /** Return all column numbers of A. */
   std::vector<std::size_t>
   all_columns(const DenseMatrix &A);
 
-  /** Multiplies row i by factors[i]. */
+  /** Multiply row i by factors[i]. */
   void
   scale_rows(DenseMatrix &A, const Vector &factors);
 

@@ -10,12 +10,12 @@
 
 namespace fuga
 {
-  /** Stiffness of one element's bars, in the order normal, first tangent, second tangent; need not
-   * be symmetric [MN/m]. */
+  /** Stiffness of the bars of one element, in the order normal, first tangent, second tangent; it
+   * need not be symmetric [MN/m]. */
   using ElementStiffness = std::array<std::array<double, 3>, 3>;
 
-  /** Solves the bodies together with linear bars where the stiffness S of the bodies is not known
-   * as a matrix. */
+  /** Solves for the bodies together with linear bars where the stiffness S of the bodies is not
+   * known as a matrix. */
   class TangentSolver
   {
   public:
@@ -33,15 +33,15 @@ namespace fuga
 
     virtual ~TangentSolver() = default;
 
-    /** For every bar the stiffness of the bodies against its jump if nothing but its lips moved
-     * [MN/m]. */
+    /** Return for every bar the stiffness of the bodies against its jump if nothing but its lips
+     * moved [MN/m]. */
     virtual Vector
     stiffness_of_lips() const = 0;
 
     /**
-     * Solves (S + Bᵀ C B) x = r with C of @p bars, one per contact element, to the relative residual
-     * @p tolerance. What the solution @p so_far, which this one is to be added to, has left inside
-     * the bodies is solved for with it.
+     * Solve (S + Bᵀ C B) x = r with C of @p bars, one per contact element, to the relative residual
+     * @p tolerance. What the solution @p so_far, to which this one is to be added, has left inside
+     * the bodies is solved for as well.
      * @throws NumericalFailure
      */
     virtual Solution
@@ -50,8 +50,8 @@ namespace fuga
                     const Solution &so_far,
                     const double tolerance) const = 0;
 
-    /** Makes the resistance to x exact: of a sum of solutions with little to be done, of x alone
-     * from the beginning. */
+    /** Make the resistance to x exact: for a sum of solutions with little effort, for x alone from
+     * the beginning. */
     virtual void
     refine(Solution &solution) const = 0;
   };

@@ -10,7 +10,7 @@ namespace fuga
 {
   /**
    * The explicit inverse of a small matrix that changes by one row and column at a time. An
-   * insertion or removal costs O(n²); rebuild() starts afresh from LU factors.
+   * insertion or removal costs O(n²); rebuild() starts again from LU factors.
    */
   class UpdatedInverse
   {
@@ -21,43 +21,43 @@ namespace fuga
       return n;
     }
 
-    /** The size up to which the matrix can grow where it lies. */
+    /** Return the size up to which the matrix can grow without reallocation. */
     std::size_t
     capacity() const
     {
       return stride;
     }
 
-    /** Makes room for a matrix of this size. */
+    /** Reserve space for a matrix of this size. */
     void
     reserve(const std::size_t new_size);
 
-    /** Sign of the determinant of the matrix, kept through all changes. */
+    /** Return the sign of the determinant of the matrix, which is kept through all changes. */
     int
     determinant_sign() const
     {
       return sign;
     }
 
-    /** Entry of the inverse. On the diagonal: the determinant without row and column k over the
-     * determinant with them. */
+    /** Return an entry of the inverse. On the diagonal it is the determinant without row and column
+     * k divided by the determinant with them. */
     double
     entry(const std::size_t i, const std::size_t j) const
     {
       return column(j)[i];
     }
 
-    /** Pivot that append() would return. */
+    /** Return the pivot that append() would return. */
     double
     pivot_of(const Vector &column, const Vector &row, const double diagonal) const;
 
-    /** The inverse of @p matrix. Returns false if it is singular to working precision. */
+    /** Compute the inverse of @p matrix. Return false if it is singular to working precision. */
     bool
     rebuild(DenseMatrix &&matrix);
 
     /**
-     * Appends a last row @p row, column @p column and diagonal entry @p diagonal. The pivot (Schur
-     * complement of the new entry) is returned; if its size is not above @p smallest_pivot nothing is
+     * Append a last row @p row, column @p column and diagonal entry @p diagonal. Return the pivot
+     * (Schur complement of the new entry); if its size is not above @p smallest_pivot nothing is
      * changed.
      */
     double
@@ -67,21 +67,21 @@ namespace fuga
            const double smallest_pivot);
 
     /**
-     * Removes row and column @p k; the last ones take its place. Returns false, having changed nothing,
-     * if the remaining matrix is singular to working precision.
+     * Remove row and column @p k; the last ones take their place. Return false, having changed
+     * nothing, if the remaining matrix is singular to working precision.
      */
     bool
     remove(const std::size_t k);
 
-    /** x = M⁻¹ b. */
+    /** Return x = M⁻¹ b. */
     Vector
     solve(const Vector &b) const;
 
-    /** The same for all columns of B. */
+    /** Return M⁻¹ B, i.e. the solution for all columns of B. */
     DenseMatrix
     solve(const DenseMatrix &B) const;
 
-    /** x = M⁻ᵀ b. */
+    /** Return x = M⁻ᵀ b. */
     Vector
     solve_transposed(const Vector &b) const;
 

@@ -9,30 +9,37 @@
 
 namespace fuga
 {
-  /** More steps of a motion than anybody waits for: a slip of units. */
+  /** A larger number of steps of a motion takes too long and indicates a wrong unit. */
   constexpr double largest_number_of_steps = 1e6;
 
   /**
-   * Sections Dynamics and Earthquake, the velocities with which bodies begin, and what stages with
-   * a duration ask of everything else, which must have been read. @throws InputError
+   * Read sections Dynamics and Earthquake and the initial velocities of bodies, and check what
+   * stages with a duration require of everything else, which must have been read. @throws
+   * InputError
    */
   void
   read_dynamics(const ParameterValues &values, Parameters &parameters);
 
-  /** Section Earthquake. @throws InputError */
+  /** Read section Earthquake. @throws InputError */
   void
   read_earthquake(const ParameterValues &values, Parameters &parameters);
 
-  /** What cannot be done together with stages with a duration. @throws InputError */
+  /**
+   * Check that nothing is requested that cannot be combined with stages with a duration. @throws
+   * InputError
+   */
   void
   check_dynamic_stages(const ParameterValues &values, const Parameters &parameters);
 
-  /** What Solver/Beyond limit load = dynamic needs, and what cannot be done together with it.
-   * @throws InputError */
+  /**
+   * Check the requirements of Solver/Beyond limit load = dynamic, and that nothing is requested
+   * that cannot be combined with it.
+   * @throws InputError
+   */
   void
   check_continuation(const ParameterValues &values, const Parameters &parameters);
 
-  /** Fails at an entry that has no default. */
+  /** Fail at an entry that has no default. */
   void
   refuse_without_motion(const ParameterSection &section);
 } // namespace fuga

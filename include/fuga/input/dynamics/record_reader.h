@@ -10,10 +10,10 @@
 
 namespace fuga
 {
-  /** Which numbers of a text are the record; columns are counted from 1. */
+  /** The columns of a text that contain the record; they are counted from 1. */
   struct RecordColumns
   {
-    /** 0: there is none, and the step is given [s]. */
+    /** Column of the time; 0: there is none, and the step is given [s]. */
     unsigned int time = 1;
     double step       = 0.;
 
@@ -21,8 +21,9 @@ namespace fuga
   };
 
   /**
-   * Samples in lines of numbers between blanks, commas or semicolons, with comments from # on, in
-   * the unit of the text. Times go in equal steps, up to the rounding of their digits.
+   * Read samples from lines of numbers separated by blanks, commas or semicolons, with comments
+   * starting at #, in the unit of the text. Times increase in equal steps, up to the rounding of
+   * their digits.
    * @throws InputError that begins with @p name and the line.
    */
   GroundMotion
@@ -30,9 +31,11 @@ namespace fuga
                          const std::string &text,
                          const RecordColumns &columns);
 
-  /** The same of the form of the PEER data base: lines that end with the number of samples and
-   * their step, in one of the two forms "NPTS= 4000, DT= .005 SEC" and "4000 .005 NPTS, DT"; then
-   * samples, any number in a line. */
+  /**
+   * Read samples in the format of the PEER data base: lines that end with the number of samples and
+   * their step, in one of the two forms "NPTS= 4000, DT= .005 SEC" and "4000 .005 NPTS, DT";
+   * followed by samples, any number per line.
+   */
   GroundMotion
   read_record_at2(const std::string &name, const std::string &text);
 } // namespace fuga

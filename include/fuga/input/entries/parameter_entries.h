@@ -11,8 +11,8 @@ namespace fuga
 {
   /*
    * The sections of a parameter file. Their constructors (parameter_table*.cc) give every entry its
-   * name, which stands nowhere else: readers and messages take it from here. Entries without a
-   * member here are read into the structure to which the constructor binds them.
+   * name, which occurs nowhere else: readers and messages use the one defined here. Entries without
+   * a member here are read into the structure to which the constructor binds them.
    */
 
   struct TopLevel : SectionDeclaration
@@ -45,7 +45,7 @@ namespace fuga
 
     Entry<LayerLaw> law;
     Number compliance, stiffness;
-    /** Null in shear. */
+    /** Limit of the closure; null in shear. */
     Number closure_limit;
     Number reference_deformation, reference_stress, exponent;
     Text table;
@@ -127,7 +127,7 @@ namespace fuga
     Entry<JointEnd> upstream_end;
     Text flow_direction;
     Entry<Uplift::ProfileFrom> profile_from;
-    /** Whether the pressure of the reservoir comes into them. */
+    /** Whether the pressure of the reservoir enters cracks. */
     Entry<bool> cracks;
     Text tailwater_level;
     Number drain_distance, drain_efficiency;
@@ -146,7 +146,7 @@ namespace fuga
     StageEntries();
     Text loads, grouted_joints;
     Number duration;
-    /** Whether it stands still. */
+    /** Whether the water in joints stands still. */
     Entry<bool> water;
   };
 
@@ -159,11 +159,11 @@ namespace fuga
     Text massless_bodies, absorbing, damping_frequencies;
   };
 
-  /** How a file says what the acceleration is. */
+  /** The format of a file with accelerations. */
   enum class RecordFormat
   {
     columns,
-    /** Of the Pacific Earthquake Engineering Research Center. */
+    /** Format of the Pacific Earthquake Engineering Research Center. */
     at2
   };
 
@@ -174,12 +174,12 @@ namespace fuga
     length
   };
 
-  /** Where the motion of a record was, or is to be. */
+  /** The place where the motion of a record was measured, or is to occur. */
   enum class RecordMotion
   {
-    /** At the free surface of the rock of the base, where waves are thrown back: twice the wave. */
+    /** At the free surface of the rock of the base, where waves are reflected: twice the wave. */
     outcrop,
-    /** In the wave that comes up. */
+    /** In the upward wave. */
     upward_wave
   };
 
@@ -187,7 +187,7 @@ namespace fuga
   {
     EarthquakeEntries();
     Text stage;
-    /** Along x, y, z. */
+    /** Records along x, y, z. */
     std::array<Text, 3> records;
     Entry<RecordFormat> format;
     Integer time_column, acceleration_column;
@@ -195,7 +195,7 @@ namespace fuga
     Entry<RecordUnit> unit;
     Entry<Baseline> baseline;
     Text compliant_base, free_field;
-    /** Share of the record that comes up. */
+    /** Determines the share of the record that is in the upward wave. */
     Entry<RecordMotion> motion;
     Text added_mass;
     Number level, bottom, unit_weight;
@@ -225,7 +225,7 @@ namespace fuga
   struct SweepEntries : SectionDeclaration
   {
     SweepEntries();
-    /** Whether the values of all lines go in step. */
+    /** Whether the values of all lines are varied together, not in all combinations. */
     Entry<bool> combination;
     Text stages, joints;
     /** Entries of all joints, or of those that `joints` lists, by their own names. */

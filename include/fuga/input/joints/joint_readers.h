@@ -13,21 +13,23 @@
 
 namespace fuga
 {
-  /** What reading the layer of a joint depends on besides its own section. */
+  /** Data outside of the section of a joint on which reading its layer depends. */
   struct LayerSurroundings
   {
     const std::map<std::string, double> &constants;
     /** Stress up to which laws are checked [MPa]. */
     double largest_stress;
-    /** Laws that section Sweep gives the joint: the section of the joint has the entries of all of
-     * them. */
+    /**
+     * Laws that section Sweep assigns to the joint, whose section contains the entries of all of
+     * them.
+     */
     std::vector<LayerLaw> swept_normal_laws, swept_shear_laws;
-    /** The joint has shear strength, so that it needs a shear law. */
+    /** Whether the joint has shear strength, so that it needs a shear law. */
     bool has_shear;
   };
 
   /**
-   * Reads compliance and curve of one direction into @p joint, whose law is known, and checks the
+   * Read compliance and curve of one direction into @p joint, whose law is known, and check the
    * law.
    * @throws InputError for entries that are missing or belong to another law, and for laws that
    * check_law() refuses.
@@ -38,19 +40,19 @@ namespace fuga
              const LayerSurroundings &surroundings,
              JointParameters &joint);
 
-  /** Friction, bond and dilatancy of one joint. @throws InputError */
+  /** Read friction, bond and dilatancy of one joint. @throws InputError */
   FrictionLaw
   read_strength(const ParameterSection &section);
 
-  /** How the shear stiffness of a joint grows. @throws InputError */
+  /** Read the growth of the shear stiffness of a joint. @throws InputError */
   ShearGrowth
   read_shear_growth(const ParameterSection &section);
 
-  /** That it goes together with the joint's laws and friction. @throws InputError */
+  /** Check that this growth is compatible with the joint's laws and friction. @throws InputError */
   void
   check_shear_growth(const ParameterSection &section, const JointParameters &joint);
 
-  /** Section Joints. @throws InputError */
+  /** Read section Joints. @throws InputError */
   std::vector<JointParameters>
   read_joints(const ParameterValues &values, const ModelDefinition &model);
 } // namespace fuga

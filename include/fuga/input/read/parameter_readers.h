@@ -13,42 +13,42 @@
 
 namespace fuga
 {
-  /** Section Boundaries of a plane problem. @throws InputError */
+  /** Read section Boundaries. @throws InputError */
   std::vector<BoundaryCondition>
   read_boundaries(const ParameterValues &values, const unsigned int dimension);
 
-  /** Section Monitors. @throws InputError */
+  /** Read section Monitors. @throws InputError */
   std::vector<MonitorDefinition>
   read_monitors(const ParameterValues &values, const unsigned int dimension);
 
-  /** A path of a parameter file, which is relative to the folder of the file. */
+  /** Resolve a path of a parameter file, which is relative to the folder of the file. */
   std::string
   resolve(const std::string &parameter_file, const std::string &path);
 
-  /** Section Output, for the stages and monitors of the model. @throws InputError */
+  /** Read section Output, for the stages and monitors of the model. @throws InputError */
   void
   read_output(const ParameterValues &values, Parameters &parameters);
 
-  /** A file, or a variant of it. Errors go to @p errors and are thrown. */
+  /** Read a file, or a variant of it. Errors are added to @p errors and thrown. */
   Parameters
   read_scan(const ParameterScan &scan, InputErrors &errors);
 
-  /** All variants of a sweep. @throws InputError with the errors of all of them. */
+  /** Read all variants of a sweep. @throws InputError with the errors of all of them. */
   Parameters
   read_sweep(const SweepPlan &plan);
 
   /**
-   * Section Safety: appends the stages that look for a factor of safety and marks the joints whose
-   * strength is reduced. @throws InputError
+   * Read section Safety: append the stages that search for a factor of safety and mark the joints
+   * whose strength is reduced. @throws InputError
    */
   void
   read_safety(const ParameterValues &values, Parameters &parameters);
 
-  /** Section Target accuracy. @throws InputError */
+  /** Read section Target accuracy. @throws InputError */
   void
   read_accuracy(const ParameterValues &values, Parameters &parameters);
 
-  /** What several sections together can get wrong. @throws InputError naming both culprits. */
+  /** Check for errors that involve several sections. @throws InputError naming both culprits. */
   void
   check_loads_and_supports(const ParameterValues &values, const ModelDefinition &model);
 } // namespace fuga

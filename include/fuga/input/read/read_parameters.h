@@ -9,8 +9,8 @@
 namespace fuga
 {
   /**
-   * Reads a .prm or .json file, applies the @p overrides ("Section/Sub/Entry=value"; an empty value
-   * takes the entry out of the file) and checks everything that can be checked without the mesh.
+   * Read a .prm or .json file, apply the @p overrides ("Section/Sub/Entry=value"; an empty value
+   * removes the entry from the file) and check everything that can be checked without the mesh.
    * @throws InputError whose message names file, line, entry, value, what is allowed and what to
    * do.
    */
@@ -18,13 +18,17 @@ namespace fuga
   read_parameters(const std::string &file, const std::vector<std::string> &overrides = {});
 
   /**
-   * A complete parameter file with every entry, its documentation and its default (or an example
-   * where there is none). Entries which may only be given in place of another one are comments.
+   * Return a complete parameter file with every entry, its documentation and its default (or an
+   * example where there is none). Entries which may only be given in place of another one are
+   * comments.
    */
   std::string
   default_parameter_text();
 
-  /** The echo as a JSON object with nested sections: itself a valid .json parameter file. */
+  /**
+   * Return the echo as a JSON object with nested sections, which is itself a valid .json parameter
+   * file.
+   */
   std::string
   echo_json(const Parameters &parameters);
 } // namespace fuga

@@ -20,32 +20,33 @@ namespace fuga
   public:
     ConstantExpressions();
 
-    /** A constant that later expressions may use. */
+    /** Add a constant that later expressions may use. */
     void
     add(const std::string &name, const double value);
 
-    /** A constant with an error of its own: what is written with it is not looked at. */
+    /** Add a constant that has an error itself: expressions that use it are not evaluated. */
     void
     add_unknown(const std::string &name);
 
-    /** What came of a text. */
+    /** The result of evaluating a text. */
     struct Result
     {
-      /** With numbers in the place of expressions; else as it was. */
+      /** The text with numbers in place of expressions; otherwise unchanged. */
       std::string text;
-      /** "" or a sentence that says what is wrong and what to do. */
+      /** Empty, or a sentence that says what is wrong and what to do. */
       std::string problem;
-      /** It depends on a constant that is not known for an error of its own. */
+      /** Whether it depends on a constant that is unknown because of an error in it. */
       bool is_unknown = false;
     };
 
-    /** A text that stands for one number. */
+    /** Evaluate a text that represents one number. */
     Result
     number(const std::string &text) const;
 
     /**
-     * The numbers of a table "a: b; a: b", a vector "a; b" or a list "a, b". What is no expression
-     * of constants stays as it is, and texts that are neither: a name, an expression of x or t.
+     * Evaluate the numbers of a table "a: b; a: b", a vector "a; b" or a list "a, b". Parts that
+     * are not expressions of constants stay unchanged, and so do other texts: a name, an expression
+     * of x or t.
      */
     Result
     numbers(const std::string &text) const;

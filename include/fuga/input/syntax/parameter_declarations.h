@@ -14,59 +14,59 @@ namespace fuga
 {
   class ParameterSection;
 
-  /** Whether an entry has to be there. */
+  /** Tells whether an entry has to be given. */
   enum class Presence
   {
-    /** Must be given wherever its section stands. */
+    /** The entry must be given wherever its section occurs. */
     required,
-    /** May be absent, which means something else than any value. */
+    /** The entry may be absent, which means something different from any value. */
     optional,
-    /** Has a default. */
+    /** The entry has a default. */
     defaulted
   };
 
-  /** What has to be done again when an entry changes. */
+  /** The part of a computation that has to be repeated when an entry changes. */
   enum class Decides
   {
-    /** Nothing that a run has computed: a restart may change it. */
+    /** None of the results of a run: a restart may change the entry. */
     nothing,
-    /** Everything, from the elimination of the bodies on. */
+    /** Everything, starting with the elimination of the bodies. */
     condensation,
     /** The layers of the joints. */
     layers,
-    /** The path only: strength of the joints, motion of the ground. */
+    /** Only the path: strength of the joints, motion of the ground. */
     path
   };
 
-  /** What is known of one entry before any file is read. */
+  /** The properties of one entry that are known before any file is read. */
   struct EntryDeclaration
   {
     std::string name;
     Presence presence = Presence::defaulted;
     std::string default_value;
-    /** One of these words, a number of this range, or else any text. */
+    /** The allowed values: one of these words, a number in this range, or otherwise any text. */
     std::vector<std::string> words;
     std::optional<NumberRange> range;
     TextContent content = TextContent::words;
     std::string documentation;
     /** Values in default_parameter_text(), one per example section; none = a commented line. */
     std::vector<std::string> examples;
-    /** `set NAME =` without a value is meaningful. */
+    /** Whether `set NAME =` without a value is meaningful. */
     bool accepts_empty = false;
     Decides decides    = Decides::condensation;
-    /** The entry that says the same in another way: one of the two is given. */
+    /** An entry that expresses the same in another way: one of the two is given. */
     const EntryDeclaration *alternative = nullptr;
 
-    /** What is allowed, in words. */
+    /** Return the allowed values in words. */
     std::string
     allowed() const;
 
-    /** Why @p value is not allowed; "" if it is. */
+    /** Return the reason why @p value is not allowed; "" if it is allowed. */
     std::string
     problem(const std::string &value) const;
   };
 
-  /** An entry in the hands of a reader; valid as long as the program runs. */
+  /** An entry as used by readers; valid as long as the program runs. */
   struct AnyEntry
   {
     const EntryDeclaration *declaration = nullptr;
@@ -84,23 +84,23 @@ namespace fuga
     }
   };
 
-  /** An entry whose value is a Value. */
+  /** An entry whose value is of type Value. */
   template <typename Value>
   struct Entry : AnyEntry
   {
-    /** The words of a choice with what they mean. */
+    /** The words of a choice and their meanings. */
     Words<Value> words;
-    /** The row of the table, which the constructor of the section goes on filling. */
+    /** The row of the table, which the constructor of the section continues to fill. */
     EntryDeclaration *row = nullptr;
 
-    /** How a file says @p value. */
+    /** Return the text for @p value in a file. */
     std::string
     word_of(const Value &value) const
     {
       return Pattern<Value>{words}.text_of(value);
     }
 
-    /** This entry and @p other are two ways to say the same. */
+    /** Declare that this entry and @p other are two ways to express the same. */
     const Entry &
     instead_of(const Entry &other) const
     {
@@ -122,9 +122,10 @@ namespace fuga
   using Integer = Entry<unsigned int>;
 
   /**
-   * One section of the top level. Each is a class of its own in parameter_entries.h, whose
-   * constructor declares the entries in the order in which they are documented and echoed. What it
-   * binds to a member of a structure is read into all of its members by ParameterSection::read().
+   * One section of the top level. Each section is a class of its own in parameter_entries.h, whose
+   * constructor declares the entries in the order in which they are documented and echoed.
+   * ParameterSection::read() reads the entries that are bound to members of a structure into these
+   * members.
    */
   struct SectionDeclaration
   {
@@ -134,17 +135,19 @@ namespace fuga
                        const bool free_entries                       = false);
     SectionDeclaration(const SectionDeclaration &) = delete;
 
-    /** Empty for the entries outside of all sections, which come first. */
+    /** Name of the section; empty for the entries outside of all sections, which come first. */
     const std::string name;
     const std::string documentation;
-    /** Non-empty: the entries stand in subsections whose names the user chooses; these are the
-     * names in default_parameter_text(). */
+    /**
+     * If not empty, the entries are in subsections whose names the user chooses; these are the
+     * names in default_parameter_text().
+     */
     const std::vector<std::string> example_names;
-    /** The names of the entries are chosen by the user (Constants). */
+    /** Whether the names of the entries are chosen by the user (Constants). */
     const bool free_entries;
     std::deque<EntryDeclaration> entries;
 
-    /** Puts the value of an entry into a member of a target of this type. */
+    /** Reads the value of an entry into a member of a target of this type. */
     struct Binding
     {
       std::type_index target;
@@ -158,7 +161,7 @@ namespace fuga
       return !example_names.empty();
     }
 
-    /** Null if there is no such entry. */
+    /** Return the entry with this name; null if there is none. */
     const EntryDeclaration *
     find(const std::string &entry) const;
 
@@ -207,7 +210,7 @@ namespace fuga
       return bound(required(entry, pattern, text, examples), member);
     }
 
-    /** The member keeps its value where the entry is absent. */
+    /** Declare an optional entry; the member keeps its value if the entry is absent. */
     template <typename Target, typename Value>
     Entry<Value>
     optional(const std::string &entry,
@@ -219,7 +222,7 @@ namespace fuga
       return bound(optional(entry, pattern, text, examples), member);
     }
 
-    /** The default is that of the member. */
+    /** Declare an entry whose default is that of the member. */
     template <typename Target, typename Value>
     Entry<Value>
     defaulted(const std::string &entry,
@@ -233,7 +236,7 @@ namespace fuga
     }
 
   protected:
-    /** What the entries decide that are declared from here on. */
+    /** The part of the computation on which the entries declared from here on decide. */
     Decides decided = Decides::condensation;
 
   private:
@@ -267,7 +270,7 @@ namespace fuga
     bound(const Entry<Value> &entry, Value Target::*member);
   };
 
-  /** The entries of a section. */
+  /** Return the entries of a section. */
   template <typename Section>
   const Section &
   entries_of()
@@ -276,15 +279,18 @@ namespace fuga
     return section;
   }
 
-  /** All sections, in the order in which they are documented and echoed; see parameter_table.cc. */
+  /**
+   * Return all sections in the order in which they are documented and echoed, see
+   * parameter_table.cc.
+   */
   const std::vector<std::reference_wrapper<const SectionDeclaration>> &
   parameter_declarations();
 
-  /** Null if there is no such section. */
+  /** Return the section with this name; null if there is none. */
   const SectionDeclaration *
   find_section(const std::string &name);
 
-  /** The declaration of "Section/Name/Entry"; null if there is none. */
+  /** Return the declaration of "Section/Name/Entry"; null if there is none. */
   const EntryDeclaration *
   find_entry(const std::string &full_name);
 } // namespace fuga

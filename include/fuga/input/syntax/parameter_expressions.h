@@ -10,16 +10,16 @@
 
 namespace fuga
 {
-  /** What an expression may depend on. */
+  /** The variables on which an expression may depend. */
   enum class ExpressionArguments
   {
-    /** x, y. */
+    /** The position x, y. */
     place,
-    /** x, y and the load time t. */
+    /** The position x, y and the load time t. */
     place_and_time,
-    /** x, y, z. */
+    /** The position x, y, z. */
     place_in_space,
-    /** x, y, z and the load time t. */
+    /** The position x, y, z and the load time t. */
     place_in_space_and_time,
     /** The stage fraction t. */
     stage_fraction,
@@ -30,21 +30,27 @@ namespace fuga
   };
 
   /**
-   * Parses and evaluates an expression once, before anything is computed with it.
+   * Parse and evaluate an expression once, before anything is computed with it.
    * @returns "" or a sentence that says what is wrong and what to do. Values which are not finite
-   * are wrong at any stage fraction tried, but of places only if they are so at all points tried
-   * (a pressure may well be defined at its own boundary only). Of deformations w = 0 is tried.
+   * are wrong at any stage fraction tried, but at places only if they are so at all points tried (a
+   * pressure may well be defined at its own boundary only). Among deformations, w = 0 is tried.
    */
   std::string
   expression_problem(const std::string &expression,
                      const ExpressionArguments arguments,
                      const std::map<std::string, double> &constants);
 
-  /** The names of variables and constants in an expression, in its order; functions are none. */
+  /**
+   * Return the names of variables and constants in an expression, in its order; names of functions
+   * are not included.
+   */
   std::vector<std::string>
   names_in_expression(const std::string &expression);
 
-  /** Puts the value of an expression of constants alone into @p value. @returns "" or what is wrong. */
+  /**
+   * Store the value of an expression that contains only constants in @p value. @returns "" or what
+   * is wrong.
+   */
   std::string
   evaluate_constant(const std::string &expression,
                     const std::map<std::string, double> &constants,

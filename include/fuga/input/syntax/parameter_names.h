@@ -9,22 +9,25 @@
 
 namespace fuga
 {
-  /** Without white space at both ends, and with every run of it inside replaced by one blank. */
+  /** Remove white space at both ends, and replace every run of it inside by one blank. */
   std::string
   normalise_blanks(const std::string &text);
 
-  /** The normalised pieces between separators, empty ones included; an empty text has no pieces. */
+  /**
+   * Return the normalised pieces between separators, including empty ones; an empty text has no
+   * pieces.
+   */
   std::vector<std::string>
   split_pieces(const std::string &text, const char separator);
 
-  /** 'a', 'b', 'c'. */
+  /** Return the names in the form 'a', 'b', 'c'. */
   std::string
   quoted_list(const std::vector<std::string> &names);
 
   /**
-   * A sentence that helps who wrote @p wrong instead of one of the @p known names: "Did you mean
-   * 'x'?" for names a few letters away (capitals do not count), else the list of the known ones;
-   * @p what says what they are, e.g. "entries of Mesh".
+   * Return a sentence that helps a user who wrote @p wrong instead of one of the @p known names:
+   * "Did you mean 'x'?" for names a few letters away (ignoring case), otherwise the list of the
+   * known ones; @p what says what they are, e.g. "entries of Mesh".
    */
   std::string
   name_hint(const std::string &wrong,

@@ -15,7 +15,7 @@
 
 namespace fuga
 {
-  /** A finite number or integer within bounds; it can say what is wrong with a text. */
+  /** A range of finite numbers or integers; it can tell what is wrong with a text. */
   struct NumberRange
   {
     bool is_integer       = false;
@@ -24,24 +24,24 @@ namespace fuga
     double upper          = std::numeric_limits<double>::infinity();
     bool upper_is_allowed = false;
 
-    /** "a finite number > 0", "an integer from 1 to 3". */
+    /** Return a description such as "a finite number > 0" or "an integer from 1 to 3". */
     std::string
     description() const;
 
-    /** Why @p text is none of these numbers; "" if it is one. */
+    /** Return the reason why @p text is none of these numbers; "" if it is one. */
     std::string
     problem(const std::string &text) const;
   };
 
-  /** The finite number that @p text is, or nothing. */
+  /** Return the finite number that @p text represents, or nothing. */
   std::optional<double>
   number_of_text(const std::string &text);
 
-  /** As a user would write it: 1e-9, 0.01, 1000000. */
+  /** Return a number as a user would write it: 1e-9, 0.01, 1000000. */
   std::string
   short_number(const double value);
 
-  /** Whether expressions of constants may stand in a text. */
+  /** Tells whether a text may contain expressions of constants. */
   enum class TextContent
   {
     words,
@@ -54,7 +54,7 @@ namespace fuga
   template <typename Value>
   using Words = std::vector<std::pair<std::string, Value>>;
 
-  /** What may stand as a value, and what it means: one of the words, a number, or a text. */
+  /** The allowed values of an entry and their meaning: one of the words, a number, or a text. */
   template <typename Value>
   struct Pattern
   {
@@ -62,7 +62,7 @@ namespace fuga
     std::optional<NumberRange> range = {};
     TextContent content              = TextContent::words;
 
-    /** How a file says @p value. */
+    /** Return the text for @p value in a file. */
     std::string
     text_of(const Value &value) const
     {
@@ -76,7 +76,7 @@ namespace fuga
     }
   };
 
-  /** The words in which the tables of entries are written. */
+  /** Functions with which the tables of entries are written. */
   namespace parameter_patterns
   {
     inline Pattern<std::string>
@@ -85,7 +85,7 @@ namespace fuga
       return {{}, {}, content};
     }
 
-    /** One of the words, with what each means. */
+    /** One of the words, each with its meaning. */
     template <typename Value>
     Pattern<Value>
     choice(const Words<Value> &words)
@@ -123,7 +123,7 @@ namespace fuga
       return {{}, NumberRange{false, lower, lower_is_allowed, upper}};
     }
 
-    /** Both bounds are allowed. */
+    /** A number between two bounds, both of which are allowed. */
     inline Pattern<double>
     number_in(const double lower, const double upper)
     {

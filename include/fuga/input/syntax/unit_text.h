@@ -8,7 +8,10 @@
 
 namespace fuga
 {
-  /** @p text, whose brackets name units of MN and m, as in "[MPa]", with the units of the user. */
+  /**
+   * Replace the units in brackets in @p text, which are given in terms of MN and m, as in "[MPa]",
+   * by the units of the user.
+   */
   std::string
   in_units(const std::string &text, const Units &units);
 } // namespace fuga

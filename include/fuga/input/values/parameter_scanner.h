@@ -13,11 +13,14 @@ namespace fuga
   /** The names of the subsections around an entry, outermost first. */
   using SectionPath = std::vector<std::string>;
 
-  /** "Joints/base"; empty for the top level. */
+  /** Return a path in the form "Joints/base"; empty for the top level. */
   std::string
   path_name(const SectionPath &path);
 
-  /** Refuses sections that lie deeper than any that exists, before their names fill the memory. */
+  /**
+   * Refuse sections that are nested deeper than any existing one, before their names fill the
+   * memory.
+   */
   void
   require_shallow(const SectionPath &path, const std::string &origin);
 
@@ -30,11 +33,11 @@ namespace fuga
     /** "file:line" or the --set option, for messages. */
     std::string origin;
 
-    /** "Joints/base/Friction coefficient". */
+    /** Return the full name, such as "Joints/base/Friction coefficient". */
     std::string
     full_name() const;
 
-    /** Throws the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
+    /** Throw the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
     [[noreturn]] void
     fail(const std::string &problem_and_remedy) const;
   };
@@ -46,42 +49,43 @@ namespace fuga
     std::string origin;
   };
 
-  /** What stands in a parameter file, in its order; nothing is known yet of what may stand there.
+  /**
+   * The contents of a parameter file, in its order, before they are compared with what is allowed.
    */
   struct ParameterScan
   {
     std::string file;
     std::vector<ScannedSection> sections;
     std::vector<ScannedEntry> entries;
-    /** Whether this is one of the variants of a sweep. */
+    /** Whether this is a variant of a sweep. */
     bool is_variant = false;
     /** The full names of the entries that the sweep varies, with all their values. */
     std::map<std::string, std::vector<std::string>> swept;
   };
 
   /**
-   * Reads a file in the format that its extension says. Section Sweep repeats the sections of the
+   * Read a file in the format given by its extension. Section Sweep repeats the sections of the
    * file inside itself: "Sweep", "Joints", "base" with the entry "Cohesion" is the same as "Sweep"
-   * with the entry "Joints/base/Cohesion", and becomes that.
+   * with the entry "Joints/base/Cohesion" and is converted to that.
    * @throws InputError for a file that cannot be read, is empty or breaks the rules of its format.
    */
   ParameterScan
   scan_parameter_file(const std::string &file);
 
   /**
-   * Scans text in the format of deal.II's ParameterHandler: `subsection NAME`, `set NAME = VALUE`,
+   * Scan text in the format of deal.II's ParameterHandler: `subsection NAME`, `set NAME = VALUE`,
    * `end`, comments from # to the end of the line, lines continued by a backslash at their end.
    */
   ParameterScan
   scan_prm(const std::string &file, const std::string &text);
 
-  /** Scans nested JSON objects of strings, numbers and truth values. */
+  /** Scan nested JSON objects of strings, numbers and truth values. */
   ParameterScan
   scan_json(const std::string &file, const std::string &text);
 
   /**
-   * Applies the --set options in their order: the value takes the place of the one in the file, or
-   * is added; an empty value takes the entry out. Two options for the same entry are an error.
+   * Apply the --set options in their order: the value replaces the one in the file, or is added; an
+   * empty value removes the entry. Two options for the same entry are an error.
    */
   void
   apply_overrides(ParameterScan &scan, const std::vector<std::string> &overrides);

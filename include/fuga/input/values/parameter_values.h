@@ -21,24 +21,24 @@ namespace fuga
 {
   class ParameterValues;
 
-  /** The entries of one section (or named subsection) with their values; a light view. */
+  /** A lightweight view of the entries of one section (or named subsection) with their values. */
   class ParameterSection
   {
   public:
     ParameterSection(const ParameterValues &values, const SectionPath &path);
 
-    /** The innermost name. */
+    /** Return the innermost name. */
     const std::string &
     name() const
     {
       return path.back();
     }
 
-    /** Whether the entry stands in the file or in an override. */
+    /** Return whether the entry is given in the file or in an override. */
     bool
     given(const AnyEntry &entry) const;
 
-    /** What the entry, or its default, means. */
+    /** Return the meaning of the entry, or of its default. */
     template <typename Value>
     Value
     value(const Entry<Value> &entry) const
@@ -51,7 +51,7 @@ namespace fuga
         return value_of_word(entry, text(entry));
     }
 
-    /** The value of the entry, or @p otherwise if it is not given. */
+    /** Return the value of the entry, or @p otherwise if it is not given. */
     template <typename Value>
     Value
     value_or(const Entry<Value> &entry, const Value &otherwise) const
@@ -59,7 +59,7 @@ namespace fuga
       return given(entry) ? value(entry) : otherwise;
     }
 
-    /** Reads all entries that the section binds to members of a Target. */
+    /** Read all entries that the section binds to members of a Target. */
     template <typename Target>
     void
     read(Target &target) const
@@ -69,7 +69,7 @@ namespace fuga
           binding.read(*this, &target);
     }
 
-    /** Calls @p action with all entries that are given, in the order of their declarations. */
+    /** Call @p action with all entries that are given, in the order of their declarations. */
     template <typename Action>
     void
     for_given(const Action &action) const
@@ -79,30 +79,33 @@ namespace fuga
           action(AnyEntry{&entry});
     }
 
-    /** Value or default, as it is written. */
+    /** Return the value or the default, as it is written. */
     std::string
     text(const AnyEntry &entry) const;
 
-    /** The pieces between commas. @throws InputError for empty or repeated ones. */
+    /** Return the pieces between commas. @throws InputError for empty or repeated ones. */
     std::vector<std::string>
     list(const AnyEntry &entry) const;
 
-    /** The values that the variants of a sweep give the entry; none if it is not varied. */
+    /** Return the values of the entry in the variants of a sweep; none if it is not varied. */
     std::vector<std::string>
     swept(const AnyEntry &entry) const;
 
-    /** Where the entry is set, else where the section is opened, else the file. */
+    /**
+     * Return the place where the entry is set, otherwise where the section is opened, otherwise the
+     * file.
+     */
     std::string
     origin(const AnyEntry &entry) const;
 
     std::string
     origin() const;
 
-    /** Throws the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
+    /** Throw the InputError "file:line: Path/Entry = 'value': @p problem_and_remedy". */
     [[noreturn]] void
     fail(const AnyEntry &entry, const std::string &problem_and_remedy) const;
 
-    /** The same for the section as a whole. */
+    /** Throw such an InputError for the section as a whole. */
     [[noreturn]] void
     fail(const std::string &problem_and_remedy) const;
 
@@ -119,7 +122,7 @@ namespace fuga
     SectionPath path;
   };
 
-  /** What a word of a choice means. */
+  /** Return the meaning of a word of a choice. */
   template <typename Value>
   Value
   value_of_word(const Entry<Value> &entry, const std::string &word)
@@ -143,22 +146,22 @@ namespace fuga
   }
 
   /**
-   * The values of a scanned file within what is declared. The constructor refuses unknown,
-   * repeated, missing and ill-formed entries; what it accepts is given.
-   * Expressions of constants are numbers from then on.
+   * The values of a scanned file, checked against the declarations. The constructor refuses
+   * unknown, repeated, missing and ill-formed entries; all others count as given. Expressions of
+   * constants are numbers from then on.
    *
-   * Errors are collected. A section with an error is broken: whatever else would be found in it, or
-   * in what depends on it, may follow from the first error and is not looked at.
+   * Errors are collected. A section with an error is broken: any further error in it, or in what
+   * depends on it, may follow from the first one and is not searched for.
    */
   class ParameterValues
   {
   public:
-    /** Errors of entries go to @p errors. @throws InputError for sections that are not known. */
+    /** Errors of entries are added to @p errors. @throws InputError for unknown sections. */
     ParameterValues(const ParameterScan &scan, InputErrors &errors);
 
     /**
-     * Runs @p action, which reads @p section, unless the section is broken; it is from then on if
-     * the action throws an InputError, which is collected.
+     * Run @p action, which reads @p section, unless the section is broken. If the action throws an
+     * InputError, this is collected and the section is broken from then on.
      */
     void
     attempt(const ParameterSection &section, const std::function<void()> &action) const;
@@ -166,7 +169,7 @@ namespace fuga
     bool
     is_broken(const ParameterSection &section) const;
 
-    /** Whether a section, or a subsection of it, is broken. */
+    /** Return whether a section, or a subsection of it, is broken. */
     template <typename Section>
     bool
     is_broken() const
@@ -181,7 +184,7 @@ namespace fuga
       return section(entries_of<Section>().name);
     }
 
-    /** The named subsections of a section, in the order of the file. */
+    /** Return the named subsections of a section, in the order of the file. */
     template <typename Section>
     std::vector<ParameterSection>
     subsections() const
@@ -196,11 +199,11 @@ namespace fuga
       return subsection_names(entries_of<Section>().name);
     }
 
-    /** The numbers of section Constants. */
+    /** Return the numbers of section Constants. */
     std::map<std::string, double>
     constants() const;
 
-    /** (path, value) of all entries with a value, in the order of the declarations. */
+    /** Return (path, value) of all entries with a value, in the order of the declarations. */
     std::vector<std::pair<std::string, std::string>>
     echo() const;
 
@@ -210,7 +213,7 @@ namespace fuga
       return file_name;
     }
 
-    /** Whether this is one of the variants of a sweep. */
+    /** Return whether this is one of the variants of a sweep. */
     bool
     is_variant() const
     {
@@ -250,21 +253,24 @@ namespace fuga
     void
     refuse_unknown(const ScannedEntry &entry) const;
 
-    /** The entry with expressions of constants evaluated. */
+    /** Return the entry with expressions of constants evaluated. */
     ScannedEntry
     with_numbers(const ScannedEntry &entry, const EntryDeclaration &declaration) const;
 
     void
     set(const ScannedEntry &entry, const EntryDeclaration &declaration);
 
-    /** What the file says, else the default. */
+    /** Return the value in the file, otherwise the default. */
     std::string
     value_of(const std::string &full_name, const EntryDeclaration &declaration) const;
 
     void
     require_entries(const SectionPath &path) const;
 
-    /** All paths that can hold entries: the declared sections and the subsections of the file. */
+    /**
+     * Return all paths that can contain entries: the declared sections and the subsections of the
+     * file.
+     */
     std::vector<SectionPath>
     all_paths() const;
 

@@ -8,33 +8,35 @@
 
 namespace fuga
 {
-  /** One line of section Sweep: entries that take the same values, one after the other. */
+  /** One line of section Sweep: entries that assume the same values, one after the other. */
   struct SweptLine
   {
-    /** The line, "Sweep", "Joints/base/Cohesion", "0, 10", and where it stands. */
+    /** The line, e.g. "Sweep", "Joints/base/Cohesion", "0, 10", and its origin. */
     ScannedEntry line;
     /** Entries without values; none if the line varies the order of the stages. */
     std::vector<ScannedEntry> targets;
     std::vector<std::string> values;
-    /** How the line is written today, after `set`, if it has an older form. */
+    /** The present form of the line, after `set`, if it was written in an older form. */
     std::string today;
   };
 
   /**
-   * What section Sweep asks for: variants of a parameter file, each of which is a scan like that of
-   * a file of its own. Nothing but the form of the section is checked here; whether entries and
-   * values make sense is found out when a variant is read, with the messages that a file gives.
+   * The variants requested by section Sweep: each is a scan like that of a file of its own. Nothing
+   * but the form of the section is checked here; whether entries and values make sense is found out
+   * when a variant is read, with the messages that a file gives.
    */
   class SweepPlan
   {
   public:
     /**
-     * Takes the lines that vary something out of @p scan.
+     * Remove the lines that vary something from @p scan and store them.
      * @throws InputError for lines whose form is wrong, or that vary the same entry.
      */
     explicit SweepPlan(ParameterScan scan);
 
-    /** All combinations of the values, or one per value where they go in step; 0 without a sweep.
+    /**
+     * Return the number of combinations of the values, or of values if they are varied together; 0
+     * without a sweep.
      */
     std::size_t
     n_variants() const;
@@ -45,15 +47,17 @@ namespace fuga
       return swept_lines;
     }
 
-    /** Number of the value of every line in variant @p i; the first line varies slowest. */
+    /**
+     * Return the number of the value of every line in variant @p i; the first line varies slowest.
+     */
     std::vector<std::size_t>
     choice(const std::size_t i) const;
 
-    /** The file with the values of variant @p i, which have the origin of their lines. */
+    /** Return the file with the values of variant @p i, which have the origin of their lines. */
     ParameterScan
     variant(const std::size_t i) const;
 
-    /** The file without a sweep. */
+    /** Return the file without the sweep. */
     const ParameterScan &
     file() const
     {
@@ -67,7 +71,7 @@ namespace fuga
     add_older_line(const ScannedEntry &entry);
     void
     add_sequences(const ScannedEntry &entry, const char separator);
-    /** The entries that "SECTION/NAMES/ENTRY" means. */
+    /** Return the entries denoted by "SECTION/NAMES/ENTRY". */
     std::vector<ScannedEntry>
     targets_of(const std::string &name, const ScannedEntry &entry) const;
     std::vector<std::string>
@@ -81,8 +85,9 @@ namespace fuga
   };
 
   /**
-   * The values of a line: "a | b" where values contain commas themselves, else "a, b" (commas in
-   * brackets separate nothing), or a range "first : step : last" of expressions of the constants.
+   * Return the values of a line: "a | b" if values contain commas themselves, otherwise "a, b"
+   * (commas in brackets do not separate), or a range "first : step : last" of expressions of the
+   * constants.
    * @throws InputError
    */
   std::vector<std::string>

@@ -15,9 +15,9 @@
 namespace fuga
 {
   /**
-   * The place of @p name among the @p known names of one section of the file. @p what: what they are,
-   * in the singular.
-   * @throws InputError at the @p entry of @p section where the name stands, if there is none.
+   * Return the index of @p name among the @p known names of one section of the file. @p what says
+   * what they are, in the singular.
+   * @throws InputError at the @p entry of @p section that contains the name, if it is not known.
    */
   unsigned int
   number_of(const std::string &name,
@@ -26,7 +26,7 @@ namespace fuga
             const ParameterSection &section,
             const AnyEntry &entry);
 
-  /** Fails at the entry if expression_problem() finds one in one of its expressions. */
+  /** Fail at the entry if expression_problem() finds a problem in @p expression. */
   void
   check_expression(const ParameterSection &section,
                    const AnyEntry &entry,
@@ -34,27 +34,29 @@ namespace fuga
                    const ExpressionArguments arguments,
                    const std::map<std::string, double> &constants);
 
-  /** Fails at @p one if both entries are given. */
+  /** Fail at @p one if both entries are given. */
   void
   refuse_both(const ParameterSection &section, const AnyEntry &one, const AnyEntry &other);
 
-  /** The numbers of "1, 2.5"; none if the text is not a list of numbers only. */
+  /** Return the numbers of a text such as "1, 2.5"; none if it is not a list of numbers only. */
   std::vector<double>
   read_coordinates(const std::string &text);
 
-  /** The table 'a: b; a: b' of an entry, with increasing a. @p form: how a point is written, for
-   * messages. @throws InputError */
+  /**
+   * Read the table 'a: b; a: b' of an entry, with increasing a. @p form tells how a point is
+   * written, for messages. @throws InputError
+   */
   std::vector<std::array<double, 2>>
   read_table(const ParameterSection &section, const AnyEntry &entry, const std::string &form);
 
-  /** What an entry Point says: the name of a point, or the coordinates. */
+  /** The value of an entry Point: the name of a point, or the coordinates. */
   struct PointReference
   {
     std::string name;
     std::array<double, 3> coordinates = {{0., 0., 0.}};
   };
 
-  /** Entry Point of a section. @throws InputError */
+  /** Read entry Point of a section. @throws InputError */
   PointReference
   read_point(const ParameterSection &section, const Text &entry, const unsigned int dimension);
 } // namespace fuga

@@ -40,17 +40,19 @@ namespace fuga
   /**
    * Writes the fields of one load level as VTU files and keeps the PVD collections that ParaView
    * opens:
-   *  - bodies.pvd: of the bodies that are there displacement, velocity where one is given, stress
-   * tensor, principal stresses, von Mises stress, body;
-   *  - joints.pvd: one line cell per joint face with gap, closure, slip, ... at its contact
-   * elements;
-   *  - joints_exploded.pvd: the same on both lips, moved apart along the normal so that they can be
-   * seen;
-   *  - view_in_paraview.py, which shows all of them. Every file appears complete. Values are
-   * rounded to single precision; for numbers see the CSV files.
+   * - bodies.pvd: displacement, velocity if one is given, stress tensor, principal stresses, von
+   *   Mises stress and body of the bodies that exist;
+   * - joints.pvd: one line cell per joint face with gap, closure, slip, ... at its contact
+   *   elements;
+   * - joints_exploded.pvd: the same on both lips, moved apart along the normal so that they can be
+   *   seen;
+   * - view_in_paraview.py, which shows all of them.
    *
-   * Of several processes each writes the bodies of its own cells, bodies_0000.1.vtu, and the first
-   * one the record bodies_0000.pvtu that joins them.
+   * Every file appears complete. Values are rounded to single precision; for all digits see the CSV
+   * files.
+   *
+   * If there are several processes, each one writes the bodies of its own cells, bodies_0000.1.vtu,
+   * and the first one writes the record bodies_0000.pvtu that joins them.
    */
   template <int dim>
   class FieldWriter : private FieldCollections
@@ -61,7 +63,7 @@ namespace fuga
                 const ModelDefinition &model,
                 const std::vector<std::string> &body_names);
 
-    /** @p velocity: empty but of bodies in motion. */
+    /** @p velocity is empty unless the bodies are in motion. */
     void
     write_bodies(const double t,
                  const dealii::Vector<double> &displacement,
@@ -74,7 +76,7 @@ namespace fuga
                  const std::vector<ElementResult> &results,
                  const Vector &dissipation);
 
-    /** Whether the last files are of this time. */
+    /** Return whether the last files written are those of this time. */
     bool
     has_written(const double t) const
     {
@@ -87,7 +89,10 @@ namespace fuga
       return *this;
     }
 
-    /** Goes on with these collections, whose files are there; the collections are written anew. */
+    /**
+     * Continue with these collections, whose files exist; the collections themselves are written
+     * again.
+     */
     void
     restore(const FieldCollections &collections);
 

@@ -11,10 +11,10 @@
 
 namespace fuga
 {
-  /** How joints are drawn. */
+  /** The ways in which joints are drawn. */
   enum class JointView
   {
-    /** Where they are, both lips as one. */
+    /** At their place, both lips as one. */
     in_place,
     /** Both lips, moved apart along the normal by a share of the joint's length. */
     exploded
@@ -22,10 +22,9 @@ namespace fuga
 
   /**
    * The faces of the joints with the results of their contact elements as point data: lines in the
-   * plane, quadrilaterals or triangles in space, where the vectors of shear and slip are given in
-   * global axes as well. A node
-   * without element (the tip of a joint, a node that supports hold) has zeros and the state 3,
-   * bonded.
+   * plane, quadrilaterals or triangles in space, where the vectors of shear and slip are also given
+   * in global axes. A node without element (the tip of a joint, a node held by supports) has zeros
+   * and the state 3, bonded.
    */
   template <int dim>
   class JointPatches : public dealii::DataOutInterface<dim - 1, dim>
@@ -56,8 +55,11 @@ namespace fuga
     void
     add_face(const JointFace &face, const double offset);
 
-    /** In the order of the names, at a node of a face. Where it hangs fields are interpolated; its
-     *  state, area, dissipation and number are those of the master with the largest weight. */
+    /**
+     * Return the values at a node of a face, in the order of the names. At a hanging node the
+     * fields are interpolated; its state, area, dissipation and number are those of the master with
+     * the largest weight.
+     */
     std::vector<double>
     values_at(const std::vector<std::pair<unsigned int, double>> &shares) const;
 

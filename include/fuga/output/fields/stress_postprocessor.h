@@ -14,14 +14,16 @@ namespace fuga
    * Stresses of the bodies at the corners of every cell (not averaged between cells): the tensor
    * "stress", "principal_stress_1" ≥ "principal_stress_2" in the plane (≥ "principal_stress_3" in
    * space), and "von_mises_stress", which includes the stress across the plane in plane strain; in
-   * axisymmetry "hoop_stress" as well. Tension positive.
+   * axisymmetry also "hoop_stress". Tension is positive.
    */
   template <int dim>
   class StressPostprocessor : public dealii::DataPostprocessor<dim>
   {
   public:
-    /** Stresses are those of the strain less the thermal strain. All arguments must outlive this
-     *  object. */
+    /**
+     * Stresses are computed from the strain minus the thermal strain. All arguments must outlive
+     * this object.
+     */
     StressPostprocessor(const ModelDefinition &model,
                         const std::vector<std::string> &body_names,
                         const TemperatureField<dim> &temperature);
@@ -45,7 +47,7 @@ namespace fuga
     std::vector<Material> materials;
   };
 
-  /** A field by components as one vector. */
+  /** Outputs the components of a field as one vector. */
   template <int dim>
   class VectorOutput : public dealii::DataPostprocessorVector<dim>
   {

@@ -19,10 +19,10 @@
 namespace fuga
 {
   /**
-   * Values as JSON to be stored in its binary form CBOR, such that every number comes back bit for
-   * bit (NaN, signed zero and denormals too): a double is stored as the integer with its bits, an
+   * Stores values as JSON in its binary form CBOR such that every number is restored bit for bit
+   * (including NaN, signed zero and denormals): a double is stored as the integer with its bits, an
    * array of numbers as bytes. Classes take part by for_each_field(), see base/fields.h; every
-   * field is stored under its name. For files that are read on the machine that wrote them.
+   * field is stored under its name. The files have to be read on the machine that wrote them.
    */
   namespace archive
   {
@@ -76,7 +76,7 @@ namespace fuga
                                       : std::vector<std::uint8_t>(begin, begin + size));
       }
 
-      /** The bytes of so many numbers of one size. */
+      /** Return the bytes of a binary value, which must have the given size. */
       inline const std::uint8_t *
       bytes_of(const Json &json, const std::size_t size)
       {
@@ -87,7 +87,7 @@ namespace fuga
       }
     } // namespace internal
 
-    /** Turns a value into JSON. */
+    /** Convert a value to JSON. */
     template <typename Value>
     Json
     encode(const Value &value)
@@ -138,7 +138,9 @@ namespace fuga
         }
     }
 
-    /** Takes a value out of what encode() made. @throws std::exception if it is something else. */
+    /**
+     * Restore a value from the output of encode(). @throws std::exception if it is anything else.
+     */
     template <typename Value>
     void
     decode(const Json &json, Value &value)

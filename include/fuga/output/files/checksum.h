@@ -12,11 +12,14 @@
 
 namespace fuga
 {
-  /** CRC-32 of @p text, or of a longer one whose beginning has the checksum @p so_far. */
+  /**
+   * Return the CRC-32 of @p text, or of a longer text that ends with it and whose beginning has the
+   * checksum @p so_far.
+   */
   std::uint32_t
   checksum(const std::string_view text, const std::uint32_t so_far = 0);
 
-  /** What tells a file that has changed. */
+  /** Size and checksum, by which a file that has changed is recognised. */
   struct FileIdentity
   {
     std::size_t size       = 0;
@@ -38,7 +41,7 @@ namespace fuga
     visit("checksum", sum);
   }
 
-  /** @throws InputError if the file cannot be read. */
+  /** Return the identity of a file. @throws InputError if the file cannot be read. */
   FileIdentity
   identify_file(const std::string &path);
 } // namespace fuga

@@ -12,20 +12,20 @@ namespace fuga
 {
   /**
    * The right to write into a directory of results, which only one run has at a time. The kernel
-   * takes it back when the process ends, however it ends: what a killed run left behind hinders
-   * nobody. On a file system without locks (NFS without its lock service) a warning is printed and
-   * nothing is protected. Of several processes the first one holds the lock for all.
+   * revokes it when the process ends, however it ends: the leftovers of a killed run hinder nobody.
+   * On a file system without locks (NFS without its lock service) a warning is printed and nothing
+   * is protected. If there are several processes, the first one holds the lock for all.
    */
   class DirectoryLock
   {
   public:
     /**
-     * Makes the directory if it is not there.
+     * Create the directory if it does not exist, and lock it.
      * @throws InputError if another run has the lock, or the directory cannot be written to.
      */
     explicit DirectoryLock(const std::string &directory);
 
-    /** Gives the lock back, and takes away directories that were made for nothing. */
+    /** Release the lock and remove directories that were created for nothing. */
     ~DirectoryLock();
 
     DirectoryLock(const DirectoryLock &) = delete;
@@ -35,7 +35,9 @@ namespace fuga
   private:
     void
     acquire();
-    /** Opens the lock file and takes the lock; whether the file is still the one in the directory.
+    /**
+     * Open the lock file and acquire the lock; return whether the file is still the one in the
+     * directory.
      */
     bool
     take_file();
@@ -44,7 +46,7 @@ namespace fuga
 
     const std::filesystem::path directory;
     const std::filesystem::path path;
-    /** Directories that were not there before, the innermost one first. */
+    /** Directories that did not exist before, the innermost one first. */
     std::vector<std::filesystem::path> made;
     int descriptor = -1;
   };

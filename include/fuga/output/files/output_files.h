@@ -15,47 +15,53 @@
 namespace fuga
 {
   /**
-   * Writes a whole file under a temporary name in the same directory and renames it: whoever looks,
-   * and whatever kills the program, the file is either the old one or complete. Of several
-   * processes only the first one writes.
+   * Write a whole file under a temporary name in the same directory and rename it: at any time,
+   * whatever kills the program, the file is either the old one or complete. If there are several
+   * processes, only the first one writes.
    * @throws WriteFailure naming the file, the reason of the system and the space that is left.
    */
   void
   write_complete_file(const std::string &path, const std::string &content);
 
-  /** The same, a file of this process. */
+  /** Write a file in the same way, but by every process that calls this function. */
   void
   write_piece(const std::string &path, const std::string &content);
 
   constexpr const char *checkpoint_file_name = "checkpoint.cbor";
   constexpr const char *paraview_script_name = "view_in_paraview.py";
 
-  /** The content of a file. @throws InputError if it cannot be read. */
+  /** Return the content of a file. @throws InputError if it cannot be read. */
   std::string
   read_file(const std::string &path);
 
-  /** By the first process. @throws InputError if the directory is not there and cannot be made. */
+  /**
+   * Create the output directory, on the first process. @throws InputError if the directory does not
+   * exist and cannot be created.
+   */
   void
   make_output_directory(const std::string &directory);
 
   /**
-   * Removes what an earlier run of this program left, but for the files @p kept (and the pieces of
-   * a .pvtu file among them): a directory never shows a mixture of two runs. By the first process.
+   * Remove what an earlier run of this program left, except for the files in @p kept (and the
+   * pieces of a .pvtu file among them), so that a directory never shows a mixture of two runs. This
+   * is done by the first process.
    */
   void
   remove_earlier_results(const std::string &directory, const std::set<std::string> &kept);
 
   /**
-   * Makes room for the results of a run that begins. Wherever it is killed, nothing passes for
-   * finished, and nothing can be restarted whose results have begun to go: first the checkpoint
-   * goes,
-   * then @p write_unfinished_summary replaces the summary, then all else of an earlier run goes.
+   * Make room for the results of a run that begins. Wherever the program is killed, nothing looks
+   * finished, and no run can be restarted whose results are partly removed: first the checkpoint is
+   * removed, then @p write_unfinished_summary replaces the summary, then everything else of an
+   * earlier run is removed.
    */
   void
   begin_results(const std::string &directory,
                 const std::function<void()> &write_unfinished_summary);
 
-  /** What a checkpoint keeps of a TextFile: how much of it is on disk, and the text behind that. */
+  /**
+   * The state of a TextFile in a checkpoint: how much of it is on disk, and the text after that.
+   */
   struct TextMemory
   {
     FileIdentity published;
@@ -72,7 +78,8 @@ namespace fuga
   }
 
   /**
-   * The text that a file had when it was remembered. What was written behind that does not matter.
+   * Return the text that a file had when @p memory was stored. Anything written after that is
+   * ignored.
    * @throws InputError if the file does not begin with what was published then.
    */
   std::string
@@ -80,15 +87,15 @@ namespace fuga
 
   /**
    * A text that grows during the run and whose file is complete whenever it can be seen: it is
-   * published whole, and not so often that publishing costs more than a small share of the run.
-   * Processes but the first forget it instead.
+   * published whole, and not so often that publishing costs more than a small share of the run. All
+   * processes except for the first one discard it instead.
    */
   class TextFile
   {
   public:
     explicit TextFile(std::string path);
 
-    /** Without its directory. */
+    /** Return the name of the file without its directory. */
     std::string
     name() const;
 
@@ -98,14 +105,14 @@ namespace fuga
       text += more;
     }
 
-    /** Publishes the text so far if it is worth it, or in any case if @p now. */
+    /** Publish the text so far if it is worthwhile, or in any case if @p now is true. */
     void
     publish(const bool now);
 
     TextMemory
     memory() const;
 
-    /** Takes the text back that the file had then; not yet published. */
+    /** Restore the text that the file had when @p memory was stored; it is not yet published. */
     void
     restore(const TextMemory &memory);
 

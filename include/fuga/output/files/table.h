@@ -15,21 +15,21 @@
 
 namespace fuga
 {
-  /** What stands in one field of a table. */
+  /** The content of one field of a table. */
   using TableField = std::variant<double, std::size_t, std::string>;
 
-  /** A line of CSV (RFC 4180): numbers with 17 digits, words quoted where they have to be. */
+  /** Return a line of CSV (RFC 4180): numbers with 17 digits, words quoted if necessary. */
   std::string
   csv_line(const std::vector<TableField> &fields);
 
-  /** A column of a table: header and fields come from one place and cannot disagree. */
+  /** A column of a table: header and fields are defined in one place and cannot disagree. */
   template <typename Row>
   struct Column
   {
     std::string name;
-    /** Stands behind the name in brackets; empty for words, counts and ratios. */
+    /** The unit, which follows the name in brackets; empty for words, counts and ratios. */
     std::string unit;
-    /** The field of this column in a row. */
+    /** Returns the field of this column in a row. */
     std::function<TableField(const Row &)> field;
   };
 
@@ -41,7 +41,7 @@ namespace fuga
   class Table : public TextFile
   {
   public:
-    /** The header is not yet published. */
+    /** Create a table with its header, which is not yet published. */
     Table(std::string file_path, Columns<Row> table_columns)
       : TextFile(std::move(file_path)), columns(std::move(table_columns))
     {
@@ -65,9 +65,9 @@ namespace fuga
   };
 
   /**
-   * Columns of a part that rows of several tables have: those of @p described that @p names lists,
-   * with blanks between them, of the part that @p part_of finds in a row. @p prefix stands before
-   * the names.
+   * Return columns of a part that rows of several tables contain: those of @p described whose names
+   * are listed in @p names, separated by blanks. @p part_of returns the part of a row. @p prefix is
+   * put in front of the names.
    */
   template <typename Row, typename Part, typename PartOf>
   Columns<Row>
@@ -92,7 +92,7 @@ namespace fuga
     return columns;
   }
 
-  /** Appends @p more to @p columns. */
+  /** Append @p more to @p columns. */
   template <typename Row>
   void
   append(Columns<Row> &columns, const Columns<Row> &more)

@@ -9,13 +9,13 @@
 
 namespace fuga
 {
-  /** A table for the screen: the first column begins at the left, all others end at the right. */
+  /** A table for the screen: the first column is left-aligned, all others are right-aligned. */
   class TextTable
   {
   public:
     explicit TextTable(std::vector<std::string> header);
 
-    /** A row with as many cells as the header. */
+    /** Add a row with as many cells as the header. */
     void
     add(std::vector<std::string> row);
 
@@ -25,7 +25,7 @@ namespace fuga
       return rows.size() == 1;
     }
 
-    /** The header and all rows, indented. */
+    /** Return the header and all rows, indented. */
     std::vector<std::string>
     lines() const;
 
@@ -33,7 +33,10 @@ namespace fuga
     std::vector<std::vector<std::string>> rows;
   };
 
-  /** A number as one reads it: six digits, and 0 for what is only rounding of @p scale. */
+  /**
+   * Return a number in readable form: six digits, and 0 for a value that is only rounding of
+   * @p scale.
+   */
   std::string
   readable(const double value, const double scale = 0.);
 } // namespace fuga

@@ -6,7 +6,7 @@
 
 namespace fuga
 {
-  /** Threads that deal.II and the BLAS may use. */
+  /** Set the number of threads that deal.II and the BLAS may use. */
   void
   set_threads(const unsigned int n);
 } // namespace fuga

@@ -20,7 +20,7 @@
 
 namespace fuga
 {
-  /** What a run notes on its way, for its summary. */
+  /** The record of a run, kept for its summary. */
   struct RunRecord
   {
     JointState last_state;
@@ -28,12 +28,15 @@ namespace fuga
     Certificate worst;
     std::map<std::string, std::size_t> events_by_kind;
     std::size_t n_events = 0;
-    /** Of the last dynamic stage: energies at its end, and numbers of steps by halvings. */
+    /**
+     * Energies at the end of the last dynamic stage, and its numbers of steps by number of
+     * halvings.
+     */
     MotionLedger motion_energies;
     std::vector<std::size_t> motion_steps;
-    /** How many times Output/Field interval has passed in it. */
+    /** Number of intervals Output/Field interval that have passed in this stage. */
     double n_intervals = 0.;
-    /** Motions behind the loss of an equilibrium; the last one may be under way. */
+    /** Motions after the loss of an equilibrium; the last one may still be under way. */
     std::vector<MotionBeyondLimit> continuations;
     ModelRange::Record excesses;
   };
@@ -65,23 +68,23 @@ namespace fuga
   }
 
   /**
-   * Everything from which a run can be continued so that its results are those of an unbroken one,
-   * bit for bit: the path up to a cut, judge, tables, fields and log. The problem itself is not
-   * kept but what it was given by, so that no other one is continued.
+   * Everything from which a run can be continued so that its results are those of an uninterrupted
+   * one, bit for bit: the path up to a cut, judge, tables, fields and log. The problem itself is
+   * not stored, only what it was defined by, so that no other problem is continued.
    */
   struct Checkpoint
   {
-    /** description_of_problem(), and the mesh file. */
+    /** The result of description_of_problem(), and the identity of the mesh file. */
     std::vector<std::pair<std::string, std::string>> parameters;
     FileIdentity mesh;
-    /** The run had come to its end, with this verdict and exit code. */
+    /** Whether the run had come to its end, with this verdict and exit code. */
     bool finished = false;
     std::string verdict;
     int exit_code = 0;
 
     ConstructionState construction;
     PathCut cut;
-    /** Of bodies in motion: what belongs to the cut, and what monitors felt. */
+    /** For bodies in motion: the data that belong to the cut, and the samples of the monitors. */
     MotionCut motion;
     MotionSamples samples;
     JudgeMemory judge;
@@ -125,12 +128,12 @@ namespace fuga
     visit("log", log);
   }
 
-  /** Writes checkpoint.cbor, complete whenever it can be seen. @throws NumericalFailure */
+  /** Write checkpoint.cbor, which is complete whenever it is visible. @throws NumericalFailure */
   void
   write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
 
   /**
-   * Reads checkpoint.cbor and sees to it that the results it refers to are there.
+   * Read checkpoint.cbor and check that the results to which it refers exist.
    * @throws InputError if there is none, if it or a result is damaged, or if it was written by
    * another version of the program.
    */
@@ -138,18 +141,20 @@ namespace fuga
   read_checkpoint(const std::string &directory);
 
   /**
-   * @throws InputError that names every difference unless @p parameters give the same problem, but
-   * for entries that the path does not depend on and stages added at the end.
+   * @throws InputError that names every difference unless @p parameters define the same problem,
+   * except for entries on which the path does not depend and stages added at the end.
    */
   void
   check_same_problem(const Checkpoint &checkpoint, const Parameters &parameters);
 
-  /** What gives the problem: Parameters::echo, and what tells the motion of the ground. The mesh is
-   * told by its file. */
+  /**
+   * Return what defines the problem: Parameters::echo, and data that identify the motion of the
+   * ground. The mesh is identified by its file.
+   */
   std::vector<std::pair<std::string, std::string>>
   description_of_problem(const Parameters &parameters);
 
-  /** Whether nothing is left to compute. */
+  /** Return whether nothing is left to compute. */
   bool
   is_complete(const Checkpoint &checkpoint, const Parameters &parameters);
 } // namespace fuga

@@ -11,39 +11,43 @@
 
 namespace fuga
 {
-  /** What is published of one contact element at one load; signs and units as in doc/notation.md.
+  /**
+   * The published results of one contact element at one load; signs and units as in
+   * doc/notation.md.
    */
   struct ElementResult
   {
     ContactState state = ContactState::stick;
-    /** Bar forces [force], N tension positive. */
+    /** Bar forces [force]; N is positive in tension. */
     double N = 0.;
     double T = 0.;
-    /** In space: along the second tangent. */
+    /** Bar force along the second tangent, in space. */
     double T2 = 0.;
-    /** p = -N/A, τ = T/A [stress]. */
+    /** Pressure p = -N/A and shear stress τ = T/A [stress]. */
     double pressure = 0.;
     double shear    = 0.;
     double shear2   = 0.;
-    /** Opening positive, never negative; closure of the layer, never negative [length]. */
+    /** Opening and closure of the layer, neither of them ever negative [length]. */
     double gap     = 0.;
     double closure = 0.;
-    /** Irreversible part of the tangential jump; whole jumps [length]. */
+    /** Irreversible part of the tangential jump, and total jumps [length]. */
     double slip    = 0.;
     double slip2   = 0.;
     double jump_n  = 0.;
     double jump_t  = 0.;
     double jump_t2 = 0.;
-    /** |T| as a share of the strength; 0 while open, 1 while slipping. */
+    /** |T| as a fraction of the strength; 0 while open, 1 while slipping. */
     double utilisation = 0.;
-    /** f|N| + cohesive strength of a closed element [force]. */
+    /** Shear strength f|N| + cohesive strength of a closed element [force]. */
     double strength = 0.;
-    /** Pressure of the water in the joint, beside that of the lips [stress]. */
+    /** Pressure of the water in the joint, in addition to that of the lips [stress]. */
     double water_pressure = 0.;
   };
 
-  /** Results of all elements. @p jumps: δ of all bars; @p closed_water: forces of water in the bars of
-   * closed elements, empty without water. */
+  /**
+   * Return the results of all elements. @p jumps are the jumps δ of all bars; @p closed_water are
+   * the forces of water in the bars of closed elements, empty without water.
+   */
   std::vector<ElementResult>
   element_results(const std::vector<ContactElement> &elements,
                   const JointState &state,

@@ -11,21 +11,22 @@
 
 namespace fuga
 {
-  /** How the faces of one joint move against each other in a mechanism. */
+  /** The relative motion of the faces of one joint in a mechanism. */
   struct JointMotion
   {
     bool slides = false;
     bool opens  = false;
-    /** They turn against each other. */
+    /** Whether they turn against each other. */
     bool turns = false;
-    /** In the plane, if they turn as two rigid bodies: the point about which. */
+    /** The centre of rotation, in the plane, if they turn as two rigid bodies. */
     std::optional<std::array<double, 2>> centre;
   };
 
   /**
-   * The motion of every joint. @p jumps: of the bars, the largest 1; @p frames: one per element. A
-   * motion below a thousandth of the largest of the whole model is none; opening below a thousandth
-   * of the sliding in the same joint is none, and the other way round.
+   * Return the motion of every joint. @p jumps are those of the bars, the largest of which is 1;
+   * @p frames has one entry per element. A motion below a thousandth of the largest of the whole
+   * model counts as none; so does opening below a thousandth of the sliding in the same joint, and
+   * vice versa.
    */
   std::vector<JointMotion>
   joint_motions(const std::size_t n_joints,
@@ -34,7 +35,7 @@ namespace fuga
                 const Vector &jumps,
                 const bool in_space);
 
-  /** A sentence such as "slides on 'seam'; 'heel crack' opens"; empty if nothing moves. */
+  /** Return a sentence such as "slides on 'seam'; 'heel crack' opens"; empty if nothing moves. */
   std::string
   mechanism_text(const std::vector<JointMotion> &motions,
                  const std::vector<std::string> &joint_names);

@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** Of the monitors at the end of a whole step, by axes. */
+  /** Displacement and acceleration of a monitor at the end of a whole step, by axes. */
   struct MotionSample
   {
     std::array<double, 3> displacement, acceleration;
@@ -19,7 +19,7 @@ namespace fuga
   /** All samples of a motion. */
   struct MotionSamples
   {
-    /** By monitors. */
+    /** Samples by monitor. */
     std::vector<std::vector<MotionSample>> of_monitors;
     /** Acceleration of the frame. */
     std::vector<std::array<double, 3>> of_frame;
@@ -35,27 +35,31 @@ namespace fuga
   }
 
   /**
-   * Collects the absolute accelerations of the monitors at the ends of whole steps of time.
+   * Collects the absolute accelerations of the monitors at the ends of whole time steps.
    *
-   * Those of a node with mass are what its forces demand, as the integration has them. Without mass
-   * they follow from nothing but the rule of integration, and alternate from step to step; second
-   * differences of the displacement take their place.
+   * The acceleration of a node with mass follows from its forces, as in the integration. Without
+   * mass it follows from nothing but the rule of integration and alternates from step to step; it
+   * is replaced by second differences of the displacement.
    */
   class MonitoredMotion
   {
   public:
-    /** @p step: its length [s]; @p mass: diagonal of the mass matrix, by nodes. @p monitors must
-     * live as long as this object. */
+    /**
+     * @p step is the length of a step [s], @p mass the diagonal of the mass matrix, by nodes.
+     * @p monitors must live as long as this object.
+     */
     MonitoredMotion(const std::vector<Monitor> &monitors, const double step, const Vector &mass);
 
-    /** @p displacement and @p acceleration of all nodes in a frame that has the acceleration @p
-     * of_frame. */
+    /**
+     * Add a sample from @p displacement and @p acceleration of all nodes in a frame that has the
+     * acceleration @p of_frame.
+     */
     void
     add(const Vector &displacement,
         const Vector &acceleration,
         const std::array<double, 3> &of_frame);
 
-    /** By monitors and axes. */
+    /** Return the accelerations by monitor and axis. */
     std::vector<std::array<GroundMotion, 3>>
     accelerations() const;
 
@@ -74,7 +78,7 @@ namespace fuga
   private:
     const std::vector<Monitor> &monitors;
     const double step;
-    /** By monitors and axes: whether any node that counts has no mass. */
+    /** Tells by monitor and axis whether any node that counts has no mass. */
     std::vector<std::array<bool, 3>> is_massless;
     MotionSamples samples;
   };

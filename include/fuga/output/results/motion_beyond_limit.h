@@ -13,16 +13,16 @@ namespace fuga
   /** The motion of bodies that lost their equilibrium. */
   struct MotionBeyondLimit
   {
-    /** How the slow path ended; and what proves it if that was a limit load. */
+    /** The result of the slow path, and its proof if it ended at a limit load. */
     PathResult loss;
     MechanismCertificate proof;
-    /** Of the loads under which the bodies move, and with which the slow path goes on. */
+    /** Load time of the loads under which the bodies move, and at which the slow path goes on. */
     double t = 0.;
-    /** They have come to rest. */
+    /** Whether the bodies have come to rest. */
     bool rests = false;
-    /** [s] */
+    /** Duration of the motion [s]. */
     double duration = 0.;
-    /** Largest of a node at the end [m/s]. */
+    /** Largest velocity of a node at the end [m/s]. */
     double velocity = 0.;
     /** Largest slip of an element, and largest change of the distance of its lips [m]. */
     double slip = 0., opening = 0.;

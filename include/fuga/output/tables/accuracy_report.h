@@ -10,7 +10,7 @@
 
 namespace fuga
 {
-  /** How a mesh was adapted to section Target accuracy. */
+  /** Report on the adaptation of a mesh to section Target accuracy. */
   struct AccuracyReport
   {
     struct Round
@@ -23,25 +23,25 @@ namespace fuga
       double seconds  = 0.;
     };
 
-    /** In words of the parameter file. */
+    /** Name of the quantity in the parameter file. */
     std::string quantity;
     double target = 0.;
-    /** Empty where no accuracy was asked for. */
+    /** The rounds of refinement; empty if no accuracy was requested. */
     std::vector<Round> rounds;
-    /** Why it ended with the last round. */
+    /** Reason why the adaptation ended with the last round. */
     std::string end;
     bool reached = false;
 
-    /** What the log says of a round. */
+    /** Return what the log says about a round. */
     std::string
     description(const std::size_t round) const;
 
-    /** What it says at the end. */
+    /** Return what the log says at the end. */
     std::string
     conclusion() const;
   };
 
-  /** Keeps refinement.csv in @p directory: one row per round. */
+  /** Write refinement.csv in @p directory: one row per round. */
   void
   write_refinement_table(const std::string &directory, const AccuracyReport &report);
 } // namespace fuga

@@ -12,11 +12,11 @@
 namespace fuga
 {
   /**
-   * Writes boundaries.csv in @p directory: one row per face of the mesh of the file, before any
-   * refinement, that is on a named boundary or on a side of a joint. A row has the name of the
-   * boundary, the name of the joint if it is a side of one, the body, and the corners, which go
-   * round counter-clockwise seen from outside (in the plane the body is to the left). A triangle
-   * repeats its last corner.
+   * Write boundaries.csv in @p directory: one row per face of the mesh of the file, before any
+   * refinement, that is on a named boundary or on a side of a joint. A row contains the name of the
+   * boundary, the name of the joint if it is a side of one, the body, and the corners,
+   * counter-clockwise seen from outside (in the plane the body is to the left). A triangle repeats
+   * its last corner.
    */
   void
   write_boundary_table(const std::string &directory, const JointedMesh &mesh, const Units &units);

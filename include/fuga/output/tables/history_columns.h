@@ -16,7 +16,7 @@
 
 namespace fuga
 {
-  /** What the rows of all tables say of the moment that they belong to. */
+  /** The data that the rows of all tables contain about the moment to which they belong. */
   struct Moment
   {
     double t;
@@ -26,13 +26,13 @@ namespace fuga
     double path_length;
   };
 
-  /** What happens to bodies in motion besides changes of state. */
+  /** An event of bodies in motion that is not a change of state. */
   struct MotionEvent
   {
     double t;
-    /** That whose lips move farthest. */
+    /** The element whose lips move farthest. */
     std::size_t element;
-    /** The words before and after it. */
+    /** The words for the states before and after the event. */
     std::array<std::string_view, 2> names;
     /** Work on all joints [MNm]. */
     double energy;
@@ -44,7 +44,7 @@ namespace fuga
     std::size_t number;
     std::array<std::string_view, 2> names;
     std::size_t n_branches;
-    /** Not a number but of a MotionEvent. */
+    /** Work on all joints if the row is a MotionEvent, otherwise not a number. */
     double energy;
     const ContactElement &element;
     const std::string &joint, &stage;
@@ -73,17 +73,17 @@ namespace fuga
     const std::string &occasion;
     const Monitor &monitor;
     std::array<double, 3> displacement;
-    /** xx, yy, zz, xy, xz, yz. */
+    /** Stress in the order xx, yy, zz, xy, xz, yz. */
     std::array<double, 6> stress;
   };
 
-  /** At the end of a whole step of time. */
+  /** A row at the end of a whole time step. */
   struct AccelerationRow
   {
     const std::string &stage, &monitor;
-    /** Since the stage began [s]. */
+    /** Time since the stage began [s]. */
     double time;
-    /** Absolute [m/s²]. */
+    /** Absolute acceleration [m/s²]. */
     std::array<double, 3> acceleration;
   };
 
@@ -94,10 +94,10 @@ namespace fuga
     const SpectralResponse &response;
   };
 
-  /** The end of a step of time. */
+  /** The end of a time step. */
   struct MotionMoment
   {
-    /** Since the stage began [s]. */
+    /** Time since the stage began [s]. */
     double time = 0.;
     /** Acceleration of the ground [m/s²]. */
     std::array<double, 3> ground = {{0., 0., 0.}};
@@ -112,17 +112,19 @@ namespace fuga
     const JointResultant &resultant;
   };
 
-  /** What tables tell of a joint as a whole, of which each has some. */
+  /** Return all columns that describe a joint as a whole, of which each table uses some. */
   Columns<JointResultant>
   resultant_quantities(const Units &units);
 
-  /** What tables tell of the energies of a motion. */
+  /** Return the columns that describe the energies of a motion. */
   Columns<MotionLedger>
   motion_energies(const Units &units);
 
-  /** The columns of the tables of a run: doc/results.md. @p in_space, @p has_water, @p
-   * has_motion: with those that only models in space, with water in joints, or with bodies that may
-   * move have. */
+  /**
+   * Return the columns of the tables of a run, see doc/results.md. @p in_space, @p has_water and
+   * @p has_motion add those that only models in space, with water in joints, or with bodies that
+   * may move have.
+   */
   Columns<EventRow>
   event_columns(const Units &units, const bool has_motion);
   Columns<ElementRow>

@@ -12,39 +12,43 @@
 
 namespace fuga
 {
-  /** Fixed data that every row refers to. */
+  /** Constant data to which every row refers. */
   struct HistoryContext
   {
     const std::vector<ContactElement> &elements;
     const std::vector<std::string> &joint_names;
-    /** Whether a joint has bodies on both sides. */
+    /** Tells for each joint whether there are bodies on both sides. */
     const std::vector<bool> &joints_there;
     const std::vector<std::string> &stage_names;
     const std::vector<Monitor> &monitors;
     Units units;
-    /** Tables have columns of the water in joints. */
+    /** Whether tables have columns of the water in joints. */
     bool has_water = false;
-    /** Tables have columns of the third dimension. */
+    /** Whether tables have columns of the third dimension. */
     bool in_space = false;
-    /** Some stage is dynamic. */
+    /** Whether any stage is dynamic. */
     bool has_motion = false;
     SpectrumSettings spectra;
     DrivingQuantities driving;
   };
 
-  /** Which stage a load time belongs to (the end of a stage to that stage), and the fraction done.
+  /**
+   * Return the stage to which a load time belongs (the end of a stage belongs to that stage), and
+   * the fraction of it that is done.
    */
   std::pair<std::size_t, double>
   stage_of(const double t, const std::size_t n_stages);
 
-  /** The same of an event: at a whole number it is the loads of the next stage that cause it. */
+  /**
+   * Return the same for an event: at a whole number it is caused by the loads of the next stage.
+   */
   std::pair<std::size_t, double>
   stage_of_event(const double t, const std::size_t n_stages);
 
-  /** What a checkpoint keeps of the tables. */
+  /** The state of the tables in a checkpoint. */
   struct HistoryMemory
   {
-    /** Of all that the run has, each with the name of its file. */
+    /** The states of all tables of the run, each with the name of its file. */
     std::vector<std::pair<std::string, TextMemory>> files;
     std::size_t n_events = 0;
   };
@@ -61,14 +65,14 @@ namespace fuga
   /**
    * The tables of a run: events.csv (one row per change of state), joint_history.csv (one row per
    * element and level), resultants.csv (one row per joint and level), if there are monitors,
-   * monitors.csv (one row per monitor and level, event or step of time), if there are dynamic
-   * stages, earthquake.csv (one row per joint and step of time), and on request accelerations.csv
-   * and spectra.csv of the monitors in them. Columns: doc/results.md.
+   * monitors.csv (one row per monitor and level, event or time step), if there are dynamic stages,
+   * earthquake.csv (one row per joint and time step), and on request accelerations.csv and
+   * spectra.csv of the monitors in them. The columns are described in doc/results.md.
    */
   class HistoryWriter
   {
   public:
-    /** Nothing is published yet. */
+    /** Create the tables; nothing is published yet. */
     HistoryWriter(const std::string &directory, const HistoryContext &context);
 
     HistoryMemory
@@ -90,13 +94,15 @@ namespace fuga
               const EnergyLedger &energies,
               const double certificate);
 
-    /** A step of time of a dynamic stage has ended. */
+    /** Add rows at the end of a time step of a dynamic stage. */
     void
     add_motion(const double t,
                const MotionMoment &moment,
                const std::vector<JointResultant> &joint_resultants);
 
-    /** Growth of the largest jump beyond the limit load, for all rows that follow; 0 before it. */
+    /**
+     * Set the growth of the largest jump beyond the limit load for all following rows; 0 before it.
+     */
     void
     set_path_length(const double length)
     {
@@ -109,8 +115,10 @@ namespace fuga
       return length_beyond;
     }
 
-    /** Displacements and stresses of the monitors; @p occasion: "level", "event" or "step"; @p
-     * thermal_strains: one per monitor. */
+    /**
+     * Add displacements and stresses of the monitors; @p occasion is "level", "event" or "step",
+     * @p thermal_strains has one entry per monitor.
+     */
     void
     add_monitors(const double t,
                  const std::string &occasion,
@@ -118,12 +126,12 @@ namespace fuga
                  const Vector &factors,
                  const Vector &thermal_strains);
 
-    /** What the monitors felt in a stage, and the response spectra of it. */
+    /** Add the accelerations of the monitors in a stage, and their response spectra. */
     void
     add_accelerations(const std::size_t stage,
                       const std::vector<std::array<GroundMotion, 3>> &of_monitors);
 
-    /** Brings the files on disk up to date. */
+    /** Bring the files on disk up to date. */
     void
     publish(const bool now);
 
@@ -139,7 +147,7 @@ namespace fuga
     Moment
     moment(const double t, const std::size_t stage, const double certificate) const;
 
-    /** Calls @p visit with every table that @p writer has. */
+    /** Call @p visit with every table that @p writer has. */
     template <typename Writer, typename Visitor>
     static void
     for_each_table(Writer &writer, const Visitor &visit);
@@ -148,11 +156,11 @@ namespace fuga
     Table<EventRow> events;
     Table<ElementRow> history;
     Table<ResultantRow> resultants;
-    /** Only if there are monitors. */
+    /** Present only if there are monitors. */
     std::unique_ptr<Table<MonitorRow>> monitors;
-    /** Only if there are dynamic stages. */
+    /** Present only if there are dynamic stages. */
     std::unique_ptr<Table<MotionRow>> motion;
-    /** Only on request. */
+    /** Present only on request. */
     std::unique_ptr<Table<AccelerationRow>> accelerations;
     std::unique_ptr<Table<SpectrumRow>> spectra;
     std::size_t n_events = 0;

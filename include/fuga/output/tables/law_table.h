@@ -9,10 +9,11 @@
 namespace fuga
 {
   /**
-   * Writes the laws of every joint into the output directory, nothing else: law_JOINT.csv has
-   * stress, tangent, secant stiffness and energy over the deformation in both directions, and the
-   * limit of the deformation; a rigid law has no rows. Columns: doc/results.md. A shear law whose
-   * stiffness grows with closure or pressure is that of the unloaded layer.
+   * Write the laws of every joint, and nothing else, into the output directory: law_JOINT.csv
+   * contains stress, tangent, secant stiffness and energy as functions of the deformation in both
+   * directions, and the limit of the deformation; a rigid law has no rows. The columns are
+   * described in doc/results.md. A shear law whose stiffness grows with closure or pressure is that
+   * of the unloaded layer.
    * @returns the names of the files.
    */
   std::vector<std::string>

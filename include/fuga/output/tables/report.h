@@ -9,9 +9,9 @@
 namespace fuga
 {
   /**
-   * Writes DIRECTORY/report.html and, of a run, report_short.html from the results there, by the
-   * Python script make_report.py that is installed or built with this program. The script says on the screen what it wrote, unless @p quiet, or
-   * what is wrong.
+   * Write DIRECTORY/report.html and, for a run, report_short.html from the results there, by the
+   * Python script make_report.py that is installed or built with this program. The script says on
+   * the screen what it wrote, unless @p quiet, or what is wrong.
    * @return the exit code of the script: 0, or 1 if there are no finished results or packages are
    * missing
    * @throws InputError if there is no Python or no script

@@ -13,7 +13,7 @@
 
 namespace fuga
 {
-  /** What a checkpoint keeps of the log. */
+  /** The state of the log in a checkpoint. */
   struct LogMemory
   {
     TextMemory text;
@@ -30,28 +30,28 @@ namespace fuga
   }
 
   /**
-   * What a run says on the screen, and keeps in log.txt: a header, one line per event or per level,
+   * The output of a run on the screen and in log.txt: a header, one line per event or per level,
    * warnings (repeated at the end) and a closing table. On a terminal a progress bar shows the load
    * time.
    */
   class RunLog
   {
   public:
-    /** @p file is where publish() keeps what was said. */
+    /** @p file is the file to which publish() writes the log. */
     RunLog(const LogDetail detail, const HistoryContext &context, const std::string &file);
 
-    /** A line, unless the run is quiet. */
+    /** Write a line, unless the run is quiet. */
     void
     line(const std::string &text);
 
-    /** A line that was on the screen before this log began. */
+    /** Record a line that was on the screen before this log began. */
     void
     earlier_line(const std::string &text)
     {
       record.append(text + "\n");
     }
 
-    /** A line that is also repeated before the closing table. */
+    /** Write a line that is repeated before the closing table. */
     void
     warning(const std::string &text);
 
@@ -61,15 +61,15 @@ namespace fuga
     void
     level(const double t, const std::vector<ElementResult> &results, const double certificate);
 
-    /** Redraws the progress bar; without effect unless the screen is a terminal. */
+    /** Redraw the progress bar; without effect unless the screen is a terminal. */
     void
     progress(const double t, const double t_end);
 
-    /** Repeats the warnings. */
+    /** Repeat the warnings. */
     void
     close();
 
-    /** Brings the file up to date. */
+    /** Bring the file up to date. */
     void
     publish(const bool now)
     {
@@ -82,7 +82,7 @@ namespace fuga
       return {record.memory(), warnings};
     }
 
-    /** What was said in this run before is forgotten. */
+    /** Restore the log; everything logged before in this run is discarded. */
     void
     restore(const LogMemory &memory);
 

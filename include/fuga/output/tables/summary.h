@@ -20,25 +20,25 @@
 
 namespace fuga
 {
-  /** The words of summary.json and of the log. */
+  /** Return the word used in summary.json and in the log. */
   std::string
   mechanism_name(const MechanismKind kind);
   std::string
   beyond_limit_end_name(const BeyondLimit::End end);
 
-  /** A contact element as the user knows it. */
+  /** A contact element in the terms of the user. */
   struct NamedElement
   {
     std::string joint;
     unsigned int number = 0;
-    /** As many coordinates as the model has dimensions. */
+    /** Position, with as many coordinates as the model has dimensions. */
     std::vector<double> position;
   };
 
-  /** What a search for a factor of safety found. */
+  /** The result of a search for a factor of safety. */
   struct SafetyFactor
   {
-    /** "strength reduction" or "load factor". */
+    /** Method of the search: "strength reduction" or "load factor". */
     std::string method;
     /** The verdict that ended the search, or "largest factor reached", or "not computed". */
     std::string verdict;
@@ -47,10 +47,10 @@ namespace fuga
     /** Load time at the end of the search. */
     double t                = 0.;
     MechanismKind mechanism = MechanismKind::none;
-    /** Joints that the mechanism moves, and how: mechanism_text(). */
+    /** Joints that the mechanism moves, and their motion, see mechanism_text(). */
     std::vector<std::string> moving_joints;
     std::string motion;
-    /** The joints that are reduced, the loads that grow. */
+    /** The joints whose strength is reduced, or the loads that grow. */
     std::vector<std::string> acts_on;
 
     static const char *const largest_factor_reached;
@@ -60,17 +60,17 @@ namespace fuga
     found() const;
   };
 
-  /** What was computed, by counts; see doc/results.md. */
+  /** Counts of the work done, see doc/results.md. */
   struct WorkSummary
   {
     BodiesWork bodies;
-    /** Times bodies and layer were put in series, eq. 4. */
+    /** Number of times that bodies and layer were put in series, eq. 4. */
     std::size_t n_layered_systems = 0;
-    /** Of a sweep: sums over the variants, and the most active bars of one. */
+    /** For a sweep: sums over the variants, and the most active bars of a single variant. */
     SchemeWork scheme;
   };
 
-  /** What the summaries of a run and of a sweep have in common. */
+  /** The common part of the summaries of a run and of a sweep. */
   struct RunSummary
   {
     std::string verdict;
@@ -82,24 +82,24 @@ namespace fuga
     double certificate_bound = 0.;
     std::vector<std::pair<std::string, double>> phases;
     double memory_MB = 0.;
-    /** Peak memory behind the last use of every phase [MB]. */
+    /** Peak memory after the last use of every phase [MB]. */
     std::vector<std::pair<std::string, double>> peaks;
     std::vector<std::string> split_report;
     std::vector<std::string> warnings;
   };
 
-  /** What summary.json says of a run; see doc/results.md. */
+  /** The contents of summary.json for a run, see doc/results.md. */
   struct Summary : RunSummary
   {
     /** Name of the stage and its fraction at t. */
     double t = 0.;
     std::string stage;
     double stage_fraction = 0.;
-    /** What drives the stage, at t. */
+    /** The quantity that drives the stage, at t. */
     DrivingQuantity drive;
-    /** The mechanism of a limit load in words: mechanism_text(). */
+    /** The mechanism of a limit load in words, see mechanism_text(). */
     std::string motion;
-    /** What proves the limit load, or that there is no continuation. */
+    /** The proof of the limit load, or of the fact that there is no continuation. */
     LimitProof proof;
     /** Factors of the load patterns at t, by load name. */
     std::map<std::string, double> load_factors;
@@ -113,19 +113,19 @@ namespace fuga
     AccuracyReport accuracy;
     IterationCount iterations;
     Certificate certificate;
-    /** RunRecord::motion_energies, motion_steps and continuations. */
+    /** See RunRecord::motion_energies, motion_steps and continuations. */
     MotionLedger motion_energies;
     std::vector<std::size_t> motion_steps;
     std::vector<MotionBeyondLimit> continuations;
   };
 
-  /** What it says of a sweep. */
+  /** The contents of summary.json for a sweep. */
   struct SweepSummary : RunSummary
   {
     std::size_t n_variants = 0;
-    /** Times the bodies were condensed for them. */
+    /** Number of times that the bodies were condensed for them. */
     std::size_t n_condensations = 0;
-    /** Variants by verdict. */
+    /** Numbers of variants by verdict. */
     std::map<std::string, std::size_t> verdicts;
     std::size_t n_events     = 0;
     std::size_t n_steps      = 0;

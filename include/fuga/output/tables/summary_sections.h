@@ -12,11 +12,14 @@ namespace fuga
 {
   using SummaryJson = nlohmann::ordered_json;
 
-  /** Sections of summary.json. By method; the factor is null where none was found. */
+  /**
+   * Return the section of summary.json with the factors of safety by method; a factor is null if
+   * none was found.
+   */
   SummaryJson
   safety_section(const std::vector<SafetyFactor> &factors);
 
-  /** An estimate that is not known is null. */
+  /** Return the section about the accuracy; an unknown estimate is null. */
   SummaryJson
   accuracy_section(const AccuracyReport &accuracy);
 

@@ -8,13 +8,17 @@
 
 namespace fuga
 {
-  /** Warnings about data of dynamic stages that are allowed but hardly meant, each with the number
-   * and what is usual. */
+  /**
+   * Return warnings about data of dynamic stages that are allowed but hardly intended, each with
+   * the number and the usual range.
+   */
   std::vector<std::string>
   implausible_dynamics(const Parameters &parameters);
 
-  /** A table of the records: their lengths, what they reach, and where the ground ends. Empty
-   * without records. */
+  /**
+   * Return a table of the records: their lengths, their peak values, and velocity and displacement
+   * of the ground at the end. Empty without records.
+   */
   std::vector<std::string>
   ground_motion_echo(const Parameters &parameters);
 } // namespace fuga

@@ -8,14 +8,15 @@
 
 namespace fuga
 {
-  /** The word of the entry Type of a load. */
+  /** Return the word of the entry Type of a load. */
   std::string
   type_of(const Parameters &parameters, const LoadDefinition &load);
 
   /**
-   * Warnings about data that are allowed but hardly meant, each with the number and what is usual,
-   * in the units of the user. Sizes are judged only if the user named units that are known;
-   * comparisons of data with each other hold in any. @p extent: largest extent of the mesh [m].
+   * Return warnings about data that are allowed but hardly intended, each with the number and the
+   * usual range, in the units of the user. Sizes are judged only if the user named units that are
+   * known; comparisons of data with each other hold in any units. @p extent is the largest extent
+   * of the mesh [m].
    */
   std::vector<std::string>
   implausible_data(const Parameters &parameters, const double extent);

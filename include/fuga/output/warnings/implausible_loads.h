@@ -13,24 +13,24 @@
 namespace fuga
 {
   /**
-   * Warnings about loads that contradict each other at the end of a stage: one that acts twice on
-   * the same place, water that stands higher than the face it presses on while the face above it is
-   * dry, a joint without uplift where it ends in water.
+   * Warnings about loads that contradict each other at the end of a stage: a load that acts twice
+   * on the same place, water that is higher than the face it presses on while the face above it is
+   * dry, a joint without uplift that ends in water.
    */
   template <int dim>
   class ImplausibleLoads
   {
   public:
-    /** @p load_factors: LoadProgram::load_factors. */
+    /** @p load_factors are LoadProgram::load_factors. */
     ImplausibleLoads(const Parameters &parameters,
                      const CondensedSystem<dim> &system,
                      const LoadHistory &load_factors);
 
-    /** Looks at the end of a stage in which the system has the bodies. */
+    /** Check the end of a stage in which the system has the bodies. */
     void
     review(const unsigned int stage);
 
-    /** One for every contradiction, however many stages have it. */
+    /** Return one warning for every contradiction, however many stages have it. */
     const std::vector<std::string> &
     warnings() const
     {
@@ -55,7 +55,7 @@ namespace fuga
     do_the_same(const LoadDefinition &a, const LoadDefinition &b) const;
     std::vector<Water>
     water_at(const double t) const;
-    /** Whether nothing presses on, holds or faces the boundary. */
+    /** Return for each boundary whether nothing presses on it, holds it or faces it. */
     std::vector<bool>
     dry_labels(const double t) const;
     void
@@ -65,7 +65,7 @@ namespace fuga
     void
     compare_ends(const LoadDefinition &uplift, const double factor, const double t);
 
-    /** @p key tells contradictions apart. */
+    /** Add a warning; @p key distinguishes contradictions. */
     void
     warn(const std::string &key, std::string text);
 

@@ -13,27 +13,29 @@ namespace fuga
   class TextTable;
 
   /**
-   * What a reviewer adds up before believing a model, as tables in the units of the user: sizes and
-   * weights of the bodies, sizes of the joints, supports, and the resultant of every load at the
-   * end of every stage. It needs nothing condensed.
+   * The sums that a reviewer checks before trusting a model, as tables in the units of the user:
+   * sizes and weights of the bodies, sizes of the joints, supports, and the resultant of every load
+   * at the end of every stage. It does not need condensed bodies.
    */
   template <int dim>
   class ModelEcho
   {
   public:
-    /** Of the stages from @p first_stage to the one before @p end_stage, in which @p system has the
-     * bodies. @p load_factors: LoadProgram::load_factors. */
+    /**
+     * Create the echo of the stages from @p first_stage to the one before @p end_stage, in which
+     * @p system has the bodies. @p load_factors are LoadProgram::load_factors.
+     */
     ModelEcho(const Parameters &parameters,
               const CondensedSystem<dim> &system,
               const LoadHistory &load_factors,
               const unsigned int first_stage,
               const unsigned int end_stage);
 
-    /** All tables. */
+    /** Return all tables. */
     std::vector<std::string>
     in_full() const;
 
-    /** The bodies, and the loads at the end of the last stage. */
+    /** Return the tables of the bodies, and of the loads at the end of the last stage. */
     std::vector<std::string>
     in_brief() const;
 
@@ -49,20 +51,20 @@ namespace fuga
     Lines
     loads(const unsigned int stage) const;
 
-    /** Whether a load of type weight acts on the body. */
+    /** Return whether a load of type weight acts on the body. */
     bool
     is_weighed(const std::string &body) const;
 
-    /** Largest initial gap of the entry of that name. */
+    /** Return the largest initial gap given by the entry of that name. */
     double
     largest_initial_gap(const unsigned int joint) const;
 
-    /** What one load does, by itself or in one joint. */
+    /** The effect of one load, by itself or in one joint. */
     struct Action
     {
       std::string name;
       LoadResultant<dim> resultant;
-      /** Acts between the two sides of a joint, so that it is no load of the whole. */
+      /** Whether it acts between the two sides of a joint, so that it is no load of the whole. */
       bool is_inner = false;
     };
 
@@ -74,7 +76,10 @@ namespace fuga
              const std::vector<std::string> &first_cells,
              TextTable &table) const;
 
-    /** "m" for lengths in the plane, else "m2"; "m2" and "m3" for bodies. */
+    /**
+     * Return "length [m]" in the plane, otherwise "area [m2]"; for bodies "area [m2]" and "volume
+     * [m3]", respectively.
+     */
     std::string
     measure_of_faces() const;
     std::string
@@ -85,7 +90,10 @@ namespace fuga
     const CondensedSystem<dim> &system;
     const LoadHistory &load_factors;
     const unsigned int first_stage, end_stage;
-    /** A model in the plane, not of revolution: lengths and areas instead of areas and volumes. */
+    /**
+     * Whether the model is in the plane, but not of revolution, and has lengths and areas instead
+     * of areas and volumes.
+     */
     const bool is_flat;
     /** Largest extent of the model. */
     double extent = 0.;

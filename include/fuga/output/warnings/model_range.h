@@ -14,34 +14,38 @@
 
 namespace fuga
 {
-  /** The farthest that a joint has gone beyond what its model is made for. */
+  /** The largest excess of a joint beyond the range of its model. */
   struct ModelExcess
   {
-    /** Stress beyond a table, slip, difference of openings; 0: the joint is within its model. */
+    /**
+     * Stress beyond a table, slip, or difference of openings; 0 if the joint is within its model.
+     */
     double largest = 0.;
     /** End of the table, or length of the joint [m]. */
     double limit = 0.;
     double t     = 0.;
-    /** Which element. */
+    /** The element, and its position. */
     unsigned int element           = 0;
     std::array<double, 3> position = {{0., 0., 0.}};
   };
 
-  /** Of one joint. */
+  /** The excesses of one joint. */
   struct JointExcess
   {
     ModelExcess normal_table, shear_table, slip, turn;
   };
 
-  /** Watches whether a run leaves what its model is made for: the data of tabular laws, and
-   * displacements that are small beside the joints. */
+  /**
+   * Watches whether a run leaves the range of its model: the data of tabular laws, and
+   * displacements that are small compared with the joints.
+   */
   class ModelRange
   {
   public:
-    /** By joint; outlives phases of construction and restarts. */
+    /** The excesses by joint; they outlive phases of construction and restarts. */
     using Record = std::vector<JointExcess>;
 
-    /** @p record, empty or of an earlier phase, must live as long as this object. */
+    /** @p record is empty or that of an earlier phase, and must live as long as this object. */
     ModelRange(const std::vector<ContactElement> &elements,
                const std::size_t n_joints,
                Record &record);
@@ -55,7 +59,7 @@ namespace fuga
     {
       const ContactElement *element;
       bool is_normal;
-      /** At the last point of the table. */
+      /** Stress at the last point of the table. */
       double stress;
     };
 
@@ -68,11 +72,11 @@ namespace fuga
 
     const std::vector<ContactElement> &elements;
     std::vector<TabulatedBar> tabulated_bars;
-    /** By joint: the diagonal of the box about its elements [m]. */
+    /** Diagonal of the box around the elements of each joint [m]. */
     const std::vector<double> lengths;
     Record &record;
 
-    /** By joint: smallest and largest opening, and where the latter is. */
+    /** Smallest and largest opening of a joint, and the element with the latter. */
     struct Openings
     {
       double least, most;
@@ -81,7 +85,7 @@ namespace fuga
     std::vector<Openings> openings;
   };
 
-  /** One sentence per excess. */
+  /** Return one sentence per excess. */
   template <int dim>
   std::vector<std::string>
   range_warnings(const ModelRange::Record &record,

@@ -11,10 +11,10 @@
 namespace fuga
 {
   /**
-   * All warnings that are known before anything is computed: implausible_data(),
-   * implausible_dynamics(), ImplausibleLoads, more output than anybody wants to have. For the phase
-   * of construction from @p first_stage to the stage before @p end_stage, in which @p system has
-   * the bodies; what concerns the whole run is said in the first phase. @p load_factors:
+   * Return all warnings that are known before anything is computed: implausible_data(),
+   * implausible_dynamics(), ImplausibleLoads, excessive output. They concern the phase of
+   * construction from @p first_stage to the stage before @p end_stage, in which @p system has the
+   * bodies; those about the whole run are given in the first phase. @p load_factors are
    * LoadProgram::load_factors.
    */
   template <int dim>

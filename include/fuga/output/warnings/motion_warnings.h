@@ -11,8 +11,11 @@
 
 namespace fuga
 {
-  /** Warnings about a motion that must not be trusted as it is: its ledger lacks energy, or the
-   * integration in time has taken or given much of it. @p steps: their numbers by rung. */
+  /**
+   * Return warnings about a motion that must not be trusted as it is: its ledger lacks energy, or
+   * the integration in time has removed or added much of it. @p steps are the numbers of steps by
+   * rung.
+   */
   std::vector<std::string>
   motion_warnings(const MotionLedger &ledger, const std::vector<std::size_t> &steps);
 } // namespace fuga

@@ -13,52 +13,57 @@
 namespace fuga
 {
   /**
-   * Keeps checkpoint.cbor of a run up to date, and restores a run from it. At every moment the
-   * directory holds what the checkpoint refers to, which remains valid until the next one takes its
-   * place.
+   * Keeps checkpoint.cbor of a run up to date and restores a run from it. At every moment the
+   * directory holds the files to which the checkpoint refers; it remains valid until the next one
+   * takes its place.
    */
   template <int dim>
   class CheckpointKeeper
   {
   public:
-    /** Journals must outlive this object. */
+    /** The journals must outlive this object. */
     CheckpointKeeper(RunJournal<dim> &journal, const MotionJournal<dim> &motion);
 
-    /** Whether the run keeps checkpoints at all. */
+    /** Return whether the run keeps checkpoints at all. */
     bool
     is_wanted() const;
 
-    /** The output of a run begins: its mesh is what a restart compares. */
+    /** Begin the output of a run: identify its mesh, with which a restart compares its own. */
     void
     begin();
 
-    /** Writes one of the last cut of the path, if it is time to. */
+    /** Write a checkpoint of the last cut of the path if one is due. */
     void
     write_at_event();
 
-    /** Writes one of the last cut of the path. @throws NumericalFailure */
+    /** Write a checkpoint of the last cut of the path. @throws NumericalFailure */
     void
     write();
 
-    /** Writes one of a run that has ended. A numerical failure is no end: whoever restarts sees it
-     * again. */
+    /**
+     * Write a checkpoint of a run that has ended. A numerical failure is not an end: it occurs
+     * again after a restart.
+     */
     void
     write(const RunOutcome &outcome);
 
-    /** Takes notes and output over from @p checkpoint, and removes results that it does not refer
-     * to. */
+    /**
+     * Restore records and output from @p checkpoint and remove results to which it does not refer.
+     */
     void
     restore(const Checkpoint &checkpoint);
 
-    /** All that a checkpoint keeps but the cut. */
+    /** Store everything that a checkpoint keeps, except for the cut. */
     void
     fill(Checkpoint &checkpoint) const;
 
-    /** Nothing is written while this is true: a search for safety is under way, and checkpoints
-     * are those of the path. */
+    /**
+     * Nothing is written while this is true: a search for safety is under way, but checkpoints are
+     * those of the path.
+     */
     bool is_suspended = false;
 
-    /** Is called behind every checkpoint. If it throws, the run ends there. */
+    /** Called after every checkpoint. If it throws, the run ends there. */
     std::function<void()> action;
 
   private:
@@ -69,7 +74,7 @@ namespace fuga
     const MotionJournal<dim> &motion_journal;
     FileIdentity mesh_identity;
     std::chrono::steady_clock::time_point last_time;
-    /** Seconds that the last one took. */
+    /** Time that the last checkpoint took [s]. */
     double cost = 0.;
   };
 } // namespace fuga

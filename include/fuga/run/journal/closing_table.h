@@ -9,13 +9,15 @@
 
 namespace fuga
 {
-  /** Warnings that only the whole run gives: decisions between continuations, jumps, what was not
-   * followed beyond a limit load, joints beyond their model. */
+  /**
+   * Log the warnings that follow only from the whole run: decisions between continuations, jumps,
+   * paths not followed beyond a limit load, joints beyond the range of their model.
+   */
   template <int dim>
   void
   log_closing_warnings(RunJournal<dim> &journal, const RunOutcome &outcome);
 
-  /** The table with which a log ends: verdict with its proof, events, resultants, certificate. */
+  /** Log the closing table: verdict with its proof, events, resultants, certificate. */
   template <int dim>
   void
   log_closing_table(RunJournal<dim> &journal, const RunOutcome &outcome);

@@ -9,8 +9,8 @@
 namespace fuga
 {
   /**
-   * The displacement of all degrees of freedom in @p state [m]: the only place where bodies at rest
-   * are solved for. @p certificate takes how well it satisfies their equations.
+   * Return the displacement of all degrees of freedom in @p state [m]: the only place where bodies
+   * at rest are solved for. The residual of their equations is stored in @p certificate.
    */
   template <int dim>
   dealii::Vector<double>

@@ -8,13 +8,12 @@
 
 namespace fuga
 {
-  /** Says what is computed: version, sizes, joints with their layers, bodies and loads. */
+  /** Log what is computed: version, sizes, joints with their layers, bodies and loads. */
   template <int dim>
   void
   log_header(RunJournal<dim> &journal);
 
-  /** Says what the bodies and the loads of this phase add up to, and what seems to be wrong in
-   * them. */
+  /** Log the totals of the bodies and the loads of this phase, and warnings about doubtful ones. */
   template <int dim>
   void
   log_model(RunJournal<dim> &journal);

@@ -11,7 +11,7 @@
 
 namespace fuga
 {
-  /** What a run writes of a dynamic stage, step of time by step of time. */
+  /** Writes the output of a dynamic stage, time step by time step. */
   template <int dim>
   class MotionJournal
   {
@@ -19,34 +19,43 @@ namespace fuga
     /** @p journal must outlive this object. */
     explicit MotionJournal(RunJournal<dim> &journal);
 
-    /** The bodies begin to move. */
+    /** Begin the output when the bodies begin to move. */
     void
     begin();
 
-    /** They go on to move behind a checkpoint, which knows @p samples of the monitors. */
+    /**
+     * Continue the output of a motion after a restart from a checkpoint that contains @p samples of
+     * the monitors.
+     */
     void
     resume(const MotionSamples &samples);
 
-    /** A step of time has ended in @p state: energies, monitors, and fields where they are due. */
+    /**
+     * Write energies, monitors, and fields if they are due, after a time step that ended in
+     * @p state.
+     */
     void
     end_step(const JointState &state);
 
-    /** The motion has ended. */
+    /** End the output when the motion has ended. */
     void
     end();
 
-    /** A row of events.csv: @p change of the jumps of all bars [m], with @p work on the joints. */
+    /**
+     * Write a row of events.csv: @p change of the jumps of all bars [m], with @p work on the
+     * joints.
+     */
     void
     note(const double t,
          const std::array<std::string_view, 2> &names,
          const Vector &change,
          const double work);
 
-    /** The same of a jump from the last state @p to another one. */
+    /** Write such a row for a jump from the last state @p to another one. */
     void
     note_jump(const JointState &to, const double work);
 
-    /** What the monitors have felt; empty if nobody asked. */
+    /** Return the samples of the monitors; empty if no response spectra are requested. */
     MotionSamples
     samples() const;
 
@@ -55,13 +64,13 @@ namespace fuga
     watch_monitors();
     void
     note_accelerations();
-    /** The fields of bodies in motion, unless they are there. */
+    /** Write the fields of the bodies in motion unless they have been written. */
     void
     write_frame();
 
     RunJournal<dim> &journal;
     PhaseRun<dim> &phase;
-    /** Only if response spectra of a dynamic stage are asked for. */
+    /** Present only if response spectra of a dynamic stage are requested. */
     std::optional<MonitoredMotion> monitored_motion;
   };
 } // namespace fuga

@@ -12,50 +12,55 @@
 namespace fuga
 {
   /**
-   * What a run writes while its path is followed: the record from which its summary is made, its
-   * log, its tables and its fields. Nothing is written before
-   * begin().
+   * The output of a run while its path is followed: the record from which its summary is made, its
+   * log, its tables and its fields. Nothing is written before begin().
    */
   template <int dim>
   class RunJournal
   {
   public:
-    /** @p phase must outlive this object. @p accuracy: how the mesh of the model was found, if it
-     * was. */
+    /**
+     * @p phase must outlive this object. @p accuracy describes how the mesh of the model was found,
+     * if it was adapted.
+     */
     RunJournal(PhaseRun<dim> &phase, AccuracyReport accuracy);
 
-    /** Takes the directory: results of an earlier run are removed, the files of this one begin. */
+    /**
+     * Prepare the directory: remove the results of an earlier run and begin the files of this one.
+     */
     void
     begin();
 
-    /** The path is in @p state. */
+    /** Record that the path has reached @p state. */
     void
     advance_to(const JointState &state);
 
-    /** The path met @p events, behind which it is in @p state. */
+    /** Record @p events on the path, after which it is in @p state. */
     void
     add_events(const std::vector<ContactEvent> &events, const JointState &state);
 
-    /** Writes tables and, on request, fields of a level in @p state. */
+    /** Write tables and, on request, fields of a level in @p state. */
     void
     write_state(const JointState &state, const bool with_fields);
 
-    /** Writes the last state in equilibrium, e.g. that at a limit load, like a level; not if it is
-     * one. */
+    /**
+     * Write the last state in equilibrium, e.g. that at a limit load, like a level, unless it is
+     * one.
+     */
     void
     write_last_state();
 
-    /** Writes the fields of @p state, in which the bodies are displaced by @p displacement. */
+    /** Write the fields of @p state, in which the bodies are displaced by @p displacement. */
     void
     write_fields(const JointState &state,
                  const std::vector<ElementResult> &results,
                  const dealii::Vector<double> &displacement);
 
-    /** Writes a row for every monitor; @p occasion: see HistoryWriter::add_monitors(). */
+    /** Write a row for every monitor; for @p occasion, see HistoryWriter::add_monitors(). */
     void
     write_monitors(const JointState &state, const std::string &occasion);
 
-    /** Brings log and tables on disk up to date, where it is time or @p now. */
+    /** Bring log and tables on disk up to date if it is time to, or if @p now is true. */
     void
     publish(const bool now);
 

@@ -19,13 +19,13 @@ namespace fuga
     not_written          = 5
   };
 
-  /** How a run ended. */
+  /** The outcome of a run. */
   struct RunOutcome
   {
     PathResult path;
     std::string verdict;
     ExitCode code = ExitCode::done;
-    /** Reason of a numerical failure, or what explains a certificate above its bound. */
+    /** Reason of a numerical failure, or the explanation of a certificate above its bound. */
     std::string message;
     std::vector<SafetyFactor> safety;
     LimitProof proof;

@@ -9,12 +9,12 @@
 
 namespace fuga
 {
-  /** Writes summary.json. */
+  /** Write summary.json. */
   template <int dim>
   void
   write_summary(const RunJournal<dim> &journal, const RunOutcome &outcome);
 
-  /** The same of a run that goes on, of which @p path is known. */
+  /** Write summary.json of a run that is still going on and whose path is known up to @p path. */
   template <int dim>
   void
   write_unfinished_summary(const RunJournal<dim> &journal, const PathResult &path = {});

@@ -9,29 +9,35 @@
 
 namespace fuga
 {
-  /** "0.25 of stage 'filling' (t = 1.25@p more)": where a path is. */
+  /** Return the position of a path, such as "0.25 of stage 'filling' (t = 1.25@p more)". */
   std::string
   place_text(const double t,
              const std::vector<std::string> &stage_names,
              const std::string &more = {});
 
-  /** Friction beyond its critical value: how many ways to go on @p result knows, and which elements
-   * decide. */
+  /**
+   * Describe friction beyond its critical value: the number of continuations in @p result and the
+   * elements that decide.
+   */
   template <int dim>
   std::string
   critical_friction_text(const PhaseRun<dim> &phase, const PathResult &result);
 
-  /** The equilibrium near by to which the path does not go on continuously; empty if none is
-   * known. */
+  /**
+   * Describe the nearby equilibrium to which the path does not lead continuously; empty if none is
+   * known.
+   */
   std::string
   jump_text(const Jump &jump, const Units &units);
 
-  /** Why a path that lost its equilibrium did: its mechanism, or what decides. */
+  /**
+   * Return the reason why a path lost its equilibrium: its mechanism, or the elements that decide.
+   */
   template <int dim>
   std::string
   reason_text(const PhaseRun<dim> &phase, const PathResult &result);
 
-  /** How bodies that lost their equilibrium moved. */
+  /** Describe the motion of bodies that lost their equilibrium. */
   std::string
   continuation_text(const MotionBeyondLimit &continuation, const Units &units);
 } // namespace fuga

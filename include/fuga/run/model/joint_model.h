@@ -14,13 +14,18 @@
 
 namespace fuga
 {
-  /** Contact elements with the laws of their joints, which they point to. */
+  /** Contact elements together with the laws of their joints, to which they point. */
   struct JointModel
   {
-    /** Normal and shear law of every joint: entries 2j and 2j + 1; then those of single elements.
+    /**
+     * Normal and shear law of joint j: entries 2j and 2j + 1; followed by the laws of single
+     * elements.
      */
     std::vector<std::unique_ptr<ComplianceLaw>> laws;
-    /** Of joints whose shear stiffness grows; they use the laws above. */
+    /**
+     * Couplings of joints whose shear stiffness grows with closure or pressure; they use the laws
+     * above.
+     */
     std::vector<std::unique_ptr<ShearCoupling>> couplings;
     std::vector<ContactElement> elements;
     /** Lines for the log. */
@@ -28,10 +33,11 @@ namespace fuga
   };
 
   /**
-   * Gives elements, whose geometry the bodies know, the laws, frictions and initial gaps of @p joints.
+   * Create the elements, whose geometry is known to the bodies, with the laws, frictions and
+   * initial gaps of @p joints.
    *
-   * Where rigid joints, or almost rigid ones, cross or have corners, their bars repeat each other:
-   * how the elements there share the force between the bodies is not unique. Only these elements
+   * Where rigid or almost rigid joints cross or have corners, their bars are redundant: the way in
+   * which the elements there share the force between the bodies is not unique. Only these elements
    * get a compliance, a ten-thousandth of that of the bodies there, which makes it unique; the
    * report says so.
    */
@@ -51,7 +57,10 @@ namespace fuga
     return point;
   }
 
-  /** @throws InputError if a joint has a negative initial gap at one of its elements. */
+  /**
+   * Check the initial gaps. @throws InputError if a joint has a negative gap at one of its
+   * elements.
+   */
   template <int dim>
   void
   check_initial_gaps(const std::vector<ContactElement> &elements,

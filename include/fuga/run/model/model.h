@@ -15,20 +15,19 @@
 namespace fuga
 {
   /**
-   * What all variants of a problem share: the mesh, the bodies, condensed once, and the loads; of
-   * one phase of construction, if bodies are built or removed on the way. The
-   * members are in the order in which data goes through them. Construction reads and checks
-   * everything; nothing is written.
+   * The data that all variants of a problem share: the mesh, the bodies, condensed once, and the
+   * loads; all of one phase of construction if bodies are built or removed on the way. The members
+   * are in the order in which data flows through them. The constructor reads and checks everything;
+   * nothing is written.
    */
   template <int dim>
   class Model
   {
   public:
     /**
-     * The first phase of construction, or the one with the state @p construction that a checkpoint
-     * remembers.
-     * @p condensation never: for checks of the input; there are no monitors then, and the bodies
-     * cannot be solved.
+     * Create the model of the first phase of construction, or of the one with the state
+     * @p construction from a checkpoint. With @p condensation never, for checks of the input, there
+     * are no monitors and the bodies cannot be solved.
      * @throws InputError, NumericalFailure
      */
     explicit Model(const Parameters &parameters,
@@ -36,8 +35,8 @@ namespace fuga
                    const Condensation condensation       = Condensation::with_loads);
 
     /**
-     * The phase behind @p before. @p same_bodies: those of another model, which is used no more,
-     * with the same bodies and joints: they are not condensed again.
+     * Create the model of the phase after @p before. @p same_bodies are those of another model that
+     * is no longer used and has the same bodies and joints: they are not condensed again.
      */
     Model(const Parameters &parameters,
           const PhaseEnd &before,
@@ -48,57 +47,66 @@ namespace fuga
     mutable PhaseTimer timer;
     const std::shared_ptr<const JointedMesh> shared_mesh;
     const JointedMesh &mesh;
-    /** They know the parameters of the model that they were made for. */
+    /** The bodies; they refer to the parameters of the model for which they were made. */
     const std::shared_ptr<CondensedSystem<dim>> shared_bodies;
     const CondensedSystem<dim> &bodies;
-    /** What this phase took over. */
+    /** The state that this phase took over from the previous one. */
     ConstructionState construction;
-    /** Found before the bodies are condensed, as loads and joints are. */
+    /**
+     * Points of the monitors; like loads and joints, they are found before the bodies are
+     * condensed.
+     */
     const std::vector<MonitorPoint<dim>> monitor_points;
     const LoadProgram loads;
     const std::vector<Monitor> monitors;
     const std::vector<std::string> joint_names, stage_names;
     const std::vector<ElementFrame> frames;
-    /** Whether a joint has bodies on both sides. */
+    /** Tells for each joint whether there are bodies on both sides. */
     const std::vector<bool> joints_there;
 
     PathOptions
     path_options() const;
 
-    /** What the joints carry; @p dissipation: per element. */
+    /** Return the resultants of the joints. @p dissipation has one entry per element. */
     std::vector<JointResultant>
     resultants(const std::vector<ElementResult> &results, const Vector &dissipation) const;
 
-    /** The mechanism of a path in words, empty without one. @p elements: of the joints. */
+    /**
+     * Return the mechanism of a path in words, empty if there is none. @p elements are those of the
+     * joints.
+     */
     std::string
     motion(const std::vector<ContactElement> &elements, const PathResult &result) const;
 
-    /** @throws InputError if joints have negative gaps. */
+    /** Check the joints. @throws InputError if they have negative gaps. */
     void
     check_joints(const std::vector<JointParameters> &joints) const;
 
-    /** Sizes for the summary. */
+    /** Return the sizes for the summary. */
     std::vector<std::pair<std::string, std::size_t>>
     sizes() const;
 
-    /** The state of the joints behind another phase; empty else. */
+    /**
+     * The state of the joints at the beginning of a phase that follows another one; otherwise
+     * empty.
+     */
     JointState first_state;
 
-    /** The stage behind this phase. */
+    /** Return the stage after this phase. */
     unsigned int
     next_stage() const
     {
       return end_of_phase(parameters.model, construction.stage);
     }
 
-    /** Whether inertia acts; the phase has one stage, or a part of one, then. */
+    /** Return whether inertia acts; the phase then consists of one stage or a part of one. */
     bool
     is_dynamic() const
     {
       return construction.until_rest || parameters.model.stages[construction.stage].is_dynamic();
     }
 
-    /** Whether a path that ended so goes on as a motion. */
+    /** Return whether a path that ended with @p result continues as a motion. */
     bool
     goes_on_in_motion(const PathResult &result) const;
 

@@ -10,20 +10,24 @@
 
 namespace fuga
 {
-  /** Whether joints have no shear strength and so need no tangential bars, by number. */
+  /**
+   * Return for each joint whether it has no shear strength and therefore needs no tangential bars.
+   */
   std::vector<bool>
   frictionless_joints(const std::vector<JointParameters> &joints);
 
-  /** Checks gaps, loads and temperatures of all phases behind the first one, so that nothing is
-   * computed before the input of all of them has been checked. @throws InputError */
+  /**
+   * Check gaps, loads and temperatures of all phases after the first one, so that nothing is
+   * computed before the input of all of them has been checked. @throws InputError
+   */
   template <int dim>
   void
   check_later_phases(const Parameters &parameters, const JointedMesh &mesh);
 
   /**
-   * A phase begins in the state @p construction, which takes the forces of bars and the stress-free
-   * shapes of new bodies over from @p before (none behind a restart). @p program gets the loads that
-   * the structure carries already, and those that are released.
+   * Begin a phase in the state @p construction, which takes over the forces of bars and the
+   * stress-free shapes of new bodies from @p before (null after a restart). The loads that the
+   * structure carries already, and those that are released, are added to @p program.
    */
   template <int dim>
   void
@@ -34,9 +38,10 @@ namespace fuga
               LoadProgram &program);
 
   /**
-   * The state of the joints in which the phase behind @p before begins: bars go on feeling what they
-   * felt, and new ones begin with nothing, wherever the bodies are, which @p construction takes as
-   * offsets of the jumps. @p factors: of the load patterns then.
+   * Return the state of the joints in which the phase after @p before begins: bars keep their
+   * forces, and new ones begin without force at the present position of the bodies, which is stored
+   * in @p construction as offsets of the jumps. @p factors are those of the load patterns at this
+   * moment.
    */
   template <int dim>
   JointState
@@ -46,7 +51,7 @@ namespace fuga
                    const Vector &factors,
                    ConstructionState &construction);
 
-  /** What is built, removed and grouted when @p stage begins. */
+  /** Describe what is built, removed and grouted when @p stage begins. */
   template <int dim>
   std::string
   change_of_construction(const ModelDefinition &definition,

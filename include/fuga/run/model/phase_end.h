@@ -13,51 +13,55 @@
 
 namespace fuga
 {
-  /** How a phase of construction ended: all that the next one needs to know of it. */
+  /** The end of a phase of construction: everything that the next one needs to know about it. */
   struct PhaseEnd
   {
-    /** What the next one begins with, but for the forces of its bars and what follows from them. */
+    /**
+     * The state in which the next phase begins, without the forces of its bars and what follows
+     * from them.
+     */
     ConstructionState next;
     std::shared_ptr<const JointedMesh> mesh;
     PhaseTimer timer;
 
-    /** Which degrees of freedom were there, see Discretization::dof(). */
+    /** Tells which degrees of freedom existed, see Discretization::dof(). */
     std::vector<bool> was_there;
 
-    /** Only geometry and bars are used; the laws do not live any more. */
+    /** The elements, of which only geometry and bars are used; their laws do not exist any more. */
     std::vector<ContactElement> elements;
     std::vector<ElementIdentity> identities;
-    /** The state of the joints and what all records know. */
+    /** The state of the joints and the contents of all records. */
     Checkpoint checkpoint;
   };
 
-  /** Takes what is known of elements and bars of a phase over into the next one. */
+  /** Transfers values of elements and bars of a phase to the next one. */
   class PhaseTransfer
   {
   public:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /** @p elements of the new phase, and where they are. */
+    /** @p elements and their @p identities belong to the new phase. */
     PhaseTransfer(const PhaseEnd &before,
                   const std::vector<ContactElement> &elements,
                   const std::vector<ElementIdentity> &identities);
 
-    /** Values of bars; 0 for new ones. */
+    /** Return the values of bars; 0 for new ones. */
     Vector
     of_bars(const Vector &values) const;
 
-    /** Values of elements; 0 for new ones. */
+    /** Return the values of elements; 0 for new ones. */
     template <typename Value>
     std::vector<Value>
     of_elements(const std::vector<Value> &values) const;
 
-    /** New numbers of elements; without those that are gone. */
+    /** Return the new numbers of elements, without those that no longer exist. */
     std::vector<std::size_t>
     numbers(const std::vector<std::size_t> &before) const;
 
     /**
-     * The state in which the phase begins: new elements as at the beginning of a run; @p grouted
-     * joints (by number) have no gap where they were open, no force, and all of their strength.
+     * Return the state in which the phase begins: new elements are as at the beginning of a run;
+     * @p grouted joints (by number) have no gap where they were open, no force, and their full
+     * strength.
      */
     JointState
     state(const std::vector<ContactElement> &elements, const std::vector<bool> &grouted) const;
@@ -65,7 +69,7 @@ namespace fuga
   private:
     const PhaseEnd &before;
     const std::vector<ContactElement> &elements;
-    /** Old number of every element, or none. */
+    /** Old number of every element, or `none`. */
     std::vector<std::size_t> old_numbers;
   };
 } // namespace fuga

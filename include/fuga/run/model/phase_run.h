@@ -15,18 +15,18 @@
 namespace fuga
 {
   /**
-   * One phase of construction on its way: what a run and a variant of a sweep have in common. The
-   * members are in the order in which data goes through them. Nothing is written.
+   * The computation of one phase of construction, common to a run and a variant of a sweep. The
+   * members are in the order in which data flows through them. Nothing is written.
    */
   template <int dim>
   class PhaseRun
   {
   public:
     /**
-     * @p parameters: those of the model, but for laws and strength of the joints and the motion of
-     * the ground. @p similar: a layered system of other joints of the same model, and @p steps: of
-     * another motion of its bodies; they are used if they fit. Model and parameters must outlive
-     * this object.
+     * @p parameters are those of the model, except for laws and strength of the joints and the
+     * motion of the ground. @p similar is a layered system of other joints of the same model,
+     * @p steps are the solvers of another motion of its bodies; they are used if they fit. Model
+     * and parameters must outlive this object.
      */
     PhaseRun(const Model<dim> &model,
              const Parameters &parameters,
@@ -41,53 +41,60 @@ namespace fuga
     const std::shared_ptr<const LayeredSystem> shared_layered;
     const LayeredSystem &layered;
     const SafetySearch<dim> safety_search;
-    /** The loads without the searches for safety that follow them. */
+    /** The loads without the subsequent searches for factors of safety. */
     const LoadHistory loading;
-    /** Of a dynamic stage. */
+    /** The bodies of a dynamic stage. */
     const std::unique_ptr<BodiesInMotion<dim>> motion;
     const std::unique_ptr<ContactPath> path;
     Judge judge;
 
-    /** What an observer of the path hears before and behind a step of a dynamic stage. */
+    /** Functions that an observer of the path calls before and after a step of a dynamic stage. */
     void
     began_step(const ContactSystem &system, const LoadHistory &history);
     void
     ended_step(const JointState &state);
 
-    /** The path of a dynamic stage. */
+    /** Return the path of a dynamic stage. */
     DynamicPath &
     dynamic_path() const;
 
-    /** Energies for the tables. */
+    /** Return the energies for the tables. */
     EnergyLedger
     energies() const;
 
-    /** Displacement of bodies in motion, by nodes. */
+    /** Return the displacement of bodies in motion, by nodes. */
     Vector
     displacement_in_motion() const;
 
-    /** What monitors take in a state: interface coordinates, or displacements in motion. */
+    /**
+     * Return the input of the monitors in a state: interface coordinates, or displacements in
+     * motion.
+     */
     Vector
     monitored(const JointState &state) const;
 
     std::vector<ElementResult>
     results(const JointState &state) const;
 
-    /** What the next phase has to know of the end of this one, but for the records of a run. @p
-     * until_rest: it is a motion of bodies that are not in equilibrium. */
+    /**
+     * Return what the next phase has to know about the end of this one, except for the records of a
+     * run. @p until_rest: the next phase is a motion of bodies that are not in equilibrium.
+     */
     PhaseEnd
     leave(const JointState &last_state,
           const PathResult &result,
           const std::size_t next_level,
           const bool until_rest = false);
 
-    /** Lets the judge go on behind the phase that ended so, for which the model was made. Returns
-     * what the path goes on from, with the records of @p before. */
+    /**
+     * Let the judge continue after the phase that ended with @p before, for which the model was
+     * made. Return the checkpoint from which the path goes on, with the records of @p before.
+     */
     Checkpoint
     enter(const PhaseEnd &before);
 
   private:
-    /** What @p u of the motion is with what was before, by nodes. */
+    /** Return the displacement @p u of the motion plus the displacement before it, by nodes. */
     Vector
     since_the_beginning(Vector u) const;
 

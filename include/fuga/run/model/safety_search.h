@@ -11,15 +11,17 @@
 namespace fuga
 {
   /**
-   * The searches for factors of safety that section Safety asks for: stages behind the loads, each
-   * of which begins with the state at their end.
+   * The searches for factors of safety requested in section Safety: stages after the loads, each of
+   * which begins with the state at their end.
    */
   template <int dim>
   class SafetySearch
   {
   public:
-    /** @p joints: with their strength, from which @p joint was made. All of them must outlive this
-     * object. */
+    /**
+     * @p joints are those with their strength from which @p joint was made. All arguments must
+     * outlive this object.
+     */
     SafetySearch(const Model<dim> &model,
                  const std::vector<JointParameters> &joints,
                  const JointModel &joint,
@@ -31,14 +33,14 @@ namespace fuga
       return model.loads.end_of_loading < model.loads.history.end();
     }
 
-    /** What is known before the searches, or instead of them. */
+    /** Return what is known before the searches, or without them. */
     std::vector<SafetyFactor>
     announced() const;
 
     /**
-     * Follows all searches from the cut at the end of the loads. @p begins is called with the state
-     * in which a search begins, @p lost where equilibrium was lost. The judge goes on from the end
-     * of the loads every time, and is left there.
+     * Follow all searches from the cut at the end of the loads. @p begins is called with the state
+     * in which a search begins, @p lost when equilibrium was lost. The judge starts from the end of
+     * the loads every time, and is reset to it afterwards.
      * @throws NumericalFailure
      */
     std::vector<SafetyFactor>
@@ -57,7 +59,7 @@ namespace fuga
 
     SafetyFactor
     announced(const StageDefinition &search) const;
-    /** The loads, and the strength, up to the end of a search. */
+    /** Return the loads, and the strength, up to the end of a search. */
     LoadHistory
     history_of(const std::size_t search) const;
     std::vector<std::string>

@@ -10,17 +10,20 @@
 namespace fuga
 {
   /**
-   * What shows that the data are too ill-conditioned for the bound of the certificate, or for the
-   * end that the path came to: a small change of the loads moves the answer as far. @p worst: of a
-   * path that began with the first load of the model. Empty if nothing shows it, or if it was not
-   * asked because it would cost more than the run did. That the question takes its time stands in
-   * @p log.
+   * Return evidence that the data are too ill-conditioned for the bound of the certificate, or for
+   * the end that the path came to: a small change of the loads changes the answer by as much.
+   * @p worst is the worst certificate of a path that began with the first load of the model. The
+   * result is empty if there is no evidence, or if the check was skipped because it would cost more
+   * than the run did. A note in @p log says that the check takes time.
    */
   template <int dim>
   std::string
   doubt_about_data(const PhaseRun<dim> &phase, const Certificate &worst, RunLog &log);
 
-  /** Which layer has closed as far as its law reaches in @p state; empty if none has. */
+  /**
+   * Describe the layer that has closed up to the limit of its law in @p state; empty if there is
+   * none.
+   */
   template <int dim>
   std::string
   limit_of_law(const PhaseRun<dim> &phase, const JointState &state);

@@ -9,28 +9,34 @@
 namespace fuga
 {
   /**
-   * How a slow path that has lost its equilibrium, or has none to begin with, goes on as a motion
-   * of the bodies until they rest: Solver/Beyond limit load = dynamic.
+   * Continues a slow path that has lost its equilibrium, or has none to begin with, as a motion of
+   * the bodies until they rest: Solver/Beyond limit load = dynamic.
    */
   template <int dim>
   class MotionContinuation
   {
   public:
-    /** Journals must outlive this object. */
+    /** The journals must outlive this object. */
     MotionContinuation(RunJournal<dim> &journal, MotionJournal<dim> &motion);
 
-    /** Whether the bodies still move behind a dynamic stage that ended with @p result, and are to
-     * come to rest before the slow one behind it. */
+    /**
+     * Return whether the bodies still move after a dynamic stage that ended with @p result and have
+     * to come to rest before the slow stage that follows it.
+     */
     bool
     still_move(const PathResult &result) const;
 
-    /** The slow path has lost its equilibrium, @p loss, which is proven if it can be, or the bodies
-     * still move. */
+    /**
+     * Begin the motion: either the slow path has lost its equilibrium with the result @p loss,
+     * which is proven if possible, or the bodies still move.
+     */
     void
     begin(PathResult &loss);
 
-    /** The motion has ended: either at rest, or @p result becomes the verdict of the slow path that
-     * it followed, whose proof is returned. */
+    /**
+     * End the motion: either the bodies are at rest, or @p result becomes the verdict of the
+     * preceding slow path, whose proof is returned.
+     */
     MechanismCertificate
     end(PathResult &result);
 

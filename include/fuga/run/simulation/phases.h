@@ -9,8 +9,8 @@
 namespace fuga
 {
   /**
-   * Does a run, or the rest of it behind @p checkpoint (or none), phase of construction by phase of
-   * construction; mostly there is one. @p on_checkpoint is called behind every checkpoint.
+   * Do a run, or the rest of it after @p checkpoint (null: none), phase of construction by phase of
+   * construction; mostly there is one. @p on_checkpoint is called after every checkpoint.
    * @throws InputError, NumericalFailure
    */
   template <int dim>

@@ -11,47 +11,55 @@
 namespace fuga
 {
   /**
-   * One run of a model: follows the path of a phase, has everything written that is found on it,
-   * and comes to a verdict. The members are in the order in which data goes through them. Nothing
-   * is written before run().
+   * One run of a model: follows the path of a phase, writes all results found on it, and comes to a
+   * verdict. The members are in the order in which data flows through them. Nothing is written
+   * before run().
    */
   template <int dim>
   class Simulation : private PathObserver
   {
   public:
-    /** @p accuracy: how the mesh of the model was found, if it was. @throws InputError,
-     * NumericalFailure */
+    /**
+     * @p accuracy describes how the mesh of the model was found, if it was adapted. @throws
+     * InputError, NumericalFailure
+     */
     explicit Simulation(const Model<dim> &model, AccuracyReport accuracy = {});
 
     ~Simulation() override;
 
-    /** Follows the loads and writes all results. */
+    /** Follow the loads and write all results. */
     ExitCode
     run();
 
     /**
-     * Does the rest of the run that @p checkpoint is of, in the same directory: afterwards all results
-     * are those of an unbroken run, but for times and what the log says of the restart.
+     * Do the rest of the run to which @p checkpoint belongs, in the same directory: afterwards all
+     * results are those of an uninterrupted run, except for times and what the log says about the
+     * restart.
      */
     ExitCode
     resume(const Checkpoint &checkpoint);
 
-    /** Whether run() or another one ended between two phases of construction. */
+    /** Return whether run(), resume() or enter_phase() ended between two phases of construction. */
     bool
     is_between_phases() const
     {
       return end_of_phase.has_value();
     }
 
-    /** What the next phase has to know then. */
+    /** Return what the next phase has to know in this case. */
     PhaseEnd
     leave_phase();
 
-    /** Goes on with a phase behind the one that ended so, for which the model was made. */
+    /**
+     * Continue with the phase after the one that ended with @p before, for which the model was
+     * made.
+     */
     ExitCode
     enter_phase(const PhaseEnd &before);
 
-    /** Has @p action called behind every checkpoint. If it throws, the run ends there. */
+    /**
+     * Set the @p action that is called after every checkpoint. If it throws, the run ends there.
+     */
     void
     on_checkpoint(std::function<void()> action)
     {
@@ -82,24 +90,29 @@ namespace fuga
 
     ExitCode
     follow(const std::function<PathResult()> &path_to_follow);
-    /** Comes to the verdict of @p outcome, unless another phase follows: then returns false. */
+    /**
+     * Determine the verdict of @p outcome; return false, without a verdict, if another phase
+     * follows.
+     */
     bool
     conclude(PathResult found, RunOutcome &outcome);
-    /** The verdict of a path that could not be followed, for the reason that @p why gives of the
-     * state @p at. */
+    /**
+     * Determine the verdict of a path that could not be followed for the reason @p why, with the
+     * state @p at.
+     */
     void
     conclude(const NumericalFailure &why, const JointState &at, RunOutcome &outcome);
-    /** Follows each search for a factor of safety from the end of the loads. */
+    /** Follow each search for a factor of safety from the end of the loads. */
     std::vector<SafetyFactor>
     find_safety(const PathResult &loaded);
-    /** Empty unless it is the data that are ill-conditioned, see doubt_about_data(). */
+    /** Return doubt_about_data(); empty unless the data are ill-conditioned. */
     std::string
     doubt();
     PathResult
     resume_motion(const Checkpoint &checkpoint);
     void
     finish(const RunOutcome &outcome);
-    /** Leaves complete files of what was reached, and a checkpoint. @throws Interrupted always. */
+    /** Leave complete files of the results so far, and a checkpoint. @throws Interrupted always. */
     [[noreturn]] void
     end_early();
 
@@ -111,12 +124,15 @@ namespace fuga
     CheckpointKeeper<dim> checkpoints;
     MotionContinuation<dim> continuation;
 
-    /** The path began with the first load of the model. */
+    /** Whether the path began with the first load of the model. */
     bool from_the_beginning = false;
-    /** A level of bodies in motion was reached: the checkpoint waits for the end of the step. */
+    /**
+     * Whether bodies in motion have reached a level, so that the checkpoint waits for the end of
+     * the step.
+     */
     bool level_is_due = false;
     std::optional<PathResult> end_of_phase;
-    /** The next phase is a motion until rest. */
+    /** Whether the next phase is a motion until rest. */
     bool goes_on_in_motion = false;
   };
 } // namespace fuga
