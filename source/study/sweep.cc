@@ -3,6 +3,7 @@
 
 #include <fuga/base/errors.h>
 #include <fuga/base/interruption.h>
+#include <fuga/base/numerics/not_a_number.h>
 #include <fuga/base/process_info.h>
 #include <fuga/output/files/version.h>
 #include <fuga/output/warnings/model_warnings.h>
@@ -134,9 +135,7 @@ namespace fuga
     summary.n_jumps += row.path.n_jumps;
     summary.n_schemes += row.path.n_schemes;
     summary.n_iterations += row.n_iterations;
-    // NaN is worse than any number.
-    if (!(row.certificate <= summary.worst_certificate))
-      summary.worst_certificate = row.certificate;
+    summary.worst_certificate = larger_error(summary.worst_certificate, row.certificate);
   }
 
   template <int dim>

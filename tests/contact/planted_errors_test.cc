@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 using namespace fuga;
 using namespace fuga::tests;
@@ -108,6 +109,25 @@ TEST_F(PlantedErrors, ForcesThatDoNotBalance)
   const double known      = (1. + 2. * D) * error / shear;
   EXPECT_NEAR(found.equilibrium, known, 0.01 * known);
   EXPECT_LE(found.body_equilibrium, 1e-13);
+}
+
+// A comparison with something that is not a number is never true: it must not pass for no error,
+// neither in one state nor behind others that are right.
+TEST_F(PlantedErrors, WhatIsNotANumber)
+{
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for (const auto &plant : std::vector<std::function<void(JointState &)>>{
+         [](JointState &planted) { planted.forces[2 * somewhere] = not_a_number; },
+         [](JointState &planted) { planted.forces[2 * somewhere + 1] = not_a_number; },
+         [](JointState &planted) { planted.dislocations[2 * somewhere] = not_a_number; },
+         [](JointState &planted) { planted.slips[last][0] = not_a_number; },
+         [](JointState &planted) { planted.forces[0] = std::numeric_limits<double>::infinity(); }})
+    {
+      Certificate found = judge(plant);
+      EXPECT_TRUE(std::isnan(found.worst()));
+      found.absorb(judge([](JointState &) {}));
+      EXPECT_TRUE(std::isnan(found.worst()));
+    }
 }
 
 // Errors are shares of the largest jump on the way, also where no state that has it was judged.

@@ -3,6 +3,7 @@
 
 #include <fuga/base/numerics/accurate.h>
 #include <fuga/base/numerics/blas.h>
+#include <fuga/base/numerics/not_a_number.h>
 #include <fuga/contact/judge/certificate.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace fuga
   {
     double largest = 0.;
     for (const auto &entry : entries())
-      largest = std::isnan(entry.second) ? entry.second : std::max(largest, entry.second);
+      largest = larger_error(largest, entry.second);
     return largest;
   }
 
@@ -46,7 +47,7 @@ namespace fuga
                                        &Certificate::slip_direction,
                                        &Certificate::layer_law,
                                        &Certificate::energy})
-      this->*entry = this->*entry >= other.*entry ? this->*entry : other.*entry;
+      this->*entry = larger_error(this->*entry, other.*entry);
   }
 
   namespace
@@ -300,12 +301,17 @@ namespace fuga
       {
         const double scale      = scale_of_energy(max_abs(f));
         const auto beyond_noise = [&](const double work) {
-          return share(std::max(0., work - rounding_of_work()), scale);
+          return share(larger_error(work - rounding_of_work(), 0.), scale);
         };
         result.energy = beyond_noise(
           std::abs(ledger.external_work - ledger.bodies - ledger.layer - ledger.dissipation));
         result.slip_direction = std::max(result.slip_direction, beyond_noise(wrong_slip_work));
       }
+    // Comparisons with something that is not a number tell nothing.
+    if (!are_finite(state.forces) || !are_finite(delta) || !are_finite(state.dilations) ||
+        !std::all_of(state.slips.begin(), state.slips.end(), are_finite<TangentVector>) ||
+        !are_finite(f) || !are_finite(Sx))
+      result.equilibrium = std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 } // namespace fuga

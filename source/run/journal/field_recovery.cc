@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/not_a_number.h>
 #include <fuga/run/journal/field_recovery.h>
 
 #include <deal.II/lac/vector.h>
@@ -14,8 +15,8 @@ namespace fuga
     void
     absorb(const EquilibriumError &error, Certificate &certificate)
     {
-      certificate.equilibrium      = std::max(certificate.equilibrium, error.residual);
-      certificate.body_equilibrium = std::max(certificate.body_equilibrium, error.resultant);
+      certificate.equilibrium      = larger_error(certificate.equilibrium, error.residual);
+      certificate.body_equilibrium = larger_error(certificate.body_equilibrium, error.resultant);
     }
 
     // The stiffness of the bodies that the path uses differs from theirs by rounding. Either the
