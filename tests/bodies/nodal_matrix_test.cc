@@ -42,8 +42,9 @@ namespace
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < n; ++i)
         X[j][i] = number(draws);
-    K.Apply(X, Y);
-    K.Multiply(false, X, exact);
+    for (int j = 0; j < 2; ++j)
+      K.multiply_roughly(*X(j), *Y(j));
+    K.Apply(X, exact);
     // A sum of some 20 products of numbers up to 1, each with a relative error of 6e-8.
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < n; ++i)

@@ -22,10 +22,12 @@ namespace fuga
     int
     multiply_for_multigrid(ML_Operator *level, int, double *x, int, double *y)
     {
-      const auto &K = *static_cast<const Epetra_CrsMatrix *>(ML_Get_MyMatvecData(level));
+      const auto *matrix = static_cast<const Epetra_CrsMatrix *>(ML_Get_MyMatvecData(level));
+      const auto &K      = static_cast<const NodalMatrix &>(*matrix);
       const Epetra_Vector X(View, K.DomainMap(), x);
       Epetra_Vector Y(View, K.RangeMap(), y);
-      return K.Apply(X, Y);
+      K.multiply_roughly(X, Y);
+      return 0;
     }
   } // namespace
 
@@ -129,8 +131,12 @@ namespace fuga
     R.Norm2(goal.data());
     for (double &value : goal)
       value *= tolerance;
-    system->K->Multiply(false, X, Q);
-    R.Update(-1., Q, 1.);
+    X.NormInf(norm.data());
+    if (max_abs(norm) > 0.)
+      {
+        system->K->Apply(X, Q);
+        R.Update(-1., Q, 1.);
+      }
     for (int count = 0;; ++count)
       {
         R.Norm2(norm.data());
@@ -150,7 +156,7 @@ namespace fuga
         for (std::size_t j = 0; j < norm.size(); ++j)
           P(static_cast<int>(j))
             ->Update(1., *Z(static_cast<int>(j)), previous[j] > 0. ? rz[j] / previous[j] : 0.);
-        system->K->Multiply(false, P, Q);
+        system->K->Apply(P, Q);
         P.Dot(Q, product.data());
         for (std::size_t j = 0; j < norm.size(); ++j)
           if (is_running[j])

@@ -69,7 +69,7 @@ namespace fuga
     /** The matrix [K_ii K_ic; K_ci K_cc + C]. */
     struct BodiesWithBars
     {
-      const NodalMatrix &K;
+      const Epetra_CrsMatrix &K;
       const Compressed &coupling, &kept;
       const std::vector<BlockOfCoordinates> &bars;
 
@@ -79,7 +79,7 @@ namespace fuga
         const auto n          = static_cast<std::size_t>(K.NumMyRows());
         const Epetra_Vector u = interior_part(K.RowMap(), x);
         Epetra_Vector f       = interior_part(K.RowMap(), y);
-        K.Multiply(false, u, f);
+        K.Apply(u, f);
         const Vector jumps = kept_part(x, n, kept.start.size() - 1);
         add_to_interior(coupling, 1., jumps.data(), y.begin());
         Vector forces(jumps.size(), 0.);
@@ -186,13 +186,11 @@ namespace fuga
     const double goal = tolerance * load.l2_norm();
     if (!so_far.interior.empty())
       {
-        std::copy(so_far.interior.begin(), so_far.interior.end(), y.begin());
-        const Epetra_Vector u = interior_part(system->map, y);
-        Epetra_Vector left    = interior_part(system->map, load);
-        system->K->Multiply(false, u, left);
+        const Epetra_Vector u(View, system->map, const_cast<double *>(so_far.interior.data()));
+        Epetra_Vector left = interior_part(system->map, load);
+        system->K->Apply(u, left);
         add_to_interior(system->coupling, 1., so_far.x.data(), load.begin());
         std::transform(load.begin(), load.begin() + n, load.begin(), std::negate<>());
-        y = 0.;
       }
 
     dealii::SolverControl control(max_bar_iterations, goal);

@@ -3,7 +3,6 @@
 
 #include <Epetra_Import.h>
 #include <Epetra_Map.h>
-#include <Epetra_MultiVector.h>
 #include <fuga/bodies/solvers/nodal_matrix.h>
 
 #include <algorithm>
@@ -87,20 +86,22 @@ namespace fuga
   }
 
 
-  int
-  NodalMatrix::Apply(const Epetra_MultiVector &X, Epetra_MultiVector &Y) const
+  void
+  NodalMatrix::multiply_roughly(const Epetra_Vector &X, Epetra_Vector &Y) const
   {
     std::vector<float> x(static_cast<std::size_t>(n_block_columns) * size, 0.F);
-    Epetra_MultiVector everywhere(ColMap(), Importer() != nullptr ? X.NumVectors() : 1, false);
-    if (Importer() != nullptr)
-      everywhere.Import(X, *Importer(), Insert);
-    for (int j = 0; j < X.NumVectors(); ++j)
+    const auto take = [&](const Epetra_Vector &columns) {
+      for (std::size_t c = 0; c < places.size(); ++c)
+        x[static_cast<std::size_t>(places[c])] = static_cast<float>(columns[static_cast<int>(c)]);
+    };
+    if (Importer() == nullptr)
+      take(X);
+    else
       {
-        const double *from = Importer() != nullptr ? everywhere[j] : X[j];
-        for (std::size_t c = 0; c < places.size(); ++c)
-          x[static_cast<std::size_t>(places[c])] = static_cast<float>(from[c]);
-        size == 2 ? multiply<2>(x.data(), Y[j]) : multiply<3>(x.data(), Y[j]);
+        Epetra_Vector columns(ColMap(), false);
+        columns.Import(X, *Importer(), Insert);
+        take(columns);
       }
-    return 0;
+    size == 2 ? multiply<2>(x.data(), Y.Values()) : multiply<3>(x.data(), Y.Values());
   }
 } // namespace fuga

@@ -126,29 +126,6 @@ namespace fuga
         }
     }
 
-    /** Return the ratio of the largest to the smallest distance between corners of one cell; the
-     * largest of all cells. */
-    template <int dim>
-    double
-    stretch_of_cells(const Discretization<dim> &space)
-    {
-      double result = 1.;
-      for (std::size_t cell = 0; cell < space.n_cells(); ++cell)
-        {
-          const unsigned int *nodes = space.cell_nodes(cell);
-          double least = std::numeric_limits<double>::infinity(), largest = 0.;
-          for (std::size_t i = 0; i < space.reference_element().n_corners(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-              {
-                const double distance = space.position(nodes[i]).distance(space.position(nodes[j]));
-                least                 = std::min(least, distance);
-                largest               = std::max(largest, distance);
-              }
-          result = std::max(result, largest / least);
-        }
-      return result;
-    }
-
     /** Warn of thin cells: multigrid that joins neighbours alike in all directions smooths badly
      * along them. */
     template <int dim>
@@ -161,7 +138,9 @@ namespace fuga
       const BodySolver solver = parameters.model.body_solver;
       if (solver == BodySolver::automatic || is_direct(solver))
         return;
-      const double stretch = stretch_of_cells(system.discretization());
+      double stretch = 1.;
+      for (const auto &cell : system.discretization().triangulation().active_cell_iterators())
+        stretch = std::max(stretch, cell->diameter() / cell->minimum_vertex_distance());
       if (stretch > usual)
         warnings.push_back(fmt::format(
           "Solver/Bodies = {}: cells are up to {:.3g} times as long as wide, usual is at most "

@@ -172,6 +172,10 @@ namespace fuga
                  std::vector<Vector> &u,
                  const InteriorSolver::Digits digits) const;
 
+    /** Do the same twice: the second solution refines the first one. */
+    void
+    solve_to_rounding(const std::vector<Vector> &loads, std::vector<Vector> &u) const;
+
     /** Number of columns solved in one pass over the factors. */
     static constexpr std::size_t at_once = 16;
 

@@ -5,29 +5,31 @@
 #define fuga_bodies_solvers_nodal_matrix_h
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Vector.h>
 
 #include <vector>
 
 namespace fuga
 {
   /**
-   * A matrix whose rows and columns come in blocks of one node each. Multigrid uses it for
-   * smoothing; therefore Apply() multiplies in single precision and reads the position of a column
-   * only once per block: 40 bytes for nine entries in space, where Epetra_CrsMatrix::Multiply(), in
-   * double precision, reads 108. Both are limited by the memory bandwidth alone.
+   * A matrix whose rows and columns come in blocks of one node each. For the smoother of multigrid
+   * it has a second product in single precision, which reads the position of a column only once per
+   * block: 40 bytes for nine entries in space, where Epetra_CrsMatrix::Apply(), in double
+   * precision, reads 108. Both are limited by the memory bandwidth alone.
    */
   class NodalMatrix : public Epetra_CrsMatrix
   {
   public:
     using Epetra_CrsMatrix::Epetra_CrsMatrix;
 
-    /** Store the entries for Apply(), after FillComplete(). Every process has whole blocks. */
+    /** Store the entries for multiply_roughly(), after FillComplete(). Every process has whole
+     * blocks. */
     void
     finish(const unsigned int block_size);
 
     /** Compute Y = K X in single precision. */
-    int
-    Apply(const Epetra_MultiVector &X, Epetra_MultiVector &Y) const override;
+    void
+    multiply_roughly(const Epetra_Vector &X, Epetra_Vector &Y) const;
 
   private:
     template <unsigned int size>
