@@ -71,9 +71,9 @@ TEST(EventPath, OneBarWithGapSlipAndReversal)
 // a spring and back: forces of one are differences of terms of 1e7. With the pressures 1 and 2, f =
 // 1/2 and the push P = T1 + T2 + 2s (d1 + d2), s = 1/4: both slide beyond P = 3/2, d1 = d2 = 1 at P
 // = 5/2; then both stick, until T1 = 1/2 - (5/2 - P)/2 = -1/2 at P = 1/2. The load has a corner
-// 4e-7 before, where T1 is short of its strength by 2e-7 and nothing happens. Forces, differences of
-// two terms of k whose last digits depend on the kernels of the BLAS, are known to four of these,
-// and so is the load of the event, at a rate of 0.2 of T1.
+// 4e-7 before, where T1 is short of its strength by 2e-7 and nothing happens. Forces, differences
+// of two terms of k whose last digits depend on the kernels of the BLAS, are known to four of
+// these, and so is the load of the event, at a rate of 0.2 of T1.
 TEST(EventPath, SmallDifferencesOfLargeTermsReachTheirStrengthWhereTheyDo)
 {
   constexpr double k = 1e7, s = 0.25, before = 4e-7, unloading = 0.4;
@@ -179,7 +179,7 @@ TEST(EventPath, NoContinuationIsAVerdictWhereAllWasTriedOrRuledOut)
         prove_limit(record.judge, joint.elements, layered, record.last, result);
       };
       EXPECT_NO_THROW(prove());
-      EXPECT_TRUE(result.critical.all_counted);
+      EXPECT_TRUE(result.critical.all_counted || !result.barrier.forces.empty());
     }
 }
 

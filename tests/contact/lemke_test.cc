@@ -3,7 +3,7 @@
 
 #include "judges/lemke.h"
 
-#include <fuga/contact/rates/lemke.h>
+#include <fuga/contact/cones/lemke.h>
 
 #include <gtest/gtest.h>
 

@@ -48,7 +48,7 @@ namespace fuga::stress
                                                      "aspect",         "size_ratio",
                                                      "offset",         "law",
                                                      "steps",          "single_switching",
-                                                     "enumeration",    "lemke",
+                                                     "newton",         "search",
                                                      "checked_equal",  "checked_other",
                                                      "difference",     "features",
                                                      "energy_lacking", "not_accounted",
@@ -173,8 +173,8 @@ namespace fuga::stress
       tell(write, "steps", events.at("steps").get<std::size_t>());
       const auto &decided = events.at("decided_by");
       tell(write, "single_switching", decided.at("single switching").get<std::size_t>());
-      tell(write, "enumeration", decided.at("enumeration").get<std::size_t>());
-      tell(write, "lemke", decided.at("lemke").get<std::size_t>());
+      tell(write, "newton", decided.at("Newton's method").get<std::size_t>());
+      tell(write, "search", decided.at("search").get<std::size_t>());
       tell(write, "elements", summary.at("sizes").at("contact_elements").get<std::size_t>());
       tell(write, "t", summary.at("t").get<double>());
       if (summary.contains("message"))

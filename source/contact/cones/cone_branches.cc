@@ -35,7 +35,7 @@ namespace fuga
   ConeRateProblem::choices(const Candidate &candidate) const
   {
     std::vector<Choice> result = {{ContactState::stick, candidate.direction}};
-    if (candidate.at_apex || candidate.grazing)
+    if (candidate.grazing)
       result.push_back({ContactState::open, candidate.direction});
     if (candidate.n_tangents == 0)
       return result;
@@ -73,12 +73,6 @@ namespace fuga
   {
     return n_combinations(choices()) <=
            (has_free_directions() ? most_with_directions : most_combinations);
-  }
-
-  bool
-  ConeRateProblem::can_be_enumerated() const
-  {
-    return !candidates.empty() && !has_free_directions() && is_small();
   }
 
   void
@@ -130,27 +124,33 @@ namespace fuga
       {
         for (std::size_t i = 0; i < all.size(); ++i)
           {
-            const std::size_t slipping = std::min<std::size_t>(
-              all[i].size() - 1, candidates[i].at_apex || candidates[i].grazing ? 2 : 1);
+            const std::size_t slipping =
+              std::min<std::size_t>(all[i].size() - 1, candidates[i].grazing ? 2 : 1);
             const std::size_t choice = guess == 0   ? 0
                                        : guess == 1 ? slipping
                                                     : random() % all[i].size();
             take(all[i][choice], candidates[i]);
           }
-        if (iterate(n_iterations, result) == Outcome::solved && note())
+        if (settles(result) && note())
           return;
       }
   }
 
   bool
-  ConeRateProblem::search(ConeContinuation &result, const std::function<bool()> &note)
+  ConeRateProblem::search(ConeContinuation &result,
+                          const std::function<bool()> &note,
+                          const double most_combinations_tried)
   {
     const std::vector<Candidate> before = candidates;
     const Vector v_before = v, q_before = q, motion_before = free_motion;
     bool found            = false;
     const auto until_done = [&] { return found = note(); };
-    if (is_small())
-      try_all(result, until_done);
+    if (is_small() ||
+        (!has_free_directions() && n_combinations(choices()) <= most_combinations_tried))
+      {
+        try_all(result, until_done);
+        result.is_ruled_out = !found && !has_free_directions();
+      }
     else
       try_guesses(result, until_done);
     free_motion = motion_before;
@@ -163,10 +163,21 @@ namespace fuga
   }
 
   std::vector<ConeContinuation>
-  ConeRateProblem::all_solutions(WorkingScheme &background, const Drive &drive)
+  ConeRateProblem::all_solutions(const JointState &state,
+                                 const std::vector<BoundaryElement> &set,
+                                 WorkingScheme &background,
+                                 const Drive &drive,
+                                 const std::vector<ContactState> &states,
+                                 const std::vector<TangentVector> &directions)
   {
     std::vector<ConeContinuation> result;
     ConeContinuation counted;
+    if (!take_set(state, set, background, drive, {}, counted))
+      return result;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      take({is_slipping(states[i]) ? ContactState::slip_forward : states[i],
+            is_slipping(states[i]) ? directions[i] : candidates[i].direction},
+           candidates[i]);
     const auto note = [&] {
       ConeContinuation solution;
       take_solution(solution);
@@ -174,7 +185,8 @@ namespace fuga
       result.push_back(std::move(solution));
       return false;
     };
-    note(); // the one that was found
+    if (is_solution(counted)) // the present one
+      note();
     search(counted, note);
     return result;
   }

@@ -26,14 +26,14 @@ namespace fuga
     }
   } // namespace
 
-  // The motion is that of a scheme without resistance, or the change that every sweep adds to rates
-  // that grow beyond bounds. It is a mechanism if the load drives it, nothing resists and no closed
-  // element would penetrate or slip against its force; anything else only shows that no solution
-  // was found.
+  // The motion is the ray of Lemke's method, which meets no resistance if any motion does, that of
+  // a scheme without resistance, or the change that every sweep adds to rates that grow beyond
+  // bounds. It is a mechanism if the load drives it, nothing resists and no closed element would
+  // penetrate or slip against its force; anything else only shows that no solution was found.
   void
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
-    for (Vector &motion : std::array<std::reference_wrapper<Vector>, 2>{{free_motion, drift}})
+    for (Vector &motion : std::array<std::reference_wrapper<Vector>, 3>{{ray, free_motion, drift}})
       {
         if (motion.empty() || result.has_mechanism)
           continue;
@@ -71,7 +71,20 @@ namespace fuga
           answer.place = Place::at_apex;
         answer.strength_rate =
           answer.place == Place::on_cone ? candidate.strength_rate : candidate.tension_rate;
-        answers.push_back(answer);
+        // A cone without width has two sides along one tangent.
+        if (candidate.at_apex && candidate.n_tangents == 1 && candidate.friction == 0.)
+          for (const double sign : {1., -1.})
+            {
+              ConeAnswer side    = answer;
+              side.place         = Place::on_cone;
+              side.direction     = {{sign, 0.}};
+              side.strength_rate = 0.;
+              answers.push_back(side);
+              answer.place = Place::parting;
+            }
+        if (candidate.friction > 0. || candidate.n_tangents != 1 || !candidate.at_apex ||
+            candidate.grazing)
+          answers.push_back(answer);
       }
     const std::optional<Vector> barrier = fuga::find_barrier(W, r, diagonal, answers);
     return barrier ? std::optional<JointRates>(full_rates(background, at_rest(system), *barrier))
@@ -128,7 +141,7 @@ namespace fuga
         const double slip =
           candidate.n_tangents == 0 ? 0. : length(tangential_rows(candidate, motion));
         const double normal = std::sqrt(diagonal[n]) * (motion[n] - candidate.rise * slip);
-        if (candidate.at_apex || candidate.grazing ? normal < -none : std::abs(normal) > none)
+        if (candidate.grazing ? normal < -none : std::abs(normal) > none)
           return false;
         if (candidate.at_apex || candidate.n_tangents == 0)
           continue;
@@ -151,7 +164,7 @@ namespace fuga
       add(r[row] * motion[row]);
     for (const Candidate &candidate : candidates)
       if (!candidate.at_apex && candidate.n_tangents > 0)
-        add(-candidate.strength_rate *
+        add((candidate.friction * r[candidate.row] - candidate.strength_rate) *
             dot(tangential_rows(candidate, motion), candidate.direction));
     return power;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/not_a_number.h>
 #include <fuga/contact/cones/cone_program.h>
 
 #include <algorithm>
@@ -238,7 +239,15 @@ namespace fuga
             for (std::size_t i = 0; i < blocks[k].size; ++i)
               H(blocks[k].first + i, blocks[k].first + j) += unit[i];
           }
-      factors.emplace(std::move(H));
+      if (are_finite(Vector(H.data(), H.data() + H.n_rows() * H.n_columns())))
+        factors.emplace(std::move(H));
+    }
+
+    /** Return false where rounding has taken an iterate out of its cone. */
+    bool
+    is_regular() const
+    {
+      return factors.has_value();
     }
 
     void
@@ -307,6 +316,8 @@ namespace fuga
         if ((is_solved && mu <= tolerance) || !is_bounded || !iterate.is_inside())
           break;
         NewtonStep step(iterate);
+        if (!step.is_regular())
+          break;
         step.find(0.);
         Iterate trial = iterate;
         trial.go(iterate.way_out(step.dx, step.dy), step.dx, step.dy);

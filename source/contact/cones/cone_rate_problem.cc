@@ -3,6 +3,7 @@
 
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
+#include <fuga/contact/element/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,24 +29,25 @@ namespace fuga
                          WorkingScheme &background,
                          const Drive &drive,
                          const std::vector<std::size_t> &resticking,
-                         const double widening)
+                         const double widening,
+                         const Accept &accepts)
   {
     ConeContinuation result;
     noise_at_rest = widening;
     if (!take_set(state, set, background, drive, resticking, result))
       return result;
     const std::vector<Candidate> at_first = candidates;
-    Outcome outcome                       = iterate(n_iterations, result);
-    if (outcome != Outcome::solved)
-      {
-        candidates = at_first;
-        outcome    = approach_from_softer_layer(result);
-      }
-    if (outcome != Outcome::solved)
-      {
-        candidates = at_first;
-        outcome    = approach_by_associated_slip(result);
-      }
+    accept                                = accepts;
+    Outcome outcome                       = Outcome::cycled;
+    for (const auto approach : {&ConeRateProblem::approach_by_pivoting,
+                                &ConeRateProblem::approach_from_present_states,
+                                &ConeRateProblem::approach_from_softer_layer,
+                                &ConeRateProblem::approach_by_associated_slip})
+      if (outcome != Outcome::solved)
+        {
+          candidates = at_first;
+          outcome    = (this->*approach)(result);
+        }
     for (const unsigned int n : n_sweeps)
       {
         if (outcome == Outcome::solved)
@@ -56,12 +58,15 @@ namespace fuga
       }
     if (outcome != Outcome::solved)
       {
-        find_mechanism(background, result);
-        result.by_search = !result.has_mechanism && search_or_prove(background, drive, result);
+        result.by_search = find_another_way(background, drive, result);
         if (!result.by_search)
-          return result;
+          {
+            accept = {};
+            return result;
+          }
       }
     slip_where_neutral();
+    accept = {};
     take_solution(result);
     result.rates = full_rates(background, drive, v);
     return result;
@@ -76,6 +81,7 @@ namespace fuga
                             ConeContinuation &result)
   {
     candidates.clear();
+    accept                                = {};
     const std::optional<JointRates> stuck = background.rates(drive);
     if (!stuck)
       {
@@ -86,32 +92,23 @@ namespace fuga
     bars.clear();
     free_motion.clear();
     drift.clear();
+    ray.clear();
+    const ContactBoundary::RateNoise noise_at_most(system, largest_rates(drive), drive);
     for (const BoundaryElement &member : set)
       {
         const ContactElement &element = elements[member.element];
-        Candidate candidate;
-        candidate.element    = member.element;
-        candidate.row        = bars.size();
-        candidate.at_apex    = member.shear != ShearPosition::at_strength;
-        candidate.grazing    = member.grazing;
-        candidate.n_tangents = member.shear == ShearPosition::inside ? 0 : element.n_bars() - 1;
+        Candidate candidate(member, element, state, drive);
+        candidate.no_force = noise_at_most.force(element.normal_bar);
+        for (std::size_t a = 1; a <= candidate.n_tangents; ++a)
+          candidate.no_shear = std::max(candidate.no_shear, noise_at_most.force(element.bar(a)));
+        candidate.no_shear += candidate.friction * candidate.no_force;
+        candidate.row = bars.size();
         candidate.resting =
           std::find(resticking.begin(), resticking.end(), member.element) != resticking.end();
         candidate.state = candidate.resting ? ContactState::stick : state.states[member.element];
-        candidate.tension_rate = tensile_strength_rate(element, drive);
-        bars.push_back(element.normal_bar);
-        if (candidate.n_tangents > 0)
-          {
-            candidate.friction      = state.strengths[member.element].friction;
-            candidate.rise          = state.strengths[member.element].dilatancy;
-            candidate.strength_rate = shear_strength_rate(element, candidate.friction, drive);
-            if (!drive.release.empty())
-              candidate.shear_release = tangential(element, drive.release);
-            bars.push_back(element.tangential_bar);
-            if (candidate.n_tangents == 2)
-              bars.push_back(element.second_tangential_bar);
-            candidate.direction = direction_of(tangential(element, state.forces));
-          }
+        candidate.direction = candidate.shear_direction;
+        for (std::size_t a = 0; a <= candidate.n_tangents; ++a)
+          bars.push_back(element.bar(a));
         candidates.push_back(candidate);
       }
     std::optional<DenseMatrix> stiffness = background.stiffness(bars, bars);
@@ -129,8 +126,41 @@ namespace fuga
     diagonal.clear();
     for (const std::size_t bar : bars)
       diagonal.push_back(system.stiffness()(bar, bar));
-    std::replace(diagonal.begin(), diagonal.end(), 0., max_abs(diagonal)); // free bars have no size
+    const double largest = max_abs(diagonal); // bars that nothing resists have no size of their own
+    std::replace(diagonal.begin(), diagonal.end(), 0., largest > 0. ? largest : 1.);
     return true;
+  }
+
+  bool
+  ConeRateProblem::settles(ConeContinuation &result)
+  {
+    return accept ? is_accepted() : iterate(n_iterations, result) == Outcome::solved;
+  }
+
+  bool
+  ConeRateProblem::is_accepted() const
+  {
+    if (!accept)
+      return true;
+    ConeContinuation found;
+    take_solution(found);
+    return accept(found);
+  }
+
+  JointRates
+  ConeRateProblem::largest_rates(const Drive &drive) const
+  {
+    double driving_force = 0.;
+    for (std::size_t i = 0; i < drive.reactions.size(); ++i)
+      driving_force =
+        std::max({driving_force,
+                  std::abs(drive.reactions[i]) / system.scale(i),
+                  drive.strength.empty() ? 0. : std::abs(drive.strength[i]) / system.scale(i)});
+    JointRates largest;
+    largest.forces.assign(system.n_bars(), 0.);
+    for (std::size_t i = 0; i < system.n_bars(); ++i)
+      largest.dislocations.push_back(largest_motion * driving_force / system.scale(i));
+    return largest;
   }
 
   void
@@ -140,10 +170,7 @@ namespace fuga
     result.determinant_sign = determinant_sign;
     for (const Candidate &candidate : candidates)
       {
-        // Along a single bar slip has a sign, as in the plane.
-        const bool backward =
-          is_slipping(candidate.state) && candidate.n_tangents == 1 && candidate.direction[0] < 0.;
-        result.states.push_back(backward ? ContactState::slip_backward : candidate.state);
+        result.states.push_back(state_of(candidate, elements[candidate.element]));
         result.directions.push_back(candidate.direction);
       }
   }
@@ -170,13 +197,19 @@ namespace fuga
         if (!update_scheme(i >= n_together))
           {
             if (regular && is_settled())
-              return Outcome::solved;
+              return is_accepted() ? Outcome::solved : Outcome::cycled;
             if (!regular && !end_idle_motion())
               return Outcome::singular;
           }
         free_motion.clear(); // that of a scheme that the next one replaces
       }
     return Outcome::cycled;
+  }
+
+  ConeRateProblem::Outcome
+  ConeRateProblem::approach_from_present_states(ConeContinuation &result)
+  {
+    return iterate(n_iterations, result);
   }
 
   void

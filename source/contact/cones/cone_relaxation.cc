@@ -146,12 +146,14 @@ namespace fuga
           }
       }
     std::array<double, 3> rates = {{0., 0., 0.}};
-    if (candidate.at_apex)
+    if (candidate.at_apex && candidate.grazing)
       rates = local.solve();
     else
       {
-        const double xi = std::max(0., local.slip(candidate.direction));
-        rates           = {{0., xi * candidate.direction[0], xi * candidate.direction[1]}};
+        const TangentVector e =
+          candidate.at_apex ? direction_of({{local.r[1], local.r[2]}}) : candidate.direction;
+        const double xi = std::max(0., local.slip(e));
+        rates           = {{0., xi * e[0], xi * e[1]}};
       }
     for (std::size_t i = 0; i < n_rows; ++i)
       change_rate(n + i, rates[i] - v[n + i]);

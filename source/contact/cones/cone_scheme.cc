@@ -3,6 +3,7 @@
 
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
+#include <fuga/contact/element/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,17 +26,40 @@ namespace fuga
       double right_hand_side = 0.;
     };
 
+    /** Remove from x, where M x = @p rhs, what @p nearby leaves of the right-hand side, if it can be
+     * removed: if nothing drives what moves freely. */
+    void
+    let_rest(const DenseMatrix &M, const Vector &rhs, const LuFactors &nearby, Vector &x)
+    {
+      constexpr int max_sweeps = 20;
+      constexpr double at_rest = 1e-12;
+      Vector refined           = x;
+      double left = max_abs(rhs), last = 3. * left; // the first sweep is made
+      for (int sweep = 0; sweep < max_sweeps && left < 0.5 * last; ++sweep)
+        {
+          last        = left;
+          Vector rest = rhs;
+          add_multiple(-1., multiply(M, refined), rest);
+          left = max_abs(rest);
+          nearby.solve(rest);
+          add_multiple(1., rest, refined);
+        }
+      if (left <= at_rest * max_abs(rhs))
+        x = std::move(refined);
+    }
+
     /**
      * Solve M x = rhs in place, where rows and columns of M are scaled to a unit diagonal of W
      * before bars were released, so that a matrix which is small as a whole also counts as
-     * singular. If it is singular, @p note_motion gets its null vector, and weak springs to the
+     * singular, as does one whose answer is above @p largest. If it is singular, @p note_motion gets its null vector, and weak springs to the
      * ground hold what moves freely: it then moves far, in the direction in which the load drives
-     * it, so that the next scheme closes the elements that it runs into. Return the sign of the
-     * determinant.
+     * it, so that the next scheme closes the elements that it runs into; what nothing drives rests.
+     * Return the sign of the determinant.
      */
     int
     solve_or_regularise(const DenseMatrix &M,
                         Vector &x,
+                        const double largest,
                         const std::function<void(const Vector &)> &note_motion)
     {
       constexpr double smallest_condition = 1e-13, ground = 1e-6;
@@ -55,14 +79,21 @@ namespace fuga
         return sum;
       };
       const LuFactors factors(with_springs(0.), LuFactors::Scaling::as_given);
-      const bool regular =
+      const Vector rhs = x;
+      bool regular =
         n == 0 || !(factors.reciprocal_condition() * std::min(1., norm) < smallest_condition);
       if (regular)
-        factors.solve(x);
-      else
+        {
+          factors.solve(x);
+          regular = max_abs(x) <= largest;
+        }
+      if (!regular)
         {
           note_motion(null_vector(with_springs(smallest_condition)));
-          LuFactors(with_springs(ground)).solve(x);
+          x = rhs;
+          const LuFactors held(with_springs(ground));
+          held.solve(x);
+          let_rest(M, rhs, held, x);
         }
       return regular ? factors.determinant_sign() : 0;
     }
@@ -143,8 +174,13 @@ namespace fuga
           rates[unknowns[j].row + a] += solution[j] * unknowns[j].column[a];
     };
 
-    determinant_sign =
-      solve_or_regularise(M, x, [&](const Vector &solution) { take(solution, free_motion); });
+    double drive = 0.;
+    for (std::size_t row = 0; row < r.size(); ++row)
+      drive = std::max(drive, std::abs(r[row]) / std::sqrt(diagonal[row]));
+    determinant_sign = solve_or_regularise(
+      M, x, largest_motion * std::max(drive, max_abs(x)), [&](const Vector &solution) {
+        take(solution, free_motion);
+      });
     take(x, v);
 
     // Largest turn for which Newton's step can be trusted.
@@ -178,101 +214,52 @@ namespace fuga
     return determinant_sign != 0;
   }
 
-  // At the apex the force of Alart and Curnier's projection, i.e. the present force plus the
-  // stiffness of each bar times its rate, determines the state; slip and strength are chosen such
-  // that Newton's method starts from it.
-  ConeRateProblem::Demand
+  DemandedAnswer
   ConeRateProblem::demand(const Candidate &candidate) const
   {
-    const std::size_t n      = candidate.row;
-    const double f           = candidate.friction;
-    const bool open          = candidate.state == ContactState::open;
-    const double no_force    = noise(n);
-    const double no_velocity = no_force / diagonal[n];
-    Demand demand{candidate.state, candidate.direction, candidate.slip, candidate.strength, 0.};
-    if (candidate.at_apex || candidate.grazing)
+    const std::size_t n = candidate.row;
+    LocalRates rates;
+    rates.force            = q[n];
+    rates.opening          = v[n];
+    rates.no_force         = noise(n);
+    rates.normal_stiffness = diagonal[n];
+    rates.no_opening       = rates.no_force / diagonal[n];
+    if (candidate.n_tangents > 0)
       {
-        const double tension = q[n] - candidate.tension_rate;
-        if (!open && tension > no_force)
-          {
-            demand.violation = tension;
-            demand.state     = ContactState::open;
-            return demand;
-          }
-        if (open && v[n] >= -no_velocity)
-          return demand;
-        if (open)
-          demand.violation = -v[n] * diagonal[n];
+        rates.shear           = tangential_rows(candidate, q);
+        rates.velocity        = tangential_rows(candidate, v);
+        rates.slip            = candidate.slip;
+        rates.no_shear        = shear_noise(candidate);
+        rates.shear_stiffness = shear_stiffness(candidate);
+        rates.no_slip         = rates.no_shear / rates.shear_stiffness;
       }
-    const auto change_to = [&](const ContactState state) {
-      demand.state = state;
-      demand.slip = demand.strength = 0.;
-      return demand;
-    };
-    if (candidate.n_tangents == 0)
-      return change_to(ContactState::stick);
-
-    const TangentVector q_t = tangential_rows(candidate, q), v_t = tangential_rows(candidate, v);
-    const double stiffness = shear_stiffness(candidate);
-    const double no_shear  = shear_noise(candidate);
-    if (is_slipping(candidate.state))
-      {
-        if (candidate.slip >= -no_shear / stiffness)
-          return demand;
-        demand.violation = -candidate.slip * stiffness;
-        return change_to(ContactState::stick);
-      }
-    if (!candidate.at_apex)
-      {
-        demand.violation =
-          std::max(0., dot(candidate.direction, q_t) + f * q[n] - candidate.strength_rate);
-        return change_to(demand.violation > no_shear ? ContactState::slip_forward
-                                                     : ContactState::stick);
-      }
-    const double strength = f * std::max(open ? -v[n] * diagonal[n] : -q[n], 0.);
-    const TangentVector shear =
-      open ? TangentVector{{stiffness * v_t[0], stiffness * v_t[1]}} : q_t;
-    const double excess = length(shear) - strength;
-    if (excess <= no_shear)
-      return change_to(ContactState::stick);
-    return {ContactState::slip_forward,
-            {{shear[0] / length(shear), shear[1] / length(shear)}},
-            excess / stiffness,
-            strength,
-            std::max(demand.violation, excess)};
-  }
-
-  void
-  ConeRateProblem::follow(const Demand &demand, Candidate &candidate)
-  {
-    candidate.state     = demand.state;
-    candidate.direction = demand.direction;
-    candidate.slip      = demand.slip;
-    candidate.strength  = demand.strength;
+    return candidate.RateLaw::demand(candidate, rates);
   }
 
   bool
   ConeRateProblem::update_scheme(const bool one_by_one)
   {
-    Demand worst;
+    RateAnswer worst;
+    double largest          = 0.;
     Candidate *worst_of_all = nullptr;
     bool changed            = false;
     for (Candidate &candidate : candidates)
       {
-        const Demand wanted = demand(candidate);
+        const DemandedAnswer wanted = demand(candidate);
         if (wanted.state == candidate.state)
           continue;
         changed = true;
         if (!one_by_one)
-          follow(wanted, candidate);
-        else if (worst_of_all == nullptr || wanted.violation > worst.violation)
+          static_cast<RateAnswer &>(candidate) = wanted;
+        else if (worst_of_all == nullptr || wanted.violation > largest)
           {
             worst        = wanted;
+            largest      = wanted.violation;
             worst_of_all = &candidate;
           }
       }
     if (worst_of_all != nullptr)
-      follow(worst, *worst_of_all);
+      static_cast<RateAnswer &>(*worst_of_all) = worst;
     return changed;
   }
 

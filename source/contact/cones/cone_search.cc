@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/lcp_search.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 #include <fuga/contact/element/mechanism.h>
 
@@ -15,6 +14,9 @@ namespace fuga
     /** Largest number of elements that may open for which all combinations of open and closed are
      * tried. */
     constexpr std::size_t most_openings = 4;
+    /** Number of combinations of states that are tried where the only alternative is not to know.
+     */
+    constexpr double most_combinations_at_last = 1e5;
     /** Reciprocal condition number below which the elements that open are without support. */
     constexpr double no_support = 1e-13;
 
@@ -55,86 +57,139 @@ namespace fuga
     }
   } // namespace
 
-  // A search is made where the combinations cannot all be tried, unless a virtual motion shows at
-  // once that there is nothing to be found.
+  // With friction a solution may exist beside a motion that nothing resists. The combinations that
+  // cannot all be tried are divided, unless a virtual motion shows at once that there is nothing to
+  // be found.
   bool
-  ConeRateProblem::search_or_prove(WorkingScheme &background,
-                                   const Drive &drive,
-                                   ConeContinuation &result)
+  ConeRateProblem::find_another_way(WorkingScheme &background,
+                                    const Drive &drive,
+                                    ConeContinuation &result)
   {
-    if (is_small() && search(result, [] { return true; }))
+    if (is_small() && search(result, [this] { return is_accepted(); }))
       return true;
-    result.barrier = find_barrier(background, drive);
-    return !is_small() && !result.barrier && search_with_proof(result);
+    find_mechanism(background, result);
+    const bool any_apex = std::any_of(candidates.begin(),
+                                      candidates.end(),
+                                      [](const Candidate &candidate) { return candidate.at_apex; });
+    if (result.has_mechanism && !(accept && any_apex))
+      return false;
+    if (!result.has_mechanism)
+      result.barrier = find_barrier(background, drive);
+    if (is_small() || (result.barrier && !accept))
+      return false;
+    if (pivot_from_many(result) || search_with_proof(result) ||
+        (!result.is_ruled_out &&
+         search(
+           result, [this] { return is_accepted(); }, most_combinations_at_last)))
+      {
+        result.has_mechanism = false;
+        return true;
+      }
+    return false;
   }
 
-  // The noise is that of the rows of the slips; how the rates grow with the slips is not known
-  // here.
+  // At the apex a slip along one tangent may go either way, and the lips may part.
+  std::vector<ConeUnknown>
+  ConeRateProblem::unknowns_of(const std::vector<bool> &opened, const bool all_may_part) const
+  {
+    std::vector<ConeUnknown> result;
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+      {
+        const Candidate &candidate = candidates[k];
+        if (opened[k])
+          continue;
+        if (candidate.n_tangents > 0)
+          {
+            const double scale = 1. / std::sqrt(shear_stiffness(candidate));
+            if (candidate.at_apex)
+              for (const double sign : {1., -1.})
+                result.push_back({k, scale, true, {{sign, 0.}}});
+            else
+              result.push_back({k, scale, true, candidate.direction});
+          }
+        if (candidate.grazing && (candidate.at_apex || all_may_part))
+          result.push_back({k, 1. / std::sqrt(diagonal[candidate.row]), false, {{0., 0.}}});
+      }
+    return result;
+  }
+
+  // How the rates grow with the unknowns is not known here.
   LcpNoise
-  ConeRateProblem::noise_of_slips() const
+  ConeRateProblem::noise_of(const std::vector<ConeUnknown> &unknowns) const
   {
     LcpNoise result;
     double largest_drive = 0.;
-    for (const Candidate &candidate : candidates)
+    for (const ConeUnknown &unknown : unknowns)
       {
-        const double scale  = 1. / std::sqrt(shear_stiffness(candidate));
-        const auto of_shear = [&](const Vector &sizes) {
+        const Candidate &candidate = candidates[unknown.candidate];
+        const auto size_of         = [&](const Vector &sizes) {
+          if (!unknown.slips)
+            return std::abs(sizes[candidate.row]);
           const TangentVector shear = tangential_rows(candidate, sizes);
           return std::max(std::abs(shear[0]), std::abs(shear[1])) +
                  candidate.friction * std::abs(sizes[candidate.row]);
         };
-        const double stiffness = of_shear(diagonal), load = of_shear(r);
-        result.shares.push_back((candidate.resting ? noise_at_rest : 1.) * rate_tolerance * scale *
-                                stiffness);
+        const double stiffness = size_of(diagonal), load = size_of(r);
+        const double widening = candidate.resting && unknown.slips ? noise_at_rest : 1.;
+        const double share    = widening * rate_tolerance * unknown.scale * stiffness;
+        // As forces, in units of the stiffness; to the working scheme any jump counts alike.
+        result.unknowns.push_back(accept ? rate_tolerance / unknown.scale : share);
+        result.shares.push_back(accept ? 0. : share);
+        result.reserves.push_back(
+          accept ? unknown.scale * (unknown.slips ? candidate.no_shear : candidate.no_force) : 0.);
         result.at_rest = std::max(result.at_rest, load / stiffness);
-        largest_drive = std::max(largest_drive, scale * (load + std::abs(candidate.strength_rate)));
+        largest_drive =
+          std::max(largest_drive, unknown.scale * (load + std::abs(candidate.strength_rate)));
       }
-    result.unknowns        = result.shares; // both are forces, in units of the stiffness
     result.largest_unknown = largest_motion * largest_drive;
     return result;
   }
 
-  // Eq. 31 is then a linear complementarity problem: with v = P z and the forces Fᵀq to which slip
-  // responds, 0 ≤ z ⟂ ρ̇ - Fᵀr + FᵀW P z ≥ 0, scaled to a unit diagonal before bars were released.
-  // The rows after these have no unknown: an element that may open does not pull, or does not
-  // close.
-  std::optional<LcpSearch>
-  ConeRateProblem::search_slips(const std::vector<std::size_t> &may_open,
-                                const std::vector<bool> &opened) const
+  // Eq. 31 is then a linear complementarity problem: with v = P z and the forces Fᵀq to which the
+  // unknowns respond, 0 ≤ z ⟂ ρ̇ - Fᵀr + FᵀW P z ≥ 0, scaled to a unit diagonal before bars were
+  // released. The rows after these have no unknown: an element that may open does not pull, or does
+  // not close.
+  std::optional<ConeLcp>
+  ConeRateProblem::problem_of(const std::vector<ConeUnknown> &unknowns,
+                              const std::vector<std::size_t> &may_open,
+                              const std::vector<bool> &opened) const
   {
-    const std::size_t n = candidates.size(), n_rows = n + may_open.size();
+    const std::size_t n = unknowns.size(), n_rows = n + may_open.size();
     DenseMatrix P(bars.size(), n_rows), F(bars.size(), n_rows);
     Vector reserves(n_rows, 0.), at_rest(bars.size(), 0.), released;
     std::vector<std::size_t> rows;
-    LcpNoise noise = noise_of_slips();
-    for (std::size_t k = 0; k < n; ++k)
+    LcpNoise noise = noise_of(unknowns);
+    for (std::size_t j = 0; j < n; ++j)
       {
-        const Candidate &candidate = candidates[k];
-        const double scale         = 1. / std::sqrt(shear_stiffness(candidate));
-        for (std::size_t i = 0; i <= candidate.n_tangents && opened[k]; ++i)
-          {
-            rows.push_back(candidate.row + i);
-            released.push_back(i == 0 ? candidate.tension_rate : candidate.shear_release[i - 1]);
-          }
-        if (opened[k])
-          continue;
-        P(candidate.row, k) = scale * candidate.rise;
-        F(candidate.row, k) = scale * candidate.friction;
-        for (std::size_t i = 0; i < candidate.n_tangents; ++i)
-          P(candidate.row + 1 + i, k) = F(candidate.row + 1 + i, k) =
-            scale * candidate.direction[i];
-        reserves[k] = scale * candidate.strength_rate;
+        const auto &[k, scale, slips, direction] = unknowns[j];
+        const Candidate &candidate               = candidates[k];
+        P(candidate.row, j)                      = scale * (slips ? candidate.rise : 1.);
+        F(candidate.row, j)                      = scale * (slips ? candidate.friction : 1.);
+        for (std::size_t i = 0; i < candidate.n_tangents && slips; ++i)
+          P(candidate.row + 1 + i, j) = F(candidate.row + 1 + i, j) = scale * direction[i];
+        reserves[j] = scale * (!slips              ? candidate.tension_rate
+                               : candidate.at_apex ? 0.
+                                                   : candidate.strength_rate);
       }
     for (std::size_t i = 0; i < may_open.size(); ++i)
       {
         const Candidate &candidate = candidates[may_open[i]];
         const double scale         = 1. / std::sqrt(diagonal[candidate.row]);
-        noise.shares.push_back(rate_tolerance / scale);
+        const bool by_scheme       = accept && !opened[may_open[i]];
+        noise.shares.push_back(by_scheme ? 0. : rate_tolerance / scale);
+        noise.reserves.push_back(by_scheme ? scale * candidate.no_force : 0.);
         noise.unknowns.push_back(0.);
-        if (opened[may_open[i]])
-          continue;
-        F(candidate.row, n + i) = scale;
-        reserves[n + i]         = scale * candidate.tension_rate;
+        if (!opened[may_open[i]])
+          {
+            F(candidate.row, n + i) = scale;
+            reserves[n + i]         = scale * candidate.tension_rate;
+            continue;
+          }
+        for (std::size_t a = 0; a <= candidate.n_tangents; ++a)
+          {
+            rows.push_back(candidate.row + a);
+            released.push_back(a == 0 ? candidate.tension_rate : candidate.shear_release[a - 1]);
+          }
       }
     if (!release(W, r, rows, released, P, at_rest))
       return {};
@@ -150,43 +205,66 @@ namespace fuga
           for (std::size_t j = 0; j < n_rows; ++j)
             M(n + i, j) = std::sqrt(diagonal[row]) * P(row, j);
         }
-    noise.reserves.assign(n_rows, 0.);
     noise.at_rest += max_abs(at_rest);
     for (std::size_t j = 0; j < n_rows; ++j)
       noise.growth.push_back(max_abs(Vector(P.column(j), P.column(j) + bars.size())));
-    return search_lcp(M, reserves, noise);
+    return ConeLcp{std::move(M), std::move(reserves), std::move(noise)};
   }
 
+  // Where several unknowns of a candidate do not vanish it opens.
+  void
+  ConeRateProblem::take_answers(const std::vector<ConeUnknown> &unknowns,
+                                const Vector &z,
+                                const double share_of_nothing,
+                                const std::vector<bool> &opened)
+  {
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+      take({opened[k] ? ContactState::open : ContactState::stick, candidates[k].direction},
+           candidates[k]);
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      if (z[j] > share_of_nothing * max_abs(z))
+        take(unknowns[j].slips ? Choice{ContactState::slip_forward, unknowns[j].direction}
+                               : Choice{ContactState::open, {{1., 0.}}},
+             candidates[unknowns[j].candidate]);
+  }
+
+  // Elements that slip and may open as well respond in a way of their own in each of the two.
   bool
   ConeRateProblem::search_with_proof(ConeContinuation &result)
   {
     std::vector<std::size_t> may_open;
+    bool is_ruled_out = true;
     for (std::size_t k = 0; k < candidates.size(); ++k)
       {
-        if (candidates[k].at_apex || candidates[k].n_tangents == 0)
+        const Candidate &candidate = candidates[k];
+        if (candidate.at_apex && candidate.n_tangents == 2)
           return false;
-        if (candidates[k].grazing)
+        // An element that breaks its bond as it opens also loses the shear that it held.
+        is_ruled_out &=
+          candidate.n_tangents > 0 || !elements[candidate.element].has_tangential_bar();
+        if (!candidate.at_apex && candidate.grazing)
           may_open.push_back(k);
       }
     if (may_open.size() > most_openings)
       return false;
-    bool is_ruled_out = true;
     for (std::size_t chosen = 0; chosen < (std::size_t(1) << may_open.size()); ++chosen)
       {
         std::vector<bool> opened(candidates.size(), false);
         for (std::size_t i = 0; i < may_open.size(); ++i)
           opened[may_open[i]] = (chosen >> i) % 2 == 1;
-        const std::optional<LcpSearch> found = search_slips(may_open, opened);
-        is_ruled_out &= found && found->end == SearchEnd::none;
-        if (!found || found->end != SearchEnd::found)
+        const std::vector<ConeUnknown> unknowns = unknowns_of(opened, false);
+        const std::optional<ConeLcp> problem    = problem_of(unknowns, may_open, opened);
+        if (!problem)
+          {
+            is_ruled_out = false;
+            continue;
+          }
+        const LcpSearch found = search_lcp(problem->M, problem->q, problem->noise);
+        is_ruled_out &= found.end == SearchEnd::none;
+        if (found.end != SearchEnd::found)
           continue;
-        for (std::size_t k = 0; k < candidates.size(); ++k)
-          take({opened[k]          ? ContactState::open
-                : found->z[k] > 0. ? ContactState::slip_forward
-                                   : ContactState::stick,
-                candidates[k].direction},
-               candidates[k]);
-        if (iterate(n_iterations, result) == Outcome::solved)
+        take_answers(unknowns, found.z, 0., opened);
+        if (settles(result))
           return true;
       }
     result.is_ruled_out = is_ruled_out;

@@ -40,7 +40,7 @@ namespace fuga
     for (const Candidate &candidate : candidates)
       {
         const std::size_t n = candidate.row;
-        if (candidate.at_apex || candidate.grazing)
+        if (candidate.grazing)
           control[n] = by_work ? forces[n] : std::sqrt(diagonal[n]);
         if (candidate.n_tangents == 0)
           continue;

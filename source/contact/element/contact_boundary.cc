@@ -89,16 +89,16 @@ namespace fuga
     if (strength <= tolerance && !(is_cone && is_visibly_closed(state, k)))
       {
         candidate.shear = ShearPosition::at_apex;
-        candidate.grazing |= is_cone && !state.strengths[k].has_bond();
+        candidate.grazing |= state.strengths[k].resists_shear() && !state.strengths[k].has_bond();
       }
     else if (slipping || size >= strength - tolerance)
       {
         candidate.shear = ShearPosition::at_strength;
-        candidate.sign  = is_cone    ? 1.
-                          : slipping ? slip_sign(state.states[k])
-                                     : std::copysign(1., T[0]);
         if (is_cone)
           candidate.direction = direction_of(T);
+        else
+          candidate.direction = {
+            {slipping ? slip_sign(state.states[k]) : std::copysign(1., T[0]), 0.}};
       }
   }
 

@@ -24,7 +24,7 @@ namespace fuga
     {
       std::size_t n = 0;
       for (const BoundaryElement &candidate : set)
-        n += admissible_states(candidate).size();
+        n += n_states(candidate);
       return n;
     }
   } // namespace
@@ -46,20 +46,15 @@ namespace fuga
   EventPath::work() const
   {
     SchemeWork work = scheme.work();
-    if (has_cones)
-      {
-        work.n_factorisations += rate_problem.background().work().n_factorisations;
-        work.n_updates += rate_problem.background().work().n_updates;
-      }
+    work.n_factorisations += rate_problem.background().work().n_factorisations;
+    work.n_updates += rate_problem.background().work().n_updates;
     return work;
   }
 
   PathMemory
   EventPath::memory() const
   {
-    return {iteration_count,
-            scheme.memory(),
-            has_cones ? rate_problem.background().memory() : SchemeMemory()};
+    return {iteration_count, scheme.memory(), rate_problem.background().memory()};
   }
 
   void
@@ -67,8 +62,7 @@ namespace fuga
   {
     iteration_count = memory.iterations;
     scheme.restore(memory.scheme);
-    if (has_cones)
-      rate_problem.background().restore(memory.background);
+    rate_problem.background().restore(memory.background);
   }
 
   PathResult
@@ -132,18 +126,7 @@ namespace fuga
 
     // At which load does the next event occur? Advance to it.
     const std::unique_ptr<PathSegment> segment = make_segment(course, {state, continuation.rates});
-    double length                              = 0.;
-    try
-      {
-        length = find_end(*segment, course, levels, observer, state);
-      }
-    catch (const PathFailure &)
-      {
-        // The motion that rests in the rates cannot be held.
-        if (!continuation.rests || segment->stations().back() > 0.)
-          throw;
-        return leave_path(state, continuation, levels, observer, result);
-      }
+    const double length = find_end(*segment, course, levels, observer, state);
     if (scheme.is_nonlinear())
       note_segment({elements, system, boundary, scheme}, course, *segment, iteration_count);
     state = report_piecewise(*segment, course, levels, next_level, observer);

@@ -18,7 +18,7 @@ namespace fuga
       constexpr double same_direction = 1e-6;
       if (a.states[i] != b.states[i])
         return true;
-      return !a.directions.empty() && is_slipping(a.states[i]) &&
+      return is_slipping(a.states[i]) &&
              length(sum(a.directions[i], -1., b.directions[i])) > same_direction;
     }
 
@@ -117,16 +117,15 @@ namespace fuga
           scheme.state(candidate.element) != ContactState::open)
         {
           scheme.set_state(candidate.element,
-                           candidate.sign > 0. ? ContactState::slip_forward
-                                               : ContactState::slip_backward);
+                           candidate.direction[0] > 0. ? ContactState::slip_forward
+                                                       : ContactState::slip_backward);
           if (none_alone)
             critical.elements.push_back(candidate.element);
         }
     critical.determinant_signs = {scheme.determinant_sign()};
   }
 
-  // All states can be tried where they are few and, with two tangents, directions of slip are
-  // given.
+  // All states can be tried where they are few and directions of slip are given.
   void
   EventPath::note_what_was_tried(const Continuation &continuation,
                                  const std::vector<BoundaryElement> &set,
@@ -135,20 +134,13 @@ namespace fuga
     result.critical.all_counted = continuation.is_ruled_out || rate_problem.can_be_enumerated(set);
     if (result.critical.all_counted)
       return;
-    if (has_cones)
-      result.tried = fmt::format(
-        "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
-        "conditions, also from a softer layer, from associated friction, with sweeps from element "
-        "to element and from {}",
-        continuation.n_schemes,
-        set.size(),
-        rate_problem.is_small() ? "all combinations of their states"
-                                : "their present states alone");
-    else
-      result.tried = fmt::format(
-        "Switching of states and Lemke's method, each from many beginnings, found none for {} "
-        "elements on the boundary of their contact conditions, more than can be enumerated",
-        set.size());
+    result.tried = fmt::format(
+      "Newton's method tried {} sets of states of {} elements on the boundary of their contact "
+      "conditions, also from a softer layer, from associated friction, with sweeps from element "
+      "to element and from {}",
+      continuation.n_schemes,
+      set.size(),
+      rate_problem.is_small() ? "all combinations of their states" : "their present states alone");
   }
 
   void

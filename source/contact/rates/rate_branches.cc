@@ -2,13 +2,11 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/layer_response.h>
-#include <fuga/contact/rates/boundary_lcp.h>
-#include <fuga/contact/rates/lemke.h>
 #include <fuga/contact/rates/rate_problem.h>
+#include <fuga/contact/scheme/combinations.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace fuga
 {
@@ -19,25 +17,6 @@ namespace fuga
     constexpr double smallest_ratio = 1e-10;
     /** Share of the largest rate below which differences of rates do not make another branch. */
     constexpr double same_rates = 1e-7;
-    /** Number of covering vectors with which Lemke's method looks for further branches. */
-    constexpr unsigned int n_covering_vectors = 12;
-    /** Number of random first guesses. */
-    constexpr unsigned int n_random_guesses = 64;
-
-    /** Return the parts of the covering vector that may be chosen, between 0.05 and 1.05, such that
-     * they fill the interval evenly: multiples of the golden ratio. */
-    Vector
-    varied(const BoundaryLcp &lcp, const unsigned int attempt)
-    {
-      constexpr double golden_ratio = 0.6180339887498949;
-      Vector result                 = lcp.covering;
-      for (std::size_t i = 0; i < result.size() && attempt > 0; ++i)
-        {
-          const double position = golden_ratio * static_cast<double>(attempt * result.size() + i);
-          result[i]             = lcp.friction_share[i] + 0.05 + position - std::floor(position);
-        }
-      return result;
-    }
   } // namespace
 
   std::vector<std::size_t>
@@ -53,9 +32,9 @@ namespace fuga
         const ContactState now = scheme.state(k);
         if (now == ContactState::open)
           continue;
-        const ContactState other = is_slipping(now)      ? ContactState::stick
-                                   : candidate.sign > 0. ? ContactState::slip_forward
-                                                         : ContactState::slip_backward;
+        const ContactState other = is_slipping(now)              ? ContactState::stick
+                                   : candidate.direction[0] > 0. ? ContactState::slip_forward
+                                                                 : ContactState::slip_backward;
         if (all || scheme.determinant_ratio(k, other) < -smallest_ratio)
           result.push_back(k);
       }
@@ -67,30 +46,17 @@ namespace fuga
   {
     if (has_cones)
       // The most expensive question is asked last.
-      return (cones.is_small() || found.met_negative_determinant) && !cones.has_one_solution();
+      return (reduced.is_small() || found.met_negative_determinant) && !reduced.has_one_solution();
     std::vector<WorkingScheme::SlipDirection> slips;
     for (const BoundaryElement &candidate : set)
       if (candidate.shear == ShearPosition::at_strength)
-        slips.push_back({candidate.element, candidate.sign});
+        slips.push_back({candidate.element, candidate.direction[0]});
     const bool all_slips = std::none_of(
       set.begin(), set.end(), [](const BoundaryElement &candidate) { return candidate.grazing; });
     if (all_slips)
       if (const std::optional<bool> monotone = scheme.is_monotone(slips))
         return !*monotone;
     return found.met_negative_determinant || !critical_elements(set).empty();
-  }
-
-  Branch
-  RateProblem::present_branch(const JointState &state,
-                              const std::vector<BoundaryElement> &set,
-                              const JointRates &rates)
-  {
-    Branch branch;
-    branch.states           = states_of(set);
-    branch.rates            = rates;
-    branch.determinant_sign = scheme.determinant_sign();
-    note_dissipation(state, branch);
-    return branch;
   }
 
   void
@@ -133,75 +99,47 @@ namespace fuga
     return true;
   }
 
-  // The guesses are: all stuck, all slipping, the present branch with one critical element turned,
-  // and random ones.
-  std::vector<std::vector<ContactState>>
-  RateProblem::first_guesses(const std::vector<BoundaryElement> &set)
+  bool
+  RateProblem::can_be_enumerated(const std::vector<BoundaryElement> &set) const
   {
-    const std::vector<ContactState> present = states_of(set);
-    const std::vector<std::size_t> critical = critical_elements(set);
-    const auto switched = [&](const BoundaryElement &candidate, const ContactState now) {
-      if (candidate.shear != ShearPosition::at_strength || now == ContactState::open)
-        return now;
-      if (is_slipping(now))
-        return ContactState::stick;
-      return candidate.sign > 0. ? ContactState::slip_forward : ContactState::slip_backward;
-    };
-    std::vector<std::vector<ContactState>> guesses(2, present);
-    for (std::size_t i = 0; i < set.size(); ++i)
+    double n = 1.;
+    for (const BoundaryElement &candidate : set)
       {
-        guesses[0][i] = ContactState::stick;
-        guesses[1][i] = switched(set[i], ContactState::stick);
-        if (std::find(critical.begin(), critical.end(), set[i].element) != critical.end() &&
-            guesses.size() < 2 + max_enumerated)
-          {
-            guesses.push_back(present);
-            guesses.back()[i] = switched(set[i], present[i]);
-          }
+        if (candidate.shear == ShearPosition::at_apex &&
+            elements[candidate.element].has_second_tangential_bar())
+          return false;
+        n *= static_cast<double>(n_states(candidate));
       }
-    std::mt19937 random; // its numbers are the same everywhere
-    for (unsigned int i = 0; i < n_random_guesses; ++i)
-      {
-        guesses.push_back(present);
-        for (std::size_t k = 0; k < set.size(); ++k)
-          {
-            const std::vector<ContactState> admissible = admissible_states(set[k]);
-            guesses.back()[k]                          = admissible[random() % admissible.size()];
-          }
-      }
-    return guesses;
+    return n <= most_combinations;
   }
 
-  // The search uses Lemke's method with several covering vectors, then switching from several
-  // schemes.
   std::vector<Branch>
-  RateProblem::search_branches(const JointState &state,
-                               const std::vector<BoundaryElement> &set,
-                               const Drive &drive,
-                               const std::vector<Branch> &known,
-                               const std::size_t n_wanted)
+  RateProblem::branches(const JointState &state,
+                        const std::vector<BoundaryElement> &set,
+                        const Drive &drive)
   {
-    std::vector<Branch> found                            = known;
-    const std::vector<std::vector<ContactState>> guesses = first_guesses(set);
-    Continuation result;
-    const auto note = [&] {
-      if (switch_states(state, set, drive, Stride::one_at_a_time, result) &&
-          is_new(found, result.rates, drive))
-        found.push_back(present_branch(state, set, result.rates));
-    };
-    const std::optional<BoundaryLcp> lcp = boundary_lcp(state, set, drive, result);
-    for (unsigned int attempt = 0; lcp && attempt < n_covering_vectors && found.size() < n_wanted;
-         ++attempt)
+    Branch present;
+    for (const BoundaryElement &candidate : set)
       {
-        const LcpSolution solution = solve_lcp(lcp->M, lcp->q, varied(*lcp, attempt));
-        take_states(*lcp, set, solution.solved() ? solution.z : solution.vertex);
-        note();
+        present.states.push_back(scheme.state(candidate.element));
+        present.directions.push_back(scheme.slip_direction_of(candidate.element));
       }
-    for (std::size_t i = 0; i < guesses.size() && found.size() < n_wanted; ++i)
-      {
-        set_states(set, guesses[i]);
-        note();
-      }
+    take_background(state, set);
+    std::vector<Branch> found;
+    for (const ConeContinuation &solution :
+         reduced.all_solutions(state, set, off_boundary, drive, present.states, present.directions))
+      if (is_new(found, solution.rates, drive))
+        {
+          Branch branch;
+          branch.states           = solution.states;
+          branch.directions       = solution.directions;
+          branch.rates            = solution.rates;
+          branch.determinant_sign = solution.determinant_sign;
+          take(set, branch);
+          note_dissipation(state, branch);
+          found.push_back(branch);
+        }
+    take(set, present);
     return found;
   }
 } // namespace fuga

@@ -118,9 +118,8 @@ namespace fuga
       json["schemes_tried"]     = path.n_schemes;
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},
                                    {"single switching", path.n_decided_by[1]},
-                                   {"enumeration", path.n_decided_by[2]},
-                                   {"lemke", path.n_decided_by[3]},
-                                   {"search", path.n_decided_by[4]}};
+                                   {"Newton's method", path.n_decided_by[2]},
+                                   {"search", path.n_decided_by[3]}};
       return json;
     }
 

@@ -4,9 +4,9 @@
 #ifndef fuga_contact_cones_cone_rate_problem_h
 #define fuga_contact_cones_cone_rate_problem_h
 
-#include <fuga/base/numerics/lcp_search.h>
+#include <fuga/contact/cones/cone_lcp.h>
 #include <fuga/contact/cones/cone_program.h>
-#include <fuga/contact/element/contact_boundary.h>
+#include <fuga/contact/element/rate_law.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace fuga
 {
-  /** The way in which a path with circular friction cones goes on. */
+  /** The way in which a path goes on, according to ConeRateProblem. */
   struct ConeContinuation
   {
     bool exists = false;
@@ -41,15 +41,9 @@ namespace fuga
   };
 
   /**
-   * The rate problem for elements with circular friction cones (doc/theory.md, section 17). Let v
-   * be the rates of dislocation and q = r - W v those of the bar forces; then
-   *
-   *     on the cone, e = T/|T|      v_t = γ e,   0 ≤ γ ⟂ ρ̇ - (e·q_t + f q_n) ≥ 0,   v_n = γ tan ψ
-   *     at its apex, N = gap = 0    0 ≤ v_n ⟂ -q_n ≥ 0,   |q_t| ≤ -f q_n,
-   *                                 v_t = 0, or on it and v_t ∥ q_t
-   *
-   * where ρ̇ is the rate of the strength at the present pressure. All other elements keep their
-   * rows in the working scheme.
+   * The rate problem of the boundary set alone (doc/theory.md, section 17). Let v be the rates of
+   * dislocation and q = r - W v those of the bar forces: RateLaw tells what each element demands of
+   * them. All other elements keep their rows in the working scheme.
    *
    * The problem is solved by a semismooth Newton method in the states and slip directions. If the
    * method cycles, it is restarted from the solution for a softer layer, from solutions for
@@ -64,35 +58,39 @@ namespace fuga
     /**
      * Solve the rate problem for the elements of @p set. In @p background these elements are stuck
      * and all others have their states. @p resticking lists the elements whose slip has just come
-     * to rest; rates up to @p widening times rounding do not move them again.
+     * to rest; rates up to @p widening times rounding do not move them again. The search goes on
+     * until @p accept returns true of the states found.
      */
+    using Accept = std::function<bool(const ConeContinuation &)>;
+
     ConeContinuation
     solve(const JointState &state,
           const std::vector<BoundaryElement> &set,
           WorkingScheme &background,
           const Drive &drive,
           const std::vector<std::size_t> &resticking,
-          const double widening);
+          const double widening,
+          const Accept &accept = {});
 
     /** Return whether it is certain that the last set has one solution, whatever the load
      * (doc/theory.md, section 17). */
     bool
     has_one_solution() const;
 
-    /** Return whether all directions of slip of the last set are given and its states have few
-     * enough combinations to try them all. */
-    bool
-    can_be_enumerated() const;
-
-    /** Return the same as can_be_enumerated(), but also true if the directions that are not given
-     * can be solved for. */
+    /** Return whether the states of the last set have few enough combinations to try them all, with
+     * directions that are not given solved for. */
     bool
     is_small() const;
 
-    /** Return the solution just found and the others that a search finds. These are all solutions
-     * if can_be_enumerated(); one of them may occur twice. */
+    /** Return the solution with the given @p states and @p directions, if it is one, and the others
+     * that a search finds; one of them may occur twice. */
     std::vector<ConeContinuation>
-    all_solutions(WorkingScheme &background, const Drive &drive);
+    all_solutions(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  WorkingScheme &background,
+                  const Drive &drive,
+                  const std::vector<ContactState> &states,
+                  const std::vector<TangentVector> &directions);
 
     /** The condition that determines the rate of a load that is an unknown. */
     enum class Control
@@ -114,42 +112,18 @@ namespace fuga
                    const Control control);
 
   private:
-    /** One element of the boundary set. */
-    struct Candidate
+    /** One element of the boundary set and its present answer. */
+    struct Candidate : RateLaw, RateAnswer
     {
-      std::size_t element = 0;
-      /** The first of its rows in the reduced system: n, then t1 and t2 if the element has
-       * friction. */
-      std::size_t row = 0;
-      double friction = 0.;
-      /** The rise tan ψ of the lips per unit of slip. */
-      double rise = 0.;
-      /** Rates of the shear strength at the present pressure and of the tensile strength. */
-      double strength_rate = 0., tension_rate = 0.;
-      /** Rate of the shear that a broken bond still carries, used if the element is open. */
-      TangentVector shear_release = {{0., 0.}};
-      /** True on the boundary of zero strength, where every direction of slip is free or there is
-       * no slip. */
-      bool at_apex = false;
-      /** True if the element may open. */
-      bool grazing = false;
-      /** Number of tangential rows: none without friction, one where only one bar is free. */
-      std::size_t n_tangents  = 0;
-      bool resting            = false;
-      ContactState state      = ContactState::stick;
-      TangentVector direction = {{1., 0.}};
-      /** Rate of slip, and f times the rate at which the element presses at the apex. */
-      double slip = 0., strength = 0.;
-    };
+      using RateLaw::RateLaw;
 
-    /** The state that the present rates demand of a candidate. */
-    struct Demand
-    {
-      ContactState state      = ContactState::stick;
-      TangentVector direction = {{1., 0.}};
-      double slip = 0., strength = 0.;
-      /** The amount by which the rates contradict its present state. */
-      double violation = 0.;
+      /** The first of its rows in the reduced system: n, then t1 and t2 if it may slip there. */
+      std::size_t row = 0;
+      /** True if its slip has just come to rest. */
+      bool resting = false;
+      /** What the working scheme takes for zero in the rates of its normal force and of its shear,
+       * in the largest motion that is no mechanism. */
+      double no_force = 0., no_shear = 0.;
     };
 
     /** A state that a candidate may take, and the direction of slip that it begins with. */
@@ -186,6 +160,15 @@ namespace fuga
              const Drive &drive,
              const std::vector<std::size_t> &resticking,
              ConeContinuation &result);
+    /** Return the largest rates of dislocation that are not those of a mechanism. */
+    JointRates
+    largest_rates(const Drive &drive) const;
+    bool
+    is_accepted() const;
+    /** Return whether the present answers lead to a solution: by the way that decides what is
+     * accepted, if there is one, else by Newton's method. */
+    bool
+    settles(ConeContinuation &result);
     void
     take_solution(ConeContinuation &result) const;
     bool
@@ -205,20 +188,46 @@ namespace fuga
     /** Call @p note at every solution until it returns true; the candidates then keep that
      * solution. */
     bool
-    search(ConeContinuation &result, const std::function<bool()> &note);
+    search(ConeContinuation &result,
+           const std::function<bool()> &note,
+           const double most_combinations_tried = 0.);
     /** As a last resort, search for a solution. Return whether one was found; if not, @p result may
      * tell why. */
     bool
-    search_or_prove(WorkingScheme &background, const Drive &drive, ConeContinuation &result);
+    find_another_way(WorkingScheme &background, const Drive &drive, ConeContinuation &result);
     /** Search and prove. This works only where all directions of slip are given. */
     bool
     search_with_proof(ConeContinuation &result);
+    std::vector<ConeUnknown>
+    unknowns_of(const std::vector<bool> &opened, const bool all_may_part) const;
     LcpNoise
-    noise_of_slips() const;
-    /** Search all states of the other elements while those of @p may_open are given. Return nothing
-     * if the elements that open are without support. */
-    std::optional<LcpSearch>
-    search_slips(const std::vector<std::size_t> &may_open, const std::vector<bool> &opened) const;
+    noise_of(const std::vector<ConeUnknown> &unknowns) const;
+    /** Set up the problem in which the states of @p may_open are given. Return nothing if the elements
+     * that open are without support. */
+    std::optional<ConeLcp>
+    problem_of(const std::vector<ConeUnknown> &unknowns,
+               const std::vector<std::size_t> &may_open,
+               const std::vector<bool> &opened) const;
+    void
+    take_answers(const std::vector<ConeUnknown> &unknowns,
+                 const Vector &z,
+                 const double share_of_nothing,
+                 const std::vector<bool> &opened);
+    /** Return the rates of dislocation that belong to z. */
+    Vector
+    motion_of(const std::vector<ConeUnknown> &unknowns, const Vector &z) const;
+    /** Begin from the answers that Lemke's method gives with this covering vector. */
+    bool
+    pivot(const std::vector<ConeUnknown> &unknowns,
+          const ConeLcp &problem,
+          const Vector &shares,
+          ConeContinuation &result);
+    Outcome
+    approach_by_pivoting(ConeContinuation &result);
+    Outcome
+    approach_from_present_states(ConeContinuation &result);
+    bool
+    pivot_from_many(ConeContinuation &result);
     Vector
     on_boundaries(const Vector &forces, const bool by_work) const;
     void
@@ -251,8 +260,9 @@ namespace fuga
     end_idle_motion();
     bool
     is_admissible(const Vector &motion) const;
-    /** Return the power that growing loads and falling strengths exert on @p motion, per square of
-     * the path parameter; set @p size to the sum of the sizes of its terms. */
+    /** Return the power that growing loads and falling strengths, also that of friction where the
+     * loads relieve it, exert on @p motion, per square of the path parameter; set @p size to the
+     * sum of the sizes of its terms. */
     double
     driving_power(const Vector &motion, double &size) const;
     Outcome
@@ -263,10 +273,8 @@ namespace fuga
     solve_scheme();
     bool
     update_scheme(const bool one_by_one);
-    Demand
+    DemandedAnswer
     demand(const Candidate &candidate) const;
-    static void
-    follow(const Demand &demand, Candidate &candidate);
     bool
     is_settled() const;
     void
@@ -318,6 +326,9 @@ namespace fuga
     int determinant_sign = 0;
     /** The change of the rates in the last of those sweeps that did not come to rest. */
     Vector drift;
+    /** The motion along the first ray with which Lemke's method has ended. */
+    Vector ray;
+    Accept accept;
     /** Multiple of the rounding errors that does not move elements which have just come to rest. */
     double noise_at_rest = 1.;
   };

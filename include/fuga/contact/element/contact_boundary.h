@@ -33,11 +33,17 @@ namespace fuga
     /** N = 0 and gap = 0: the element may open or stay closed. */
     bool grazing        = false;
     ShearPosition shear = ShearPosition::inside;
-    /** Sign of T if at_strength; meaningless with two tangential bars. */
-    double sign = 0.;
-    /** Direction of T if at_strength, with two tangential bars. */
+    /** Direction of T if at_strength; along one tangential bar its sign and 0. */
     TangentVector direction = {{1., 0.}};
   };
+
+  /** Return the number of states that an element on a boundary can take; along two tangents at the
+   * apex each is one of many. */
+  inline std::size_t
+  n_states(const BoundaryElement &candidate)
+  {
+    return 1 + (candidate.grazing ? 1 : 0) + static_cast<std::size_t>(candidate.shear);
+  }
 
   /** A quantity that must stay positive, and its rate along the path. */
   struct Reserve

@@ -139,7 +139,7 @@ namespace fuga
     std::size_t n_jumps    = 0;
     unsigned int n_schemes = 0;
     /** Number of continuations found by each RateMethod. */
-    std::array<std::size_t, 5> n_decided_by = {{0, 0, 0, 0, 0}};
+    std::array<std::size_t, 4> n_decided_by = {{0, 0, 0, 0}};
     /** Number of decisions with several continuations. */
     std::size_t n_non_unique = 0;
     CriticalFriction critical;

@@ -5,10 +5,7 @@
 #define fuga_contact_rates_rate_problem_h
 
 #include <fuga/contact/cones/cone_rate_problem.h>
-#include <fuga/contact/element/contact_boundary.h>
 #include <fuga/contact/scheme/working_scheme.h>
-
-#include <functional>
 
 namespace fuga
 {
@@ -20,12 +17,11 @@ namespace fuga
     block_switching,
     /** Switch one element at a time, the one with the lowest index first. */
     single_switching,
-    /** Try all combinations of a small boundary set. */
-    enumeration,
-    /** Apply the lexicographic Lemke method to the whole boundary set. */
-    lemke,
-    /** Use single switching from many first guesses and Lemke's method with several covering
-     * vectors, then all combinations, divided until each of them is ruled out. */
+    /** Newton's method for the rates of the boundary set alone, from several beginnings
+     * (ConeRateProblem). */
+    newton,
+    /** Try all combinations of states of a small boundary set, or divide them until each is ruled
+     * out. */
     search
   };
 
@@ -36,9 +32,6 @@ namespace fuga
      * belong to them. */
     bool exists = false;
     JointRates rates;
-    /** True if, beside a nonlinear layer, a motion that nothing resists rests in these rates; the
-     * curve may not hold it. */
-    bool rests = false;
     /** True if elements lose strength as they take these states, so that the rates do not hold. */
     bool costs_strength = false;
     RateMethod method   = RateMethod::block_switching;
@@ -49,7 +42,7 @@ namespace fuga
      * least resistance. */
     bool has_mechanism = false;
     JointRates mechanism;
-    /** If nothing moves freely either, in space: a virtual motion that may show that no
+    /** If nothing moves freely either: a virtual motion that may show that no
      * continuation exists. */
     std::optional<JointRates> barrier;
     /** Number of continuations known. */
@@ -65,7 +58,7 @@ namespace fuga
   {
     /** States of the boundary elements. */
     std::vector<ContactState> states;
-    /** Directions of their slips, with two tangential bars. */
+    /** Directions of their slips; along one tangential bar their signs. */
     std::vector<TangentVector> directions;
     JointRates rates;
     /** Sign of the determinant of the scheme; it is negative beyond critical friction. */
@@ -87,16 +80,9 @@ namespace fuga
     double load_rate = 0.;
   };
 
-  struct BoundaryLcp;
-
   /**
-   * Determines from rates how the joints go on, for all elements on a boundary at once:
-   *
-   *     at the strength, σ = sign T:   0 ≤ σ ṡ  ⟂  (f|N|)˙ - σ Ṫ ≥ 0,
-   *     N = 0 and gap = 0:             0 ≤ ġ   ⟂  -Ṅ ≥ 0,  with the same in both directions
-   *
-   * (doc/theory.md, section 4). All other elements keep their state. Where elements have two
-   * tangential bars, ConeRateProblem decides.
+   * Determines from rates how the joints go on, for all elements on a boundary at once: each of
+   * them has a RateLaw. All other elements keep their state.
    */
   class RateProblem
   {
@@ -150,9 +136,8 @@ namespace fuga
 
     /**
      * Return the continuations with different rates. These are all of them if can_be_enumerated(),
-     * otherwise those that are reached by switching from several schemes and by Lemke's method with
-     * several covering vectors. The one that the present scheme describes, if it is one, comes
-     * first; the present scheme is restored.
+     * otherwise those that Newton's method reaches from several beginnings. The one that the
+     * present scheme describes, if it is one, comes first; the present scheme is restored.
      */
     std::vector<Branch>
     branches(const JointState &state, const std::vector<BoundaryElement> &set, const Drive &drive);
@@ -162,10 +147,7 @@ namespace fuga
     take(const std::vector<BoundaryElement> &set, const Branch &branch)
     {
       for (std::size_t i = 0; i < set.size(); ++i)
-        scheme.set_state(set[i].element,
-                         branch.states[i],
-                         branch.directions.empty() ? TangentVector{{1., 0.}}
-                                                   : branch.directions[i]);
+        scheme.set_state(set[i].element, branch.states[i], branch.directions[i]);
     }
 
     /**
@@ -190,21 +172,18 @@ namespace fuga
                   const Drive &release,
                   const Drive &unit_load);
 
-    /** Return whether the states of @p set have few enough combinations to try them all. With two
-     * tangential bars, where directions of slip are all given, the answer is that for the set
-     * decided last. */
+    /** Return whether the directions of slip of @p set are given and its states have few enough
+     * combinations to try them all. */
     bool
     can_be_enumerated(const std::vector<BoundaryElement> &set) const;
 
-    /** Return whether, with two tangential bars, the search tried all combinations of states of the
-     * last set. */
+    /** Return whether the search tried all combinations of states of the set that was decided last.
+     */
     bool
     is_small() const
     {
-      return cones.is_small();
+      return reduced.is_small();
     }
-
-    static constexpr std::size_t max_enumerated = 6;
 
   private:
     struct Switch
@@ -222,129 +201,45 @@ namespace fuga
     void
     take_background(const JointState &state, const std::vector<BoundaryElement> &set);
     bool
-    take_cones(const std::vector<BoundaryElement> &set, const ConeContinuation &found);
+    take_states(const std::vector<BoundaryElement> &set, const ConeContinuation &found);
+    void
+    note_active(const std::vector<BoundaryElement> &set, const JointRates &rates);
+    void
+    solve_reduced(const JointState &state,
+                  const std::vector<BoundaryElement> &set,
+                  const Drive &drive,
+                  const std::vector<std::size_t> &resticking,
+                  const double widening,
+                  Continuation &result);
     ControlledContinuation
-    solve_yielding_cones(const JointState &state,
-                         const std::vector<BoundaryElement> &set,
-                         const Drive &drive,
-                         const Drive &unit_load,
-                         const ConeRateProblem::Control control);
+    solve_yielding(const JointState &state,
+                   const std::vector<BoundaryElement> &set,
+                   const Drive &drive,
+                   const Drive &unit_load,
+                   const ConeRateProblem::Control control);
     void
     measure_by_largest_jump(const Drive &unit_load, ControlledContinuation &motion) const;
 
-    Continuation
-    solve_cones(const JointState &state,
-                const std::vector<BoundaryElement> &set,
-                const Drive &drive,
-                const std::vector<std::size_t> &resticking,
-                const double widening);
-
-    ContactState
-    state_on_closing(const JointState &state,
-                     const BoundaryElement &candidate,
-                     const JointRates &rates) const;
-
-    enum class Stride
-    {
-      all_at_once,
-      one_at_a_time,
-      /** Like one_at_a_time, but where all else has failed; see rates_of_scheme(). */
-      last_resort
-    };
-    /** Compute the rates of the scheme. Along a curve every point is a solution of its own, in
-     * which a free motion that rests has to be held; it is not considered a mechanism only as a
-     * @p last_resort. */
-    std::optional<WorkingScheme::FreeMotion>
-    rates_of_scheme(const Drive &drive, const bool last_resort = false);
+    /** Switch states of the working scheme, by the method that @p result names. */
     bool
     switch_states(const JointState &state,
                   const std::vector<BoundaryElement> &set,
                   const Drive &drive,
-                  const Stride stride,
                   Continuation &result);
-    /** Try all schemes until @p found returns true. */
-    template <typename Found>
-    bool
-    enumerate(const JointState &state,
-              const std::vector<BoundaryElement> &set,
-              const Drive &drive,
-              Continuation &result,
-              const Found &found);
-    std::optional<BoundaryLcp>
-    boundary_lcp(const JointState &state,
-                 const std::vector<BoundaryElement> &set,
-                 const Drive &drive,
-                 Continuation &result);
-    void
-    take_states(const BoundaryLcp &lcp, const std::vector<BoundaryElement> &set, const Vector &z);
-    bool
-    respond(const JointState &state,
-            const std::size_t k,
-            const ContactState unknown,
-            JointRates &response);
-    bool
-    complementarity(const JointState &state,
-                    const std::vector<BoundaryElement> &set,
-                    const Drive &drive,
-                    Continuation &result);
-    /** A function that returns whether switching from the present scheme ends in a continuation. */
-    using Guess = std::function<bool()>;
-    void
-    guess_by_resistance(const BoundaryLcp &lcp,
-                        const std::vector<BoundaryElement> &set,
-                        const Guess &guess);
-    void
-    guess_by_cones(const JointState &state,
-                   const std::vector<BoundaryElement> &set,
-                   const Drive &drive,
-                   const std::vector<std::size_t> &resticking,
-                   const Guess &guess);
-    /** Search the remaining combinations when all else has failed; find a continuation or rule it
-     * out. */
-    void
-    search_all(const JointState &state,
-               const std::vector<BoundaryElement> &set,
-               const Drive &drive,
-               const std::vector<std::size_t> &resticking,
-               Continuation &result);
-
-    std::vector<Branch>
-    branches_of_cones(const JointState &state,
-                      const std::vector<BoundaryElement> &set,
-                      const Drive &drive);
     void
     note_dissipation(const JointState &state, Branch &branch) const;
-    Branch
-    present_branch(const JointState &state,
-                   const std::vector<BoundaryElement> &set,
-                   const JointRates &rates);
-    void
-    set_states(const std::vector<BoundaryElement> &set, const std::vector<ContactState> &states);
     std::vector<ContactState>
     states_of(const std::vector<BoundaryElement> &set) const;
     bool
     is_new(const std::vector<Branch> &known, const JointRates &rates, const Drive &drive) const;
-    std::vector<std::vector<ContactState>>
-    first_guesses(const std::vector<BoundaryElement> &set);
-    /** Search for branches in addition to @p known, up to a total of @p n_wanted. */
-    std::vector<Branch>
-    search_branches(const JointState &state,
-                    const std::vector<BoundaryElement> &set,
-                    const Drive &drive,
-                    const std::vector<Branch> &known,
-                    const std::size_t n_wanted);
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
     WorkingScheme &scheme;
     WorkingScheme off_boundary;
     const bool has_cones;
-    ConeRateProblem cones;
+    ConeRateProblem reduced;
   };
-
-  /** Return the states that an element on a boundary can take. */
-  std::vector<ContactState>
-  admissible_states(const BoundaryElement &element);
 } // namespace fuga
 
 #endif

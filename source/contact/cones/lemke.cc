@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/blas.h>
-#include <fuga/contact/rates/lemke.h>
+#include <fuga/contact/cones/lemke.h>
 
 #include <algorithm>
 #include <cmath>

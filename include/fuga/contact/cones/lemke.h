@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_contact_rates_lemke_h
-#define fuga_contact_rates_lemke_h
+#ifndef fuga_contact_cones_lemke_h
+#define fuga_contact_cones_lemke_h
 
 #include <fuga/base/numerics/dense_matrix.h>
 
