@@ -102,7 +102,12 @@ namespace fuga
           {
             locate_end(a, b);
             divide_behind(a, shortest);
-            return taus.back();
+            if (tau - taus[a] <= shortest || !slips_back_behind(a))
+              return taus.back();
+            forget_behind(a);
+            step.limit(tau - taus[a]);
+            step.fail();
+            continue;
           }
         if (defect <= 1.)
           step.accept(margin * defect, false);
@@ -154,6 +159,16 @@ namespace fuga
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (is_slipping(to.states[k]) && carries_shear(context.elements[k], to.strengths[k]) &&
           dot(context.scheme.slip_direction_of(k), sum(to.slips[k], -1., from.slips[k])) < -noise)
+        return true;
+    return false;
+  }
+
+  // A slip that goes back and forth within a step is seen once an event divides the step.
+  bool
+  CurvedSegment::slips_back_behind(const std::size_t a) const
+  {
+    for (std::size_t i = a; i + 1 < points.size(); ++i)
+      if (slips_back(points[i].state, points[i + 1].state))
         return true;
     return false;
   }

@@ -80,6 +80,8 @@ namespace fuga
     bool
     slips_back(const JointState &from, const JointState &to) const;
     bool
+    slips_back_behind(const std::size_t a) const;
+    bool
     turns_back() const;
     bool
     is_reduction() const
