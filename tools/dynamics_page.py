@@ -174,7 +174,7 @@ The same dam on a finer mesh of degree 1 ({mesh['degrees_of_freedom']} degrees o
 defaults: {sum(motion['steps_by_halvings'])} steps, slip {1e3 * slip:.2f} mm, certificate {large['certificate']['worst']:.0e}, {seconds:.0f} CPU s for the whole run, static stages and results included.
 
 The 20 s alone, with bodies of finite elements and of [few modes](dynamics.md#bodies-of-few-modes): what a run without results on the way, but for `earthquake.csv`,
-takes longer than one that ends behind the first step, in the median of {N_ROUNDS} rounds.
+takes longer than one that ends after the first step, in the median of {N_ROUNDS} rounds.
 
 """ + few_modes(fuga, folder, settings)
 

@@ -102,7 +102,7 @@ def paper_iteration(runner):
         work = results.summary["iterations"]
         closure = PaperQuantities(results).largest_closure / (1e3 * THICKNESS)
         if code == NUMERICAL_FAILURE:
-            fate = "diverges at load time " + re.search(r"behind load time ([0-9.]+)", other.summary["message"])[1]
+            fate = "diverges at load time " + re.search(r"after load time ([0-9.]+)", other.summary["message"])[1]
         else:
             mine = other.summary["iterations"]
             fate = f"{mine['iterations']} in {mine['solutions']} ({mine['largest_in_one_solution']}); " \

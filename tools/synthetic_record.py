@@ -87,7 +87,7 @@ def noise(options):
     ground = Oscillator(options.low_cut, math.sqrt(0.5), options.step)
     numbers = normal_numbers(options.seed)
     shaking = options.rise + options.strong + options.decay * (1 if options.envelope == "trapezoid" else 6)
-    rest = 4 / options.low_cut  # behind it the ground is at rest but for exp(-17)
+    rest = 4 / options.low_cut  # after it the ground is at rest but for exp(-17)
     samples = [0.]
     for i in range(1, math.ceil((shaking + rest) / options.step) + 1):
         t = i * options.step

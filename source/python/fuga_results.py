@@ -217,7 +217,7 @@ class Results:
 
     def describe_time(self, t):
         """Load time in words: stages are counted from 0, and the end of a stage belongs to it. In a search for safety, which
-        is behind all stages, it is the factor that says where one is: "F = 1.185"."""
+        is after all stages, it is the factor that says where one is: "F = 1.185"."""
         t = round(t, 9)  # levels carry rounding
         if t > len(self.stages):
             return "{} = {:.4g}".format(*self.drive(t))
@@ -238,7 +238,7 @@ class Results:
         return words if round(t, 9) > len(self.stages) else "{}, {} = {:.4g}".format(words, *self.drive(t))
 
     def field_file(self, collection, t=None):
-        """Path of the VTU file of a collection (bodies, joints, joints_exploded) nearest to t; behind a run of several
+        """Path of the VTU file of a collection (bodies, joints, joints_exploded) nearest to t; after a run of several
         processes that of the PVTU file, which names those of the bodies."""
         tree = xml.parse(self._path(collection + ".pvd"))
         entries = [(float(entry.get("timestep")), entry.get("file")) for entry in tree.iter("DataSet")]

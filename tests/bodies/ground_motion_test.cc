@@ -114,7 +114,7 @@ namespace fuga
 
     // An oscillator in a rectangular pulse a of the duration d (A. K. Chopra, Dynamics of
     // Structures, section 4.7): without damping u = 2a/ω² from d = T/2 on, 2a/ω² sin(πd/T) below,
-    // behind the end of the record; with damping, in a long one, a/ω² (1 + exp(-πξ/√(1 - ξ²))).
+    // after the end of the record; with damping, in a long one, a/ω² (1 + exp(-πξ/√(1 - ξ²))).
     TEST(ResponseSpectrum, OfARectangularPulse)
     {
       const double a           = 3.;
@@ -128,7 +128,7 @@ namespace fuga
           EXPECT_EQ(response.period, period);
           EXPECT_NEAR(response.displacement, undamped, 1e-10 * undamped);
           EXPECT_NEAR(response.pseudo_acceleration, omega * omega * undamped, 1e-9);
-          // v = a/ω sin ωt, and a free vibration behind the pulse.
+          // v = a/ω sin ωt, and a free vibration after the pulse.
           if (period >= 2.)
             {
               const double velocity =

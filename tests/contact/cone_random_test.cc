@@ -218,7 +218,7 @@ namespace fuga::tests
 
   // Elements close under a block that slides far: Newton's first direction is that of the slip the
   // open lips had, whatever rounding has left of their forces. (Where that was lost, 20 of these
-  // paths took more, up to 26 schemes for a step, and in a large joint no sweeps behind Newton
+  // paths took more, up to 26 schemes for a step, and in a large joint no sweeps after Newton
   // helped.)
   TEST(ConeRandom, ClosingWhileSlidingTakesFewSchemes)
   {

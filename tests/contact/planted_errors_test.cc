@@ -112,7 +112,7 @@ TEST_F(PlantedErrors, ForcesThatDoNotBalance)
 }
 
 // A comparison with something that is not a number is never true: it must not pass for no error,
-// neither in one state nor behind others that are right.
+// neither in one state nor after others that are right.
 TEST_F(PlantedErrors, WhatIsNotANumber)
 {
   constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

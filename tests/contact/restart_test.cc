@@ -261,7 +261,7 @@ TEST(Restart, ImplicitSteps)
   EXPECT_GT(check(Scene(Layer::linear, {0.3, 0.}), options, 3), 10u);
 }
 
-// A history that goes on behind the end of another one: from the cut at that end the rest is the
+// A history that goes on after the end of another one: from the cut at that end the rest is the
 // same as in one piece.
 TEST(Restart, StagesAddedLater)
 {

@@ -78,7 +78,7 @@ namespace
     }
   };
 
-  /** A path through stages of loads, and a reduction of the strength behind them. */
+  /** A path through stages of loads, and a reduction of the strength after them. */
   struct Search
   {
     PathResult result;

@@ -96,7 +96,7 @@ namespace fuga
                 std::string::npos);
     }
 
-    // The stage behind a dynamic one begins a phase too.
+    // The stage after a dynamic one begins a phase too.
     TEST(ParameterDynamics, DynamicStagesArePhases)
     {
       const ModelDefinition model =

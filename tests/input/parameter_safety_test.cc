@@ -60,7 +60,7 @@ namespace fuga
 
     INSTANTIATE_TEST_SUITE_P(Safety, WrongSafety, testing::ValuesIn(wrong), name_of);
 
-    // The searches stand behind the stages of the file, the reduction first.
+    // The searches stand after the stages of the file, the reduction first.
     TEST(ParameterSafety, IsRead)
     {
       const std::string file =

@@ -120,7 +120,7 @@ namespace fuga
       {"MissingLine",
        "0 1\n0.1 2\n0.2 3\n0.4 5\n0.5 6\n0.6 7\n",
        {"file:4:", "0.2 s, but most are 0.1 s", "line missing"}},
-      {"TimesFallBack", "0 1\n0.2 2\n0.1 3\n", {"file:3:", "0.1 comes behind 0.2", "increase"}},
+      {"TimesFallBack", "0 1\n0.2 2\n0.1 3\n", {"file:3:", "0.1 comes after 0.2", "increase"}},
       {"DecimalCommas", "0,01 0,5\n0,02 0,6\n", {"file:2:", "decimal sign"}},
       {"At2Columns", "0 1\n1 2\n", {"no line with NPTS", "Record format"}},
       {"At2Empty", "", {"file:1:", "no line with NPTS"}},

@@ -100,7 +100,7 @@ TEST(DynamicData, OneWarningPerMistake)
      {"Dynamics/Time step = 0.05 s", "Record x", "at most 0.0"}},
     {"short stage",
      [](ModelDefinition &model) { model.stages[1].duration = 1.; },
-     {"Record x", "behind the end of the stage 'quake', 1 s", "lasts 2 s", "Duration"}},
+     {"Record x", "after the end of the stage 'quake', 1 s", "lasts 2 s", "Duration"}},
     {"second order of nothing",
      [](ModelDefinition &model) {
        model.dynamics.second_order = SecondOrder::weight;

@@ -104,12 +104,12 @@ TEST(Construction, ColumnInLayers)
                                            : weight * z * (last * h - z) / E +
                                                weight * h * (z - h) / E + weight * h * h / 2. / E;
         EXPECT_NEAR(displacement(run, fmt::format("z{}", k), last), -settlement, 1e-9 * 0.008)
-          << "layer " << k << " behind stage " << last;
+          << "layer " << k << " after stage " << last;
         // In the middle of a cell: the weight of what is there above.
         const double stress = k > last ? 0. : -weight * (last * h - (z - 0.25));
         EXPECT_NEAR(
           displacement(run, fmt::format("cell{}", k), last, "stress_yy"), stress, 1e-9 * weight * n)
-          << "layer " << k << " behind stage " << last;
+          << "layer " << k << " after stage " << last;
       }
 }
 
@@ -156,7 +156,7 @@ TEST(Construction, BlockUponBlock)
 }
 
 // A block of weight W on a joint with f = 0.5, pushed by 0.75 W, and another block of weight W that
-// is built on top of it: before the push it holds it (0.5 · 2 W), behind it comes too late; the
+// is built on top of it: before the push it holds it (0.5 · 2 W), after it comes too late; the
 // limit is f W = 0.5 W, two thirds of the push. By equilibrium; 1e-9.
 TEST_P(ConstructionIn, OrderMattersWithFriction)
 {

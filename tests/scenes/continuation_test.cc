@@ -233,7 +233,7 @@ namespace fuga::tests
   }
 
   // A push of 0.6 for 0.2 s leaves the block with a velocity, and on its way to the spring; the
-  // slow stage behind begins when it rests, with the same pull.
+  // slow stage that follows begins when it rests, with the same pull.
   TEST(Continuation, MotionBehindADynamicStage)
   {
     Json scene = block_before_a_spring({{"Friction coefficient", 0.5}});
@@ -250,7 +250,7 @@ namespace fuga::tests
     const double slip = way_to_rest(0.6 - 0.5, mass_damping(0.2), 0.05, 20.);
     // The force comes at once: before it slips the block moves on the springs of its base, and N
     // swings.
-    expect_answer({problem, "slip in a dynamic stage and behind it [m]", slip, rigid_block},
+    expect_answer({problem, "slip in a dynamic stage and after it [m]", slip, rigid_block},
                   of_joint(run, "base", "largest_slip", 3.),
                   6e-3 * slip);
   }

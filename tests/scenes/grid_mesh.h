@@ -24,7 +24,7 @@ namespace fuga::tests
   Axis
   growing(const double begin, const double end, const double h, const double growth);
 
-  /** @p first, and @p second behind its end. */
+  /** @p first, and @p second after its end. */
   Axis
   joined(Axis first, const Axis &second);
 

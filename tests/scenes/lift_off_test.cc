@@ -33,7 +33,7 @@ namespace
     Json layer;
     /** The law by itself. */
     std::function<double(double)> stress;
-    /** How far the top is moved down first, and up behind the contact, as a share of it [m]. */
+    /** How far the top is moved down first, and up after the contact, as a share of it [m]. */
     double down, up;
   };
 

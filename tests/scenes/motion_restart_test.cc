@@ -92,7 +92,7 @@ namespace fuga::tests
     EXPECT_GT(restart_everywhere(block_on_joint(), {}, 12), 25u);
   }
 
-  // At levels only; what is behind the last one is done again.
+  // At levels only; what is after the last one is done again.
   TEST(MotionRestart, FromLevels)
   {
     Parameters parameters =

@@ -118,7 +118,7 @@ class Run:
 
 
 def largest_response(way, velocity, omega, duration, shortest):
-    """Of an undamped oscillator up to this time, looked at 4000 times in the shortest period, and in free vibration behind it."""
+    """Of an undamped oscillator up to this time, looked at 4000 times in the shortest period, and in free vibration after it."""
     dt = shortest / 4000.
     within = max(abs(way(i * dt)) for i in range(int(duration / dt)))
     return max(within, math.hypot(way(duration), velocity(duration) / omega))
@@ -269,7 +269,7 @@ def jumping_lips(folder):
     for i in jumps:
         row, t = events[i], float(events[i]["t"])
         check(row["from"] == "motion" and row["joint"] == "base" and row["stage"] == "shake", f"{row}")
-        check(events[i + 1]["t"] == row["t"] and events[i + 1]["energy"] == "nan", f"behind a jump: {events[i + 1]}")
+        check(events[i + 1]["t"] == row["t"] and events[i + 1]["energy"] == "nan", f"after a jump: {events[i + 1]}")
         # In a rigid joint nothing but friction takes work, by the ledger the jump nearly all of that in its step.
         step = next(k for k, one in enumerate(steps) if float(one["t"]) >= t)
         work = float(steps[step]["joint_work"]) - float(steps[step - 1]["joint_work"])

@@ -98,7 +98,7 @@ TEST(Restart, CohesionAndReversal)
               16u);
 }
 
-// With fields, whose collections go on; and to a limit load, behind which one more state is
+// With fields, whose collections go on; and to a limit load, after which one more state is
 // written.
 TEST(Restart, FieldsAndLimitLoad)
 {
@@ -182,7 +182,7 @@ TEST(Restart, AddedStages)
 
 namespace
 {
-  /** What --restart says with these changes behind a finished run, whose files must remain. */
+  /** What --restart says with these changes after a finished run, whose files must remain. */
   class RestartedProgram
   {
   public:

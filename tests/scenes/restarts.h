@@ -31,11 +31,11 @@ namespace fuga::tests
             const std::size_t last,
             const Checkpoint *checkpoint = nullptr);
 
-  /** The rest of a run behind what read_checkpoint() finds. */
+  /** The rest of a run after what read_checkpoint() finds. */
   ExitCode
   run_rest(const Parameters &parameters);
 
-  /** Runs a file in the plane with a checkpoint at every event, stops it behind about
+  /** Runs a file in the plane with a checkpoint at every event, stops it after about
    * @p n_restarts of them, restarts it there, and expects @p code and the files of the unbroken
    * run, byte for byte. How many checkpoints there were. */
   std::size_t

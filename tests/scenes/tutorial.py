@@ -127,7 +127,7 @@ def check_earthquake(text, folder):
     check(f"slid by {slip:.0f} mm" in text, f"the dam has slid by {slip} mm")
     before, after = (rows_of(folder / "results" / run / "resultants.csv")[-1] for run in ("dam", "quake"))
     safety = [float(row["sliding_safety"]) for row in (before, after)]
-    check(abs(safety[1] / safety[0] - 1) < 0.02, f"sliding safety {safety[0]} before, {safety[1]} behind the earthquake")
+    check(abs(safety[1] / safety[0] - 1) < 0.02, f"sliding safety {safety[0]} before, {safety[1]} after the earthquake")
 
 
 def main():

@@ -124,7 +124,7 @@ namespace fuga::stress
         tell(write, "failure", fmt::format("steps lack {:.1e} of the energy", share));
     }
 
-    /** By how much the term `sudden` changes behind the first step of the last motion, although
+    /** By how much the term `sudden` changes after the first step of the last motion, although
      * loads act all at once only there [MNm]. */
     double
     late_loss_of_sudden_loads(const std::string &directory)
@@ -188,7 +188,7 @@ namespace fuga::stress
               late > last.at("rounding").get<double>() +
                        rounding * last.at("largest_energy").get<double>())
             tell(
-              write, "failure", fmt::format("sudden loads lose {:.1e} behind a first step", late));
+              write, "failure", fmt::format("sudden loads lose {:.1e} after a first step", late));
         }
       if (largest > certificate_bound)
         tell(write, "failure", fmt::format("certificate {:.1e} ({})", largest, worst));

@@ -111,7 +111,7 @@ namespace fuga
     throw NumericalFailure(fmt::format(
       "{} load time {:.12g}, and no motion proves that there is none. "
       "{}. {}{}. The structure may stand; try softer joints{}.",
-      result.jump.found ? "No continuous path was found behind" : "No equilibrium was found behind",
+      result.jump.found ? "No continuous path was found after" : "No equilibrium was found after",
       state.t,
       is_limit ? "The motion found: " + figures(of_path) : result.tried,
       motion ? "The rigid motion of the bodies that the load drives most: " + figures(of_judge)

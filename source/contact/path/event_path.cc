@@ -83,7 +83,8 @@ namespace fuga
           {
             if (!options.follow_jumps && dynamic_cast<const LawExhausted *>(&failure) == nullptr)
               throw NumericalFailure(
-                failure.what() + std::string(" Solver/No continuation = jump may go on behind."));
+                failure.what() +
+                std::string(" Solver/No continuation = jump may continue from there."));
             if (!options.follow_jumps || !jump_over_failure(state, levels, observer, result))
               throw;
           }

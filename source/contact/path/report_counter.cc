@@ -19,7 +19,7 @@ namespace fuga
     if (count == 0)
       return;
     if (count < n_heard)
-      throw NumericalFailure("The path behind the checkpoint is not the one that was followed "
+      throw NumericalFailure("The path after the checkpoint is not the one that was followed "
                              "before: it was computed with another program or library, or with "
                              "another number of threads. Run without --restart.");
     n_heard = 0;

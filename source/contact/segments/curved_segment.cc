@@ -202,7 +202,7 @@ namespace fuga
           last);
     if (options.iteration == PathOptions::Iteration::newton)
       throw PathFailure(fmt::format(
-        "No equilibrium of the nonlinear layer was found behind load time {:.9g}.", last.t));
+        "No equilibrium of the nonlinear layer was found after load time {:.9g}.", last.t));
     double largest_ratio = 0.;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (const ContactElement &element = context.elements[k];
@@ -211,7 +211,7 @@ namespace fuga
           std::max(largest_ratio,
                    layer_tangent(element, last, k).normal / initial_layer_tangent(element).normal);
     throw NumericalFailure(fmt::format(
-      "The constant-stiffness iteration (3), (7), (8) diverges behind load time {:.9g}, where a "
+      "The constant-stiffness iteration (3), (7), (8) diverges after load time {:.9g}, where a "
       "layer is {:.4g} times as stiff as at zero closure: too stiff for the matrix with its first "
       "stiffness. Under given forces 2 is the bound, for law (9) at a closure of 0.0604 of the "
       "thickness. Use Iteration = newton.",
@@ -250,7 +250,7 @@ namespace fuga
   CurvedSegment::fail_behind(const std::size_t a, const char *what)
   {
     forget_behind(a);
-    throw PathFailure(fmt::format("{} behind load time {}.", what, points[a].state.t));
+    throw PathFailure(fmt::format("{} after load time {}.", what, points[a].state.t));
   }
 
   void
@@ -301,7 +301,7 @@ namespace fuga
     std::optional<PathPoint> point = solve(tau, interpolate(b - 1, tau));
     if (!point)
       throw NumericalFailure(
-        fmt::format("No equilibrium was found behind load time {}.", points[b - 1].state.t));
+        fmt::format("No equilibrium was found after load time {}.", points[b - 1].state.t));
     return *point;
   }
 

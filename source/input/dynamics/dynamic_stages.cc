@@ -54,7 +54,7 @@ namespace fuga
           section.fail(e.loads,
                        fmt::format("the load '{}' must not change in a stage with a Duration: "
                                    "displacements, gaps and temperatures are prescribed without "
-                                   "inertia. Apply it in a stage of its own before or behind.",
+                                   "inertia. Apply it in a stage of its own before or after.",
                                    load.name));
       for (unsigned int i = 0; i < model.loads.size(); ++i)
         if (const LoadDefinition &load = model.loads[i];
@@ -114,8 +114,8 @@ namespace fuga
           "Write unchanged, or remove this entry; it follows in the next stage.");
       if (number + 1 < stages.size() && stages[number + 1].purpose != StagePurpose::loading)
         section.fail(e.duration,
-                     "a search for safety begins with an equilibrium, but behind this stage bodies "
-                     "may still move. Add a stage without a Duration behind it, or remove the "
+                     "a search for safety begins with an equilibrium, but after this stage bodies "
+                     "may still move. Add a stage without a Duration after it, or remove the "
                      "entries of section Safety.");
       check_loads(section, number, model);
     }

@@ -112,7 +112,7 @@ namespace fuga
       const std::size_t last       = t.size() - 1;
       for (std::size_t i = 1; i <= last; ++i)
         if (t[i] <= t[i - 1])
-          lines.fail(fmt::format("the time {:g} comes behind {:g}: times must increase. Is 'Time "
+          lines.fail(fmt::format("the time {:g} comes after {:g}: times must increase. Is 'Time "
                                  "column' the number of the column of times, and is the decimal "
                                  "sign a point?",
                                  t[i],

@@ -66,7 +66,7 @@ namespace fuga
       text(),
       "List of boundaries behind which the bodies go on: dashpots take the waves that leave there, "
       "rho c_p and rho c_s per area and velocity (Lysmer and Kuhlemeyer 1969). Their supports are "
-      "released in stages with a Duration, and what these carry then acts on; behind such a stage "
+      "released in stages with a Duration, and what these carry then acts on; after such a stage "
       "they hold where they are by then.");
     damping_ratio =
       defaulted("Damping ratio",
@@ -94,7 +94,7 @@ namespace fuga
     defaulted("Excess load",
               &DynamicsDefinition::excess,
               number_between(0, false, 1),
-              "For the same: the bodies move under the loads that act this part of a stage behind "
+              "For the same: the bodies move under the loads that act this part of a stage after "
               "the limit load, but before the middle between it and the end of its stage.");
   }
 

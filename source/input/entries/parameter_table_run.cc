@@ -61,7 +61,7 @@ namespace fuga
       choice<bool>({{"stop", false}, {"jump", true}}),
       "What to do where no continuous path goes on although there is an equilibrium near by: "
       "stop with a verdict that names it, or jump there and go on, also where a path cannot be "
-      "computed any further. Energies are not known behind a jump. A limit load, where no "
+      "computed any further. Energies are not known after a jump. A limit load, where no "
       "equilibrium is near, ends the run anyway.");
     beyond_limit = defaulted(
       "Beyond limit load",

@@ -156,7 +156,7 @@ namespace fuga
           table.push_back(point);
         }
       if (table.size() < 2)
-        section.fail(entry, "a table needs a second point behind 0: 0.");
+        section.fail(entry, "a table needs a second point after 0: 0.");
       return table;
     }
 

@@ -31,7 +31,7 @@ namespace fuga
       if (material.removed_at <= material.built_at)
         section.fail(
           e.removed_at,
-          "the body would be removed before it has stood for a stage. Name a stage behind "
+          "the body would be removed before it has stood for a stage. Name a stage after "
           "the one in which it is built (without 'Built at stage' the first one).");
     }
 

@@ -155,7 +155,7 @@ namespace fuga
       "Take these changes back, or run without --restart, which computes everything anew. (Title, "
       "Output/Fields, Output/Log, Output/Report, Output/Checkpoint and the certificate's bound may "
       "change, and "
-      "stages may be added behind the last one.)",
+      "stages may be added after the last one.)",
       parameters.output.directory,
       list));
   }

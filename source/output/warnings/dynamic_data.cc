@@ -177,17 +177,17 @@ namespace fuga
       {
         const GroundMotion &motion   = dynamics.ground[axis];
         const StageDefinition &stage = model.stages[dynamics.earthquake_stage];
-        double behind                = 0.;
+        double left                  = 0.;
         for (std::size_t i = 0; i < motion.accelerations.size(); ++i)
           if (static_cast<double>(i) * motion.step > stage.duration)
-            behind = std::max(behind, std::abs(motion.accelerations[i]));
-        if (behind > acceleration_left * max_abs(motion.accelerations))
+            left = std::max(left, std::abs(motion.accelerations[i]));
+        if (left > acceleration_left * max_abs(motion.accelerations))
           warnings.push_back(fmt::format(
-            "{}: the record has up to {:.3g} g behind the end of the stage '{}', {:g} s, "
+            "{}: the record has up to {:.3g} g after the end of the stage '{}', {:g} s, "
             "usual is at most {:g} % of its largest acceleration. The record lasts {:g} "
             "s; see '{}' of the stage.",
             record(axis),
-            behind / dynamics.gravity,
+            left / dynamics.gravity,
             stage.name,
             stage.duration,
             100. * acceleration_left,

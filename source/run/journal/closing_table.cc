@@ -215,7 +215,7 @@ namespace fuga
     if (path.n_followed_jumps > 0)
       log.warning(fmt::format(
         "The path is not continuous: {} jump(s){}, the last one at t = "
-        "{:.12g}; energies are not known behind the first one{}.",
+        "{:.12g}; energies are not known after the first one{}.",
         path.n_followed_jumps,
         path.n_failures > 0 ? fmt::format(", {} where it could not be computed", path.n_failures)
                             : "",

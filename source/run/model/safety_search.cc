@@ -64,11 +64,11 @@ namespace fuga
         const auto way = std::make_unique<EventPath>(joint.elements, layered, history, options);
         const PathResult reached = way->resume(start, levels, observer);
         if (!reached.tried.empty())
-          throw NumericalFailure(fmt::format(
-            "Safety search '{}': no equilibrium was found behind load time {:.12g}. {}.",
-            stage.name,
-            reached.t,
-            reached.tried));
+          throw NumericalFailure(
+            fmt::format("Safety search '{}': no equilibrium was found after load time {:.12g}. {}.",
+                        stage.name,
+                        reached.t,
+                        reached.tried));
         if (reached.verdict != Verdict::done)
           lost();
 

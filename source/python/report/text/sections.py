@@ -242,7 +242,7 @@ def _words(section, prefix=""):
 
 
 def continuations(results):
-    """A row per motion behind the loss of an equilibrium."""
+    """A row per motion after the loss of an equilibrium."""
     motions = results.summary.get("continuations", [])
     if not motions:
         return None
