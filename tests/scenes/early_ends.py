@@ -187,6 +187,7 @@ def no_room(scene):
 
 
 def main():
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the runs would ignore it if this shell does, as one in the background
     with tempfile.TemporaryDirectory() as name:
         scene = Scene(sys.argv[1], pathlib.Path(name))
         two_in_one_directory(scene)
