@@ -7,7 +7,7 @@
 #include "sparse.h"
 
 #include <fuga/contact/contact_system.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/contact/path/event_path.h>
 
 #include <memory>

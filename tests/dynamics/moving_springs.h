@@ -8,7 +8,7 @@
 
 #include <fuga/contact/dynamics/dynamic_path.h>
 #include <fuga/contact/dynamics/time_integration.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 
 #include <functional>
 #include <memory>

@@ -7,7 +7,7 @@
 #include "judges/cone_newton.h"
 #include "stress/step_report.h"
 
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>
 

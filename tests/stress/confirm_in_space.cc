@@ -7,7 +7,7 @@
 #include "stress/run_scene.h"
 
 #include <fuga/base/errors.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/contact/path/event_path.h>
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/output/tables/summary.h>

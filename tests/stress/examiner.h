@@ -8,7 +8,7 @@
 #include "stress/rate_question.h"
 #include "stress/step_report.h"
 
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>
 

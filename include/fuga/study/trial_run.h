@@ -4,7 +4,7 @@
 #ifndef fuga_study_trial_run_h
 #define fuga_study_trial_run_h
 
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/output/results/joint_resultant.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>

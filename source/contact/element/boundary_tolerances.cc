@@ -60,21 +60,21 @@ namespace fuga
         given[i] += std::abs(R(i, j) * factors[j]);
     for (std::size_t i = 0; i < state.water.size(); ++i)
       given[i] += std::abs(state.water[i]);
-    const double least_share = has_cones ? of_small_differences_in_space
-                                         : std::min(1., of_small_differences * widening * widening);
+    const double least_share = in_space ? of_small_differences_in_space
+                                        : std::min(1., of_small_differences * widening * widening);
     const bool in_motion     = system.contact_system().force_scale() > 0.;
     const double of_given    = in_motion ? of_reactions_in_motion : 1.;
     const double largest_force =
-      std::max(has_cones ? 0. : of_given * max_abs(given), max_abs(state.forces));
+      std::max(in_space ? 0. : of_given * max_abs(given), max_abs(state.forces));
     double largest_jump = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
         const double terms = given[i] + system.scale(i) * scaled_dislocation;
         const double size  = std::min(terms, std::max(least_share * terms, largest_force));
         force_tolerances[i] =
-          has_cones ? std::min(relative * size,
-                               std::max(value_tolerance * size, largest_share * largest_force))
-                    : relative * size;
+          in_space ? std::min(relative * size,
+                              std::max(value_tolerance * size, largest_share * largest_force))
+                   : relative * size;
         const double parts = std::max(std::abs(state.dislocations[i]),
                                       system.compliance(i) * std::abs(state.forces[i]));
         largest_jump       = std::max(
@@ -91,7 +91,7 @@ namespace fuga
         force_tolerances[i] =
           std::max(value_rounding * force_tolerances[i],
                    std::min(force_tolerances[i], zero_gap / system.compliance(i)));
-    if (!has_cones)
+    if (!in_space)
       return;
     const double smallest = smallest_share * max_abs(force_tolerances);
     for (double &tolerance : force_tolerances)

@@ -38,7 +38,7 @@ namespace fuga
                                    const LayeredSystem &layered_system)
     : elements(contact_elements)
     , system(layered_system)
-    , has_cones(have_two_tangents(contact_elements))
+    , in_space(have_two_tangents(contact_elements))
     , force_tolerances(layered_system.n_bars(), 0.)
   {
   }

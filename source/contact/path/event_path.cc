@@ -35,7 +35,7 @@ namespace fuga
                        const PathOptions &path_options)
     : ContactPath(contact_elements, layered_system, load_history)
     , options(path_options)
-    , has_cones(have_two_tangents(elements))
+    , in_space(have_two_tangents(elements))
     , boundary(elements, system)
     , scheme(elements, system)
     , rate_problem(elements, system, scheme)
@@ -242,7 +242,7 @@ namespace fuga
   {
     constexpr double no_turn = 1e-11; // of the largest force rate
     size                     = std::max(size, max_abs(start.rates.forces));
-    for (std::size_t k = 0; k < elements.size() && has_cones; ++k)
+    for (std::size_t k = 0; k < elements.size() && in_space; ++k)
       if (may_turn(elements[k], start.state, k))
         if (const TangentVector across = normal_to(scheme.slip_direction_of(k));
             is_curved ||

@@ -101,7 +101,7 @@ namespace fuga
     CriticalFriction &critical = result.critical;
     critical                   = {};
     critical.t                 = state.t;
-    if (has_cones)
+    if (in_space)
       {
         result.t = state.t;
         for (const BoundaryElement &candidate : set)

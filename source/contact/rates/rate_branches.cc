@@ -44,7 +44,7 @@ namespace fuga
   bool
   RateProblem::may_have_others(const std::vector<BoundaryElement> &set, const Continuation &found)
   {
-    if (has_cones)
+    if (in_space)
       // The most expensive question is asked last.
       return (reduced.is_small() || found.met_negative_determinant) && !reduced.has_one_solution();
     std::vector<WorkingScheme::SlipDirection> slips;

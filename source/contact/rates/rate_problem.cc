@@ -23,7 +23,7 @@ namespace fuga
     , system(layered_system)
     , scheme(working_scheme)
     , off_boundary(contact_elements, layered_system)
-    , has_cones(have_two_tangents(contact_elements))
+    , in_space(have_two_tangents(contact_elements))
     , reduced(contact_elements, layered_system)
   {
   }
@@ -36,7 +36,7 @@ namespace fuga
                      const double widening)
   {
     Continuation result;
-    if (!has_cones)
+    if (!in_space)
       for (const RateMethod method : {RateMethod::block_switching, RateMethod::single_switching})
         {
           result.method = method;
@@ -105,18 +105,18 @@ namespace fuga
                     drive,
                     resticking,
                     widening,
-                    has_cones ? ConeRateProblem::Accept() : ConeRateProblem::Accept(is_right));
+                    in_space ? ConeRateProblem::Accept() : ConeRateProblem::Accept(is_right));
     result.exists        = found.exists;
-    result.rates         = has_cones ? found.rates : checked.rates;
+    result.rates         = in_space ? found.rates : checked.rates;
     result.has_mechanism = found.has_mechanism;
     result.mechanism     = found.mechanism;
     result.is_ruled_out  = found.is_ruled_out;
     result.barrier       = found.barrier;
     result.n_schemes += found.n_schemes + checked.n_schemes;
     result.met_negative_determinant |=
-      has_cones ? found.exists && found.determinant_sign < 0 : checked.met_negative_determinant;
+      in_space ? found.exists && found.determinant_sign < 0 : checked.met_negative_determinant;
     result.method = found.by_search ? RateMethod::search : RateMethod::newton;
-    if (!found.exists || !has_cones)
+    if (!found.exists || !in_space)
       return;
     note_active(set, found.rates);
     if (!take_states(set, found))

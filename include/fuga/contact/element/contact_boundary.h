@@ -236,7 +236,7 @@ namespace fuga
 
     const std::vector<ContactElement> &elements;
     const LayeredSystem &system;
-    const bool has_cones;
+    const bool in_space;
     Vector force_tolerances;
     double zero_gap = 0.;
   };

@@ -4,7 +4,7 @@
 #ifndef fuga_contact_judge_limit_proof_h
 #define fuga_contact_judge_limit_proof_h
 
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/contact/path/path_result.h>
 #include <fuga/contact/system/layered_system.h>
 

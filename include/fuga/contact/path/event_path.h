@@ -155,7 +155,7 @@ namespace fuga
                      PathResult &result);
 
     const PathOptions options;
-    const bool has_cones;
+    const bool in_space;
     ContactBoundary boundary;
     WorkingScheme scheme;
     RateProblem rate_problem;

@@ -237,7 +237,7 @@ namespace fuga
     const LayeredSystem &system;
     WorkingScheme &scheme;
     WorkingScheme off_boundary;
-    const bool has_cones;
+    const bool in_space;
     ConeRateProblem reduced;
   };
 } // namespace fuga

@@ -8,7 +8,7 @@
 #include <fuga/bodies/program/driving_quantity.h>
 #include <fuga/bodies/program/monitor.h>
 #include <fuga/contact/dynamics/moving_bodies.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge_memory.h>
 #include <fuga/contact/path/path_observer.h>
 #include <fuga/input/units.h>
 #include <fuga/output/files/table.h>

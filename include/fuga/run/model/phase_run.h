@@ -6,7 +6,7 @@
 
 #include <fuga/bodies/motion/bodies_in_motion.h>
 #include <fuga/contact/dynamics/dynamic_path.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/output/results/joint_results.h>
 #include <fuga/run/model/joint_model.h>
 #include <fuga/run/model/model.h>

@@ -3,7 +3,7 @@
 
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/mechanism.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/contact/tangent_vector.h>
 
 #include <algorithm>

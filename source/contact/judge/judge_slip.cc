@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/cubic.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 
 #include <algorithm>
 #include <cmath>

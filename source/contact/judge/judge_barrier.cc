@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 #include <fuga/contact/tangent_vector.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <fuga/base/numerics/cubic.h>
 #include <fuga/base/work_counter.h>
-#include <fuga/contact/judge/certificate.h>
+#include <fuga/contact/judge/judge.h>
 
 #include <algorithm>
 #include <cmath>
