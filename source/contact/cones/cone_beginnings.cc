@@ -55,10 +55,10 @@ namespace fuga
     const LcpSolution solution = solve_lcp(problem.M, problem.q, covering);
     if (solution.status == LcpStatus::ray && ray.empty())
       ray = motion_of(unknowns, solution.z);
-    take_answers(unknowns,
-                 solution.solved() ? solution.z : solution.vertex,
-                 nothing,
-                 std::vector<bool>(candidates.size(), false));
+    const Vector &z = solution.solved() ? solution.z : solution.vertex;
+    if (z.size() != unknowns.size())
+      return false; // the method was cut short
+    take_answers(unknowns, z, nothing, std::vector<bool>(candidates.size(), false));
     return settles(result);
   }
 
@@ -92,7 +92,7 @@ namespace fuga
   // Where all rates are resisted, as by a viscous layer, no motion is free, and Lemke's method
   // finds a solution; the weaker the resistance, the closer it is to one without.
   bool
-  ConeRateProblem::pivot_from_many(ConeContinuation &result)
+  ConeRateProblem::pivot_from_many(ConeContinuation &result, const std::function<bool()> &note)
   {
     if (has_free_directions())
       return false;
@@ -109,7 +109,7 @@ namespace fuga
             const double position = golden_ratio * static_cast<double>(attempt * n + i);
             shares[i]             = 0.05 + position - std::floor(position);
           }
-        if (pivot(unknowns, problem, shares, result))
+        if (pivot(unknowns, problem, shares, result) && note())
           return true;
       }
     for (const double resistance : {1e-8, 1e-6, 1e-4, 1e-2, 1.})
@@ -117,7 +117,7 @@ namespace fuga
         ConeLcp resisted = problem;
         for (std::size_t i = 0; i < n; ++i)
           resisted.M(i, i) += resistance;
-        if (pivot(unknowns, resisted, Vector(n, 1.), result))
+        if (pivot(unknowns, resisted, Vector(n, 1.), result) && note())
           return true;
       }
     return false;

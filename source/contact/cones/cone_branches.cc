@@ -83,11 +83,14 @@ namespace fuga
     candidate.slip = candidate.strength = 0.;
   }
 
-  // The present states are tested, with directions of slip at the apex solved for.
+  // The present states are tested, with directions of slip at the apex solved for. Where there is
+  // no reduced system, only accept() can tell.
   bool
   ConeRateProblem::is_solution(ConeContinuation &result)
   {
     constexpr int max_turns = 30;
+    if (!has_system)
+      return accept && is_accepted(true);
     for (int i = 0; i < max_turns; ++i)
       {
         ++result.n_schemes;
@@ -109,7 +112,7 @@ namespace fuga
     any_combination(all, [&](const std::vector<std::size_t> &chosen) {
       for (std::size_t i = 0; i < all.size(); ++i)
         take(all[i][chosen[i]], candidates[i]);
-      return is_solution(result) && note();
+      return is_solution(result) && is_accepted() && note();
     });
   }
 
@@ -149,7 +152,7 @@ namespace fuga
         (!has_free_directions() && n_combinations(choices()) <= most_combinations_tried))
       {
         try_all(result, until_done);
-        result.is_ruled_out = !found && !has_free_directions();
+        result.is_ruled_out = !found && !has_free_directions() && (accept || has_system);
       }
     else
       try_guesses(result, until_done);
@@ -168,26 +171,33 @@ namespace fuga
                                  WorkingScheme &background,
                                  const Drive &drive,
                                  const std::vector<ContactState> &states,
-                                 const std::vector<TangentVector> &directions)
+                                 const std::vector<TangentVector> &directions,
+                                 const Accept &accepts)
   {
     std::vector<ConeContinuation> result;
     ConeContinuation counted;
-    if (!take_set(state, set, background, drive, {}, counted))
+    if (!take_set(state, set, background, drive, {}, counted) && !accepts)
       return result;
+    accept = accepts;
     for (std::size_t i = 0; i < candidates.size(); ++i)
       take({is_slipping(states[i]) ? ContactState::slip_forward : states[i],
             is_slipping(states[i]) ? directions[i] : candidates[i].direction},
            candidates[i]);
     const auto note = [&] {
+      if (accept)
+        return false; // which has noted it
       ConeContinuation solution;
       take_solution(solution);
       solution.rates = full_rates(background, drive, v);
       result.push_back(std::move(solution));
       return false;
     };
-    if (is_solution(counted)) // the present one
+    if (accept ? is_accepted() : is_solution(counted)) // the present one
       note();
+    if (accept && !is_small() && has_system)
+      pivot_from_many(counted, note);
     search(counted, note);
+    accept = {};
     return result;
   }
 } // namespace fuga

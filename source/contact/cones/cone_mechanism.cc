@@ -16,6 +16,8 @@ namespace fuga
   {
     /** Share of the sizes of its terms below which the power of loads counts as zero. */
     constexpr double no_power = 1e-10;
+    /** The same for what may yet be the power of errors of the motion. */
+    constexpr double doubtful_power = 1e-7;
 
     Drive
     at_rest(const LayeredSystem &system)
@@ -30,9 +32,10 @@ namespace fuga
   // a scheme without resistance, or the change that every sweep adds to rates that grow beyond
   // bounds. It is a mechanism if the load drives it, nothing resists and no closed element would
   // penetrate or slip against its force; anything else only shows that no solution was found.
-  void
+  bool
   ConeRateProblem::find_mechanism(WorkingScheme &background, ConeContinuation &result)
   {
+    bool is_driven = false;
     for (Vector &motion : std::array<std::reference_wrapper<Vector>, 3>{{ray, free_motion, drift}})
       {
         if (motion.empty() || result.has_mechanism)
@@ -45,7 +48,9 @@ namespace fuga
         result.mechanism     = full_rates(background, at_rest(system), motion);
         result.has_mechanism = is_admissible(motion) && std::abs(power) > no_power * size &&
                                is_free_motion(result.mechanism, system);
+        is_driven = result.has_mechanism && std::abs(power) > doubtful_power * size;
       }
+    return is_driven;
   }
 
   // The forces that a broken bond releases, and water that comes in, are not known to those who

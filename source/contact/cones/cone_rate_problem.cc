@@ -34,10 +34,19 @@ namespace fuga
   {
     ConeContinuation result;
     noise_at_rest = widening;
-    if (!take_set(state, set, background, drive, resticking, result))
-      return result;
+    take_set(state, set, background, drive, resticking, result);
+    accept = accepts;
+    if (!has_system)
+      {
+        result.by_search = accept && search(
+                                       result, [] { return true; }, most_combinations_at_last);
+        result.has_mechanism = !result.by_search;
+        if (result.by_search)
+          take_solution(result);
+        accept = {};
+        return result;
+      }
     const std::vector<Candidate> at_first = candidates;
-    accept                                = accepts;
     Outcome outcome                       = Outcome::cycled;
     for (const auto approach : {&ConeRateProblem::approach_by_pivoting,
                                 &ConeRateProblem::approach_from_present_states,
@@ -81,15 +90,9 @@ namespace fuga
                             ConeContinuation &result)
   {
     candidates.clear();
-    accept                                = {};
-    const std::optional<JointRates> stuck = background.rates(drive);
-    if (!stuck)
-      {
-        result.has_mechanism = true;
-        result.mechanism     = background.mechanism();
-        return false;
-      }
     bars.clear();
+    has_system = false;
+    accept     = {};
     free_motion.clear();
     drift.clear();
     ray.clear();
@@ -111,13 +114,17 @@ namespace fuga
           bars.push_back(element.bar(a));
         candidates.push_back(candidate);
       }
-    std::optional<DenseMatrix> stiffness = background.stiffness(bars, bars);
-    if (!stiffness)
+    r.assign(bars.size(), 0.);
+    const std::optional<JointRates> stuck = background.rates(drive);
+    std::optional<DenseMatrix> stiffness  = background.stiffness(bars, bars);
+    if (!stuck || !stiffness)
       {
-        candidates.clear();
+        result.has_mechanism = true;
+        result.mechanism     = background.mechanism();
         return false;
       }
-    W = std::move(*stiffness);
+    has_system = true;
+    W          = std::move(*stiffness);
     r.clear();
     for (const std::size_t bar : bars)
       r.push_back(stuck->forces[bar]);
@@ -138,12 +145,13 @@ namespace fuga
   }
 
   bool
-  ConeRateProblem::is_accepted() const
+  ConeRateProblem::is_accepted(const bool as_they_are) const
   {
     if (!accept)
       return true;
     ConeContinuation found;
     take_solution(found);
+    found.by_search = as_they_are;
     return accept(found);
   }
 

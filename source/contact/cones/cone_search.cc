@@ -14,9 +14,6 @@ namespace fuga
     /** Largest number of elements that may open for which all combinations of open and closed are
      * tried. */
     constexpr std::size_t most_openings = 4;
-    /** Number of combinations of states that are tried where the only alternative is not to know.
-     */
-    constexpr double most_combinations_at_last = 1e5;
     /** Reciprocal condition number below which the elements that open are without support. */
     constexpr double no_support = 1e-13;
 
@@ -65,22 +62,21 @@ namespace fuga
                                     const Drive &drive,
                                     ConeContinuation &result)
   {
-    if (is_small() && search(result, [this] { return is_accepted(); }))
+    const auto one_is_enough = [] { return true; };
+    if (is_small() && search(result, one_is_enough))
       return true;
-    find_mechanism(background, result);
-    const bool any_apex = std::any_of(candidates.begin(),
+    const bool is_driven = find_mechanism(background, result);
+    const bool any_apex  = std::any_of(candidates.begin(),
                                       candidates.end(),
                                       [](const Candidate &candidate) { return candidate.at_apex; });
-    if (result.has_mechanism && !(accept && any_apex))
+    if (is_driven && !(accept && any_apex))
       return false;
     if (!result.has_mechanism)
       result.barrier = find_barrier(background, drive);
     if (is_small() || (result.barrier && !accept))
       return false;
-    if (pivot_from_many(result) || search_with_proof(result) ||
-        (!result.is_ruled_out &&
-         search(
-           result, [this] { return is_accepted(); }, most_combinations_at_last)))
+    if (pivot_from_many(result, one_is_enough) || search_with_proof(result) ||
+        (!result.is_ruled_out && search(result, one_is_enough, most_combinations_at_last)))
       {
         result.has_mechanism = false;
         return true;

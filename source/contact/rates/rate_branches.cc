@@ -113,10 +113,8 @@ namespace fuga
     return n <= most_combinations;
   }
 
-  std::vector<Branch>
-  RateProblem::branches(const JointState &state,
-                        const std::vector<BoundaryElement> &set,
-                        const Drive &drive)
+  Branch
+  RateProblem::present_branch(const std::vector<BoundaryElement> &set) const
   {
     Branch present;
     for (const BoundaryElement &candidate : set)
@@ -124,21 +122,50 @@ namespace fuga
         present.states.push_back(scheme.state(candidate.element));
         present.directions.push_back(scheme.slip_direction_of(candidate.element));
       }
+    return present;
+  }
+
+  std::vector<Branch>
+  RateProblem::branches(const JointState &state,
+                        const std::vector<BoundaryElement> &set,
+                        const Drive &drive)
+  {
+    const Branch present = present_branch(set);
     take_background(state, set);
     std::vector<Branch> found;
-    for (const ConeContinuation &solution :
-         reduced.all_solutions(state, set, off_boundary, drive, present.states, present.directions))
-      if (is_new(found, solution.rates, drive))
-        {
-          Branch branch;
-          branch.states           = solution.states;
-          branch.directions       = solution.directions;
-          branch.rates            = solution.rates;
-          branch.determinant_sign = solution.determinant_sign;
-          take(set, branch);
-          note_dissipation(state, branch);
-          found.push_back(branch);
-        }
+    const auto note = [&](Branch branch) {
+      if (!is_new(found, branch.rates, drive))
+        return;
+      take(set, branch);
+      note_dissipation(state, branch);
+      found.push_back(std::move(branch));
+    };
+    // Where slips have given directions, the working scheme has the last word.
+    Continuation checked;
+    const auto is_right = [&](const ConeContinuation &states) {
+      take_states(set, states);
+      checked.method = states.by_search ? RateMethod::search : RateMethod::single_switching;
+      if (!switch_states(state, set, drive, checked))
+        return false;
+      Branch branch           = present_branch(set);
+      branch.rates            = checked.rates;
+      branch.determinant_sign = scheme.determinant_sign();
+      note(std::move(branch));
+      return true;
+    };
+    const std::vector<ConeContinuation> solutions = reduced.all_solutions(
+      state,
+      set,
+      off_boundary,
+      drive,
+      present.states,
+      present.directions,
+      in_space ? ConeRateProblem::Accept() : ConeRateProblem::Accept(is_right));
+    for (std::size_t i = 0; i < solutions.size() && in_space; ++i)
+      {
+        const ConeContinuation &solution = solutions[i];
+        note({solution.states, solution.directions, solution.rates, solution.determinant_sign});
+      }
     take(set, present);
     return found;
   }

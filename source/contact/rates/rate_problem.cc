@@ -93,9 +93,9 @@ namespace fuga
     take_background(state, set);
     // Where slips have given directions, the working scheme has the last word.
     Continuation checked;
-    checked.method      = RateMethod::single_switching;
     const auto is_right = [&](const ConeContinuation &states) {
       take_states(set, states);
+      checked.method = states.by_search ? RateMethod::search : RateMethod::single_switching;
       return switch_states(state, set, drive, checked);
     };
     const ConeContinuation found =
@@ -180,7 +180,9 @@ namespace fuga
   {
     const bool all_at_once = result.method == RateMethod::block_switching;
     std::set<std::vector<ContactState>> visited;
-    const std::size_t max_schemes = all_at_once ? 60 : 20 + 4 * set.size();
+    const std::size_t max_schemes = result.method == RateMethod::search ? 1
+                                    : all_at_once                       ? 60
+                                                                        : 20 + 4 * set.size();
     std::size_t n_mechanisms      = 0;
     for (std::size_t count = 0; count < max_schemes; ++count)
       {

@@ -36,7 +36,8 @@ namespace fuga
     double load_rate = 0.;
     /** Sign of the determinant of the scheme; it is negative beyond critical friction. */
     int determinant_sign = 0;
-    /** True if only a search found it. */
+    /** True if only a search found it; asked for acceptance, such states are not the beginning of
+     * others. */
     bool by_search = false;
   };
 
@@ -83,14 +84,15 @@ namespace fuga
     is_small() const;
 
     /** Return the solution with the given @p states and @p directions, if it is one, and the others
-     * that a search finds; one of them may occur twice. */
+     * that a search finds and that @p accept takes, if it is given; one of them may occur twice. */
     std::vector<ConeContinuation>
     all_solutions(const JointState &state,
                   const std::vector<BoundaryElement> &set,
                   WorkingScheme &background,
                   const Drive &drive,
                   const std::vector<ContactState> &states,
-                  const std::vector<TangentVector> &directions);
+                  const std::vector<TangentVector> &directions,
+                  const Accept &accept = {});
 
     /** The condition that determines the rate of a load that is an unknown. */
     enum class Control
@@ -143,6 +145,9 @@ namespace fuga
     /** Number of schemes that are tried: first with all violations changed at once, then with the
      * worst one alone. */
     static constexpr unsigned int n_together = 25, n_iterations = 80;
+    /** Number of combinations of states that are tried where the only alternative is not to know.
+     */
+    static constexpr double most_combinations_at_last = 1e5;
 
     /** The matrix W and the vector r of the boundary set, and the size of the terms in W. */
     struct ReducedSystem
@@ -151,8 +156,8 @@ namespace fuga
       Vector r, diagonal;
     };
 
-    /** Set up the reduced system of @p set. Return false if something moves freely although the
-     * whole set is stuck; @p result then contains the mechanism. */
+    /** Set up the reduced system of @p set. Return false if there is none, since something moves
+     * freely although the whole set is stuck; @p result then contains the mechanism. */
     bool
     take_set(const JointState &state,
              const std::vector<BoundaryElement> &set,
@@ -164,7 +169,7 @@ namespace fuga
     JointRates
     largest_rates(const Drive &drive) const;
     bool
-    is_accepted() const;
+    is_accepted(const bool as_they_are = false) const;
     /** Return whether the present answers lead to a solution: by the way that decides what is
      * accepted, if there is one, else by Newton's method. */
     bool
@@ -227,7 +232,7 @@ namespace fuga
     Outcome
     approach_from_present_states(ConeContinuation &result);
     bool
-    pivot_from_many(ConeContinuation &result);
+    pivot_from_many(ConeContinuation &result, const std::function<bool()> &note);
     Vector
     on_boundaries(const Vector &forces, const bool by_work) const;
     void
@@ -252,7 +257,8 @@ namespace fuga
                       const double strength,
                       const Vector &rates,
                       Candidate &candidate);
-    void
+    /** Return whether the loads drive it beyond doubt. */
+    bool
     find_mechanism(WorkingScheme &background, ConeContinuation &result);
     std::optional<JointRates>
     find_barrier(WorkingScheme &background, const Drive &drive) const;
@@ -316,6 +322,8 @@ namespace fuga
     /** The reduced system of the present boundary set. */
     std::vector<Candidate> candidates;
     std::vector<std::size_t> bars;
+    /** False if something moves freely although the whole set is stuck. */
+    bool has_system = false;
     DenseMatrix W;
     Vector r, v, q;
     /** The diagonal of the stiffness before bars were released, i.e. the size of the terms in W. */

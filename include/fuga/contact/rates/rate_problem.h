@@ -220,12 +220,16 @@ namespace fuga
     void
     measure_by_largest_jump(const Drive &unit_load, ControlledContinuation &motion) const;
 
-    /** Switch states of the working scheme, by the method that @p result names. */
+    /** Switch states of the working scheme, by the method that @p result names; a search takes the
+     * states as they are. */
     bool
     switch_states(const JointState &state,
                   const std::vector<BoundaryElement> &set,
                   const Drive &drive,
                   Continuation &result);
+    /** Return the states and directions of the working scheme. */
+    Branch
+    present_branch(const std::vector<BoundaryElement> &set) const;
     void
     note_dissipation(const JointState &state, Branch &branch) const;
     std::vector<ContactState>
