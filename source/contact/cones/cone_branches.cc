@@ -83,14 +83,11 @@ namespace fuga
     candidate.slip = candidate.strength = 0.;
   }
 
-  // The present states are tested, with directions of slip at the apex solved for. Where there is
-  // no reduced system, only accept() can tell.
+  // The present states are tested, with directions of slip at the apex solved for.
   bool
   ConeRateProblem::is_solution(ConeContinuation &result)
   {
     constexpr int max_turns = 30;
-    if (!has_system)
-      return accept && is_accepted(true);
     for (int i = 0; i < max_turns; ++i)
       {
         ++result.n_schemes;
@@ -104,7 +101,8 @@ namespace fuga
     return false;
   }
 
-  // Call note() at every solution until it returns true.
+  // Call note() at every solution until it returns true. Where there is no reduced system, only
+  // accept() can tell which states are one.
   void
   ConeRateProblem::try_all(ConeContinuation &result, const std::function<bool()> &note)
   {
@@ -112,7 +110,8 @@ namespace fuga
     any_combination(all, [&](const std::vector<std::size_t> &chosen) {
       for (std::size_t i = 0; i < all.size(); ++i)
         take(all[i][chosen[i]], candidates[i]);
-      return is_solution(result) && is_accepted() && note();
+      const bool is_right = has_system ? is_solution(result) && is_accepted() : is_accepted(true);
+      return is_right && note();
     });
   }
 
@@ -152,7 +151,7 @@ namespace fuga
         (!has_free_directions() && n_combinations(choices()) <= most_combinations_tried))
       {
         try_all(result, until_done);
-        result.is_ruled_out = !found && !has_free_directions() && (accept || has_system);
+        result.is_ruled_out = !found && !has_free_directions();
       }
     else
       try_guesses(result, until_done);
@@ -176,7 +175,8 @@ namespace fuga
   {
     std::vector<ConeContinuation> result;
     ConeContinuation counted;
-    if (!take_set(state, set, background, drive, {}, counted) && !accepts)
+    take_set(state, set, background, drive, {}, counted);
+    if (!has_system && !accepts)
       return result;
     accept = accepts;
     for (std::size_t i = 0; i < candidates.size(); ++i)

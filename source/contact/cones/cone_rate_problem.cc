@@ -81,7 +81,7 @@ namespace fuga
     return result;
   }
 
-  bool
+  void
   ConeRateProblem::take_set(const JointState &state,
                             const std::vector<BoundaryElement> &set,
                             WorkingScheme &background,
@@ -121,7 +121,7 @@ namespace fuga
       {
         result.has_mechanism = true;
         result.mechanism     = background.mechanism();
-        return false;
+        return;
       }
     has_system = true;
     W          = std::move(*stiffness);
@@ -135,7 +135,6 @@ namespace fuga
       diagonal.push_back(system.stiffness()(bar, bar));
     const double largest = max_abs(diagonal); // bars that nothing resists have no size of their own
     std::replace(diagonal.begin(), diagonal.end(), 0., largest > 0. ? largest : 1.);
-    return true;
   }
 
   bool
@@ -151,8 +150,7 @@ namespace fuga
       return true;
     ConeContinuation found;
     take_solution(found);
-    found.by_search = as_they_are;
-    return accept(found);
+    return accept(found, as_they_are);
   }
 
   JointRates

@@ -26,8 +26,8 @@ namespace fuga
       double right_hand_side = 0.;
     };
 
-    /** Remove from x, where M x = @p rhs, what @p nearby leaves of the right-hand side, if it can be
-     * removed: if nothing drives what moves freely. */
+    /** Remove from x, where M x = @p rhs, what @p nearby leaves of the right-hand side, if it can
+     * be removed: if nothing drives what moves freely. */
     void
     let_rest(const DenseMatrix &M, const Vector &rhs, const LuFactors &nearby, Vector &x)
     {
@@ -51,10 +51,10 @@ namespace fuga
     /**
      * Solve M x = rhs in place, where rows and columns of M are scaled to a unit diagonal of W
      * before bars were released, so that a matrix which is small as a whole also counts as
-     * singular, as does one whose answer is above @p largest. If it is singular, @p note_motion gets its null vector, and weak springs to the
-     * ground hold what moves freely: it then moves far, in the direction in which the load drives
-     * it, so that the next scheme closes the elements that it runs into; what nothing drives rests.
-     * Return the sign of the determinant.
+     * singular, as does one whose answer is above @p largest. If it is singular, @p note_motion
+     * gets its null vector, and weak springs to the ground hold what moves freely: it then moves
+     * far, in the direction in which the load drives it, so that the next scheme closes the
+     * elements that it runs into; what nothing drives rests. Return the sign of the determinant.
      */
     int
     solve_or_regularise(const DenseMatrix &M,

@@ -139,7 +139,10 @@ namespace fuga
   {
     ConeContinuation result;
     const std::optional<JointRates> unit = background.rates(unit_load);
-    if (!unit || !take_set(state, set, background, drive, {}, result))
+    if (!unit)
+      return result;
+    take_set(state, set, background, drive, {}, result);
+    if (!has_system)
       return result;
     Vector load;
     for (const std::size_t bar : bars)

@@ -18,7 +18,7 @@ namespace fuga
 {
   namespace
   {
-    /** Return the number of combinations of states that the elements of @p set may take. */
+    /** Return the number of states that the elements of @p set may take, all together. */
     std::size_t
     n_choices(const std::vector<BoundaryElement> &set)
     {

@@ -140,32 +140,22 @@ namespace fuga
       note_dissipation(state, branch);
       found.push_back(std::move(branch));
     };
-    // Where slips have given directions, the working scheme has the last word.
     Continuation checked;
-    const auto is_right = [&](const ConeContinuation &states) {
-      take_states(set, states);
-      checked.method = states.by_search ? RateMethod::search : RateMethod::single_switching;
-      if (!switch_states(state, set, drive, checked))
-        return false;
-      Branch branch           = present_branch(set);
-      branch.rates            = checked.rates;
-      branch.determinant_sign = scheme.determinant_sign();
-      note(std::move(branch));
-      return true;
-    };
-    const std::vector<ConeContinuation> solutions = reduced.all_solutions(
-      state,
-      set,
-      off_boundary,
-      drive,
-      present.states,
-      present.directions,
-      in_space ? ConeRateProblem::Accept() : ConeRateProblem::Accept(is_right));
-    for (std::size_t i = 0; i < solutions.size() && in_space; ++i)
-      {
-        const ConeContinuation &solution = solutions[i];
-        note({solution.states, solution.directions, solution.rates, solution.determinant_sign});
-      }
+    ConeRateProblem::Accept accept = acceptance(state, set, drive, checked);
+    if (accept)
+      accept = [&, decides = std::move(accept)](const ConeContinuation &states,
+                                                const bool as_they_are) {
+        if (!decides(states, as_they_are))
+          return false;
+        Branch branch           = present_branch(set);
+        branch.rates            = checked.rates;
+        branch.determinant_sign = scheme.determinant_sign();
+        note(std::move(branch));
+        return true;
+      };
+    for (const ConeContinuation &solution : reduced.all_solutions(
+           state, set, off_boundary, drive, present.states, present.directions, accept))
+      note({solution.states, solution.directions, solution.rates, solution.determinant_sign});
     take(set, present);
     return found;
   }

@@ -73,6 +73,21 @@ namespace fuga
     return any_open;
   }
 
+  ConeRateProblem::Accept
+  RateProblem::acceptance(const JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const Drive &drive,
+                          Continuation &checked)
+  {
+    if (in_space)
+      return {};
+    return [&](const ConeContinuation &states, const bool as_they_are) {
+      take_states(set, states);
+      checked.method = as_they_are ? RateMethod::search : RateMethod::single_switching;
+      return switch_states(state, set, drive, checked);
+    };
+  }
+
   void
   RateProblem::note_active(const std::vector<BoundaryElement> &set, const JointRates &rates)
   {
@@ -91,27 +106,20 @@ namespace fuga
                              Continuation &result)
   {
     take_background(state, set);
-    // Where slips have given directions, the working scheme has the last word.
     Continuation checked;
-    const auto is_right = [&](const ConeContinuation &states) {
-      take_states(set, states);
-      checked.method = states.by_search ? RateMethod::search : RateMethod::single_switching;
-      return switch_states(state, set, drive, checked);
-    };
-    const ConeContinuation found =
-      reduced.solve(state,
-                    set,
-                    off_boundary,
-                    drive,
-                    resticking,
-                    widening,
-                    in_space ? ConeRateProblem::Accept() : ConeRateProblem::Accept(is_right));
-    result.exists        = found.exists;
-    result.rates         = in_space ? found.rates : checked.rates;
-    result.has_mechanism = found.has_mechanism;
-    result.mechanism     = found.mechanism;
-    result.is_ruled_out  = found.is_ruled_out;
-    result.barrier       = found.barrier;
+    const ConeContinuation found = reduced.solve(state,
+                                                 set,
+                                                 off_boundary,
+                                                 drive,
+                                                 resticking,
+                                                 widening,
+                                                 acceptance(state, set, drive, checked));
+    result.exists                = found.exists;
+    result.rates                 = in_space ? found.rates : checked.rates;
+    result.has_mechanism         = found.has_mechanism;
+    result.mechanism             = found.mechanism;
+    result.is_ruled_out          = found.is_ruled_out;
+    result.barrier               = found.barrier;
     result.n_schemes += found.n_schemes + checked.n_schemes;
     result.met_negative_determinant |=
       in_space ? found.exists && found.determinant_sign < 0 : checked.met_negative_determinant;

@@ -105,6 +105,7 @@ namespace fuga
             if (tau - taus[a] <= shortest || !slips_back_behind(a))
               return taus.back();
             forget_behind(a);
+            lost_slip.clear();
             step.limit(tau - taus[a]);
             step.fail();
             continue;

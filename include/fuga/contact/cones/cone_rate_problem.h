@@ -36,8 +36,7 @@ namespace fuga
     double load_rate = 0.;
     /** Sign of the determinant of the scheme; it is negative beyond critical friction. */
     int determinant_sign = 0;
-    /** True if only a search found it; asked for acceptance, such states are not the beginning of
-     * others. */
+    /** True if only a search found it. */
     bool by_search = false;
   };
 
@@ -56,14 +55,16 @@ namespace fuga
   public:
     ConeRateProblem(const std::vector<ContactElement> &elements, const LayeredSystem &system);
 
+    /** A function that decides on states found: whether they, or those that they lead to, are a
+     * solution; with @p as_they_are, whether they are. */
+    using Accept = std::function<bool(const ConeContinuation &states, const bool as_they_are)>;
+
     /**
      * Solve the rate problem for the elements of @p set. In @p background these elements are stuck
      * and all others have their states. @p resticking lists the elements whose slip has just come
      * to rest; rates up to @p widening times rounding do not move them again. The search goes on
-     * until @p accept returns true of the states found.
+     * until @p accept, if it is given, accepts the states found.
      */
-    using Accept = std::function<bool(const ConeContinuation &)>;
-
     ConeContinuation
     solve(const JointState &state,
           const std::vector<BoundaryElement> &set,
@@ -84,7 +85,8 @@ namespace fuga
     is_small() const;
 
     /** Return the solution with the given @p states and @p directions, if it is one, and the others
-     * that a search finds and that @p accept takes, if it is given; one of them may occur twice. */
+     * that a search finds; one of them may occur twice. If @p accept is given, it gets them, and
+     * nothing is returned. */
     std::vector<ConeContinuation>
     all_solutions(const JointState &state,
                   const std::vector<BoundaryElement> &set,
@@ -156,9 +158,8 @@ namespace fuga
       Vector r, diagonal;
     };
 
-    /** Set up the reduced system of @p set. Return false if there is none, since something moves
-     * freely although the whole set is stuck; @p result then contains the mechanism. */
-    bool
+    /** Set up the reduced system of @p set. If there is none, @p result contains the mechanism. */
+    void
     take_set(const JointState &state,
              const std::vector<BoundaryElement> &set,
              WorkingScheme &background,
@@ -168,6 +169,7 @@ namespace fuga
     /** Return the largest rates of dislocation that are not those of a mechanism. */
     JointRates
     largest_rates(const Drive &drive) const;
+    /** Return whether the present states are accepted; without a function that decides, all are. */
     bool
     is_accepted(const bool as_they_are = false) const;
     /** Return whether the present answers lead to a solution: by the way that decides what is
@@ -207,8 +209,8 @@ namespace fuga
     unknowns_of(const std::vector<bool> &opened, const bool all_may_part) const;
     LcpNoise
     noise_of(const std::vector<ConeUnknown> &unknowns) const;
-    /** Set up the problem in which the states of @p may_open are given. Return nothing if the elements
-     * that open are without support. */
+    /** Set up the problem in which the states of @p may_open are given. Return nothing if the
+     * elements that open are without support. */
     std::optional<ConeLcp>
     problem_of(const std::vector<ConeUnknown> &unknowns,
                const std::vector<std::size_t> &may_open,

@@ -202,6 +202,15 @@ namespace fuga
     take_background(const JointState &state, const std::vector<BoundaryElement> &set);
     bool
     take_states(const std::vector<BoundaryElement> &set, const ConeContinuation &found);
+    /** Return the function by which the working scheme, which then has the states accepted, decides
+     * on what the reduced problem finds, with @p checked as its result. It has the last word where
+     * slips have given directions; in space the reduced problem has it, and there is no function.
+     */
+    ConeRateProblem::Accept
+    acceptance(const JointState &state,
+               const std::vector<BoundaryElement> &set,
+               const Drive &drive,
+               Continuation &checked);
     void
     note_active(const std::vector<BoundaryElement> &set, const JointRates &rates);
     void
