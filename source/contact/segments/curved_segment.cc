@@ -40,14 +40,9 @@ namespace fuga
                   context.scheme.rates(drive_at(context.elements, course, start.state))
                     ? SchemeAnswer::of_no_mechanism
                     : SchemeAnswer::of_any_size)
-    , taus{0.}
-    , points{start}
+    , reserves(context, course, start, drive_at(context.elements, course, start.state))
+    , curve{{0., start, functions_at(0., start), 0.}}
     , known(known_forces(context, course, 0., start.state))
-    , first_reserves(context.boundary.reserves(
-        start.state, start.rates, drive_at(context.elements, course, start.state)))
-    , first_boundary(boundary_at(context, course, 0., start.state))
-    , losses{0.}
-    , functions{event_functions(0., start)}
     , largest_jump(jump_of(start))
     , determinant_sign(is_reduction() ? context.scheme.determinant_sign() : 0)
   {
@@ -65,61 +60,58 @@ namespace fuga
     const double shortest = course.length * (options.iteration == PathOptions::Iteration::newton
                                                ? shortest_step
                                                : shortest_constant_step);
-    StepControl step(first_step(context, course, points.front(), least_first_step * course.length));
-    while (taus.back() < course.length)
+    StepControl step(
+      first_step(context, course, curve.front().point, least_first_step * course.length));
+    while (curve.back().tau < course.length)
       {
-        const std::size_t a = taus.size() - 1;
-        check_number_of_steps(a, points[a].state.t);
+        const std::size_t a = curve.size() - 1;
+        const Station &from = curve.back();
+        check_number_of_steps(a, from.point.state.t);
         const double tau =
-          course.length - taus[a] < 1.5 * step() ? course.length : taus[a] + step();
-        std::optional<PathPoint> next = solve(
-          tau, along(points[a].state.dislocations, tau - taus[a], points[a].rates.dislocations));
-        double lost         = 0.;
-        const double defect = next && !slips_back(points[a].state, next->state)
-                                ? step_defect(a, *next, tau - taus[a], lost)
+          course.length - from.tau < 1.5 * step() ? course.length : from.tau + step();
+        const double length = tau - from.tau;
+        std::optional<Station> next =
+          solve(tau, along(from.point.state.dislocations, length, from.point.rates.dislocations));
+        const double defect = next && !slips_back(from.point.state, next->point.state)
+                                ? step_defect(from, *next)
                                 : no_boundary;
-        if (defect > 1. && tau - taus[a] > shortest)
+        if (defect > 1. && length > shortest)
           {
-            step.limit(tau - taus[a]);
+            step.limit(length);
             if (std::isfinite(defect))
               step.reject(defect);
             else
               step.fail();
             continue;
           }
-        if (!next && is_reduction())
-          {
-            at_limit = true;
-            return taus.back();
-          }
-        at_turning_point = !next && turns_back();
-        if (at_turning_point)
-          return taus.back();
+        at_limit         = !next && is_reduction();
+        at_turning_point = !next && !at_limit && turns_back();
+        if (at_limit || at_turning_point)
+          break;
         if (!next)
           give_up();
-        const std::size_t b = insert(tau, std::move(*next), lost);
-        if (first_root(a, b) < no_boundary)
+        if (ends_before(a, *next))
           {
-            locate_end(a, b);
-            divide_behind(a, shortest);
-            if (tau - taus[a] <= shortest || !slips_back_behind(a))
-              return taus.back();
-            forget_behind(a);
+            divide_after(a, shortest);
+            if (length <= shortest || !slips_back_after(a))
+              break;
+            curve.resize(a + 1);
             lost_slip.clear();
-            step.limit(tau - taus[a]);
+            step.limit(length);
             step.fail();
             continue;
           }
+        curve.push_back(std::move(*next));
         if (defect <= 1.)
           step.accept(margin * defect, false);
       }
-    return taus.back();
+    return curve.back().tau;
   }
 
-  std::optional<PathPoint>
+  std::optional<CurvedSegment::Station>
   CurvedSegment::solve(const double tau, const Vector &predicted_dislocations)
   {
-    PathPoint point    = {points.front().state, {}};
+    PathPoint point    = {curve.front().point.state, {}};
     JointState &state  = point.state;
     state.dislocations = predicted_dislocations;
     release(course.drive, tau, state);
@@ -127,7 +119,7 @@ namespace fuga
     // A law is not defined beyond its closure limit, where the prediction may lead.
     if (passes_limit_of_law(context.elements, state))
       {
-        state.dislocations = points.front().state.dislocations;
+        state.dislocations = curve.front().point.state.dislocations;
         complete_state(context, course, tau, state, &known);
       }
     if (course.share_rate != 0.)
@@ -148,9 +140,26 @@ namespace fuga
       context.scheme.motion(drive_at(context.elements, course, state));
     if (!motion || motion->is_driven || is_behind_pole())
       return {};
-    point.rates = std::move(motion->rates);
-    return point;
+    point.rates              = std::move(motion->rates);
+    largest_jump             = std::max(largest_jump, jump_of(point));
+    EventFunctions functions = functions_at(tau, point);
+    return Station{tau, std::move(point), std::move(functions), {}};
   }
+
+  std::optional<CurvedSegment::Station>
+  CurvedSegment::solve_between(const Station &a, const Station &b, const double tau)
+  {
+    const double length = b.tau - a.tau;
+    Vector predicted(a.point.state.dislocations.size());
+    for (std::size_t i = 0; i < predicted.size(); ++i)
+      predicted[i] = CubicOnUnitInterval(a.point.state.dislocations[i],
+                                         a.point.rates.dislocations[i] * length,
+                                         b.point.state.dislocations[i],
+                                         b.point.rates.dislocations[i] * length)
+                       .value((tau - a.tau) / length);
+    return solve(tau, predicted);
+  }
+
   // Beyond a point with zero rate of slip the equations of the scheme have spurious solutions, to
   // which a long step may lead: slips that have gone back.
   bool
@@ -166,10 +175,10 @@ namespace fuga
 
   // A slip that goes back and forth within a step is seen once an event divides the step.
   bool
-  CurvedSegment::slips_back_behind(const std::size_t a) const
+  CurvedSegment::slips_back_after(const std::size_t a) const
   {
-    for (std::size_t i = a; i + 1 < points.size(); ++i)
-      if (slips_back(points[i].state, points[i + 1].state))
+    for (std::size_t i = a; i + 1 < curve.size(); ++i)
+      if (slips_back(curve[i].point.state, curve[i + 1].point.state))
         return true;
     return false;
   }
@@ -178,16 +187,16 @@ namespace fuga
   bool
   CurvedSegment::turns_back() const
   {
-    std::vector<CurvePoint> curve;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      curve.push_back({taus[i], &points[i]});
-    return rates_diverge(curve, 2, near_enough * std::max(1., course.t_end), bend_of_maximum);
+    std::vector<CurvePoint> points;
+    for (const Station &station : curve)
+      points.push_back({station.tau, &station.point});
+    return rates_diverge(points, 2, near_enough * std::max(1., course.t_end), bend_of_maximum);
   }
 
   void
   CurvedSegment::give_up() const
   {
-    const JointState &last = points.back().state;
+    const JointState &last = curve.back().point.state;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       if (const ContactElement &element = context.elements[k];
           is_at_closure_limit(element, last, k))
@@ -223,108 +232,68 @@ namespace fuga
   // Only a part is left of a step that was found to be short enough, without the part beyond the
   // event that compensated for its errors.
   void
-  CurvedSegment::divide_behind(std::size_t a, const double shortest)
+  CurvedSegment::divide_after(std::size_t a, const double shortest)
   {
     constexpr int max_divisions = 40;
-    for (int i = 0; i < max_divisions && a + 1 < taus.size();)
+    for (int i = 0; i < max_divisions && a + 1 < curve.size();)
       {
-        const double length     = taus[a + 1] - taus[a];
-        const double middle     = taus[a] + 0.5 * length;
-        const StepEnergy energy = energy_behind(a);
-        losses[a + 1]           = energy.lost;
-        std::optional<PathPoint> point;
+        const double length      = curve[a + 1].tau - curve[a].tau;
+        const StepEnergy energy  = energy_between(curve[a], curve[a + 1]);
+        curve[a + 1].energy_lost = energy.lost;
+        std::optional<Station> middle;
         if (energy_defect(energy, options.least_energy_loss, count) > 1. && length > shortest)
           {
-            point = solve(middle, interpolate(a, middle));
+            middle = solve_between(curve[a], curve[a + 1], curve[a].tau + 0.5 * length);
             ++i;
           }
-        if (!point)
+        if (!middle)
           ++a;
-        else if (const std::size_t b = insert(middle, std::move(*point));
-                 first_root(a, b) < no_boundary)
-          locate_end(a, b);
+        else if (!ends_before(a, *middle))
+          {
+            curve[a + 1].energy_lost.reset();
+            curve.insert(curve.begin() + static_cast<std::ptrdiff_t>(a) + 1, std::move(*middle));
+          }
       }
-  }
-
-  // A point beyond an event is not a state of the path.
-  void
-  CurvedSegment::fail_behind(const std::size_t a, const char *what)
-  {
-    forget_behind(a);
-    throw PathFailure(fmt::format("{} after load time {}.", what, points[a].state.t));
-  }
-
-  void
-  CurvedSegment::forget_behind(const std::size_t a)
-  {
-    taus.resize(a + 1);
-    points.resize(a + 1);
-    functions.resize(a + 1);
-    losses.resize(a + 1);
-  }
-
-  std::size_t
-  CurvedSegment::insert(const double tau, PathPoint &&point, const std::optional<double> &lost)
-  {
-    const auto place = std::upper_bound(taus.begin(), taus.end(), tau) - taus.begin();
-    largest_jump     = std::max(largest_jump, jump_of(point));
-    functions.insert(functions.begin() + place, event_functions(tau, point));
-    points.insert(points.begin() + place, std::move(point));
-    taus.insert(taus.begin() + place, tau);
-    losses.insert(losses.begin() + place, lost);
-    if (const auto behind = losses.begin() + place + 1; behind != losses.end())
-      behind->reset();
-    return static_cast<std::size_t>(place);
-  }
-
-  Vector
-  CurvedSegment::interpolate(const std::size_t a, const double tau) const
-  {
-    const double length = taus[a + 1] - taus[a];
-    const double share  = (tau - taus[a]) / length;
-    Vector result(points[a].state.dislocations.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = CubicOnUnitInterval(points[a].state.dislocations[i],
-                                      points[a].rates.dislocations[i] * length,
-                                      points[a + 1].state.dislocations[i],
-                                      points[a + 1].rates.dislocations[i] * length)
-                    .value(share);
-    return result;
   }
 
   PathPoint
   CurvedSegment::at(const double tau)
   {
-    const auto place = std::lower_bound(taus.begin(), taus.end(), tau) - taus.begin();
-    const auto b     = std::min(static_cast<std::size_t>(place), taus.size() - 1);
-    if (taus[b] == tau || b == 0)
-      return points[b];
-    std::optional<PathPoint> point = solve(tau, interpolate(b - 1, tau));
-    if (!point)
+    const auto b = std::lower_bound(
+      curve.begin(), curve.end() - 1, tau, [](const Station &station, const double place) {
+        return station.tau < place;
+      });
+    if (b->tau == tau || b == curve.begin())
+      return b->point;
+    std::optional<Station> station = solve_between(*(b - 1), *b, tau);
+    if (!station)
       throw NumericalFailure(
-        fmt::format("No equilibrium was found after load time {}.", points[b - 1].state.t));
-    return *point;
+        fmt::format("No equilibrium was found after load time {}.", (b - 1)->point.state.t));
+    return station->point;
   }
 
   std::vector<double>
   CurvedSegment::stations() const
   {
-    return taus;
+    std::vector<double> result;
+    for (const Station &station : curve)
+      result.push_back(station.tau);
+    return result;
   }
 
   StepEnergy
-  CurvedSegment::energy_behind(const std::size_t a) const
+  CurvedSegment::energy_between(const Station &a, const Station &b) const
   {
-    return energy_of_step(
-      context, course, points[a], points[a + 1], taus[a + 1] - taus[a], taus[a + 1], count);
+    return energy_of_step(context, course, a.point, b.point, b.tau - a.tau, b.tau, count);
   }
 
   double
   CurvedSegment::energy_lost()
   {
     double sum = 0.;
-    for (std::size_t a = 0; a + 1 < points.size(); ++a)
-      sum += losses[a + 1] ? *losses[a + 1] : energy_behind(a).lost;
+    for (std::size_t b = 1; b < curve.size(); ++b)
+      sum +=
+        curve[b].energy_lost ? *curve[b].energy_lost : energy_between(curve[b - 1], curve[b]).lost;
     return sum;
   }
 

@@ -2,178 +2,170 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
-#include <fuga/contact/segments/layer_work.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
 
-// Finds where the curve meets the first boundary of the contact conditions.
+// Finds where a curve meets the first boundary of the contact conditions, and estimates the errors
+// of its steps.
 namespace fuga
 {
-  // Shrink the bracket [a, b], of which only b lies beyond an event, onto the first event. Beyond
-  // an event a law may be followed where Newton's method fails; the event is then looked for before
-  // that place.
-  void
-  CurvedSegment::locate_end(std::size_t a, std::size_t b)
+  EventFunctions
+  CurvedSegment::functions_at(const double tau, const PathPoint &point) const
   {
-    lost_slip.clear();
-    const int max_trials   = 200;
-    const double narrowest = 1e-14 * course.length;
-    double unsolved        = no_boundary;
-    for (int trial = 0; trial < max_trials; ++trial)
-      {
-        double root        = first_root(a, b);
-        const double end   = std::min(taus[b], unsolved);
-        const double width = end - taus[a];
-        // The interpolation is trusted as long as it shrinks the bracket; every fourth time it is
-        // halved.
-        if (trial % 4 == 3 || root >= unsolved)
-          root = taus[a] + 0.5 * width;
-        root = std::clamp(root, taus[a] + 1e-3 * width, end);
-
-        if (root < taus[b])
-          {
-            std::optional<PathPoint> point = solve(root, interpolate(a, root));
-            if (!point && width <= narrowest)
-              fail_behind(a, "An event could not be located");
-            if (!point)
-              {
-                unsolved = root;
-                continue;
-              }
-            b = insert(root, std::move(*point));
-          }
-        const auto &at_root = functions[b];
-        const bool violated =
-          std::any_of(at_root.begin(), at_root.end(), [](const EventFunction &f) {
-            return f.value < -f.tolerance;
-          });
-        const bool narrow = taus[b] - taus[a] <= narrowest;
-        const auto is_met = [&](const std::size_t i) {
-          return at_root[i].value <= at_root[i].tolerance &&
-                 functions[a][i].value > at_root[i].value;
-        };
-        bool met = false;
-        for (std::size_t i = 0; i < at_root.size(); ++i)
-          met |= is_met(i);
-        if (narrow || (met && !violated))
-          {
-            for (std::size_t i = 0; i < at_root.size(); ++i)
-              if (!at_root[i].has_rate && is_met(i))
-                lost_slip.push_back(at_root[i].element);
-            forget_behind(b);
-            meet_event();
-            return;
-          }
-        if (!violated)
-          {
-            a = b;
-            ++b;
-          }
-      }
-    fail_behind(a, "The location of an event does not converge");
+    const JointState &state = point.state;
+    EventFunctions result   = tau == 0.
+                                ? reserves.at_start()
+                                : reserves.at(tau, point, drive_at(context.elements, course, state));
+    const double slow       = slip_rate_tolerance *
+                        max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
+      if (is_slipping(state.states[k]) && carries_shear(context.elements[k], state.strengths[k]))
+        result.push_back({slip_speed(context, point, k), 0., slow, k});
+    return result;
   }
 
-  // Tolerances are those of the rounding of the largest terms, at the beginning as well. An element
-  // that begins to slip must not begin off its cone by as much, nor one that opens with a force:
-  // the point is moved to where the reserve is used up. Where all forces vanish together nothing is
-  // left there to tell which elements are on a boundary, and the point stays where it is.
-  void
-  CurvedSegment::meet_event()
+  // The return value tells whether there is an event between station @p a and @p passed. Nothing
+  // after it is a state of the path. Where its place is not resolved, what it changes is seen
+  // beyond it.
+  bool
+  CurvedSegment::ends_before(const std::size_t a, const Station &passed)
   {
-    const std::size_t b = taus.size() - 1;
-    double way          = no_boundary;
-    for (std::size_t i = 0; i < functions[b].size(); ++i)
-      if (const EventFunction &f = functions[b][i], &before = functions[b - 1][i];
-          f.has_rate && f.value <= f.tolerance && f.rate < 0. && before.value > before.tolerance)
-        way = std::min(way, -f.value / f.rate);
-    const double tau = taus[b] + way;
-    if (way == no_boundary || tau == taus[b] || tau <= taus[b - 1] || tau > course.length)
-      return;
-    std::optional<PathPoint> point = solve(tau, points[b].state.dislocations);
-    if (!point)
-      return;
-    std::vector<EventFunction> there      = event_functions(tau, *point);
-    const std::vector<std::size_t> met    = elements_on_boundary(taus[b], points[b].state),
-                                   nearer = elements_on_boundary(tau, point->state);
-    if (nearer.empty() || !std::includes(nearer.begin(), nearer.end(), met.begin(), met.end()) ||
-        std::any_of(there.begin(), there.end(), [](const EventFunction &f) {
-          return f.value < -f.tolerance;
-        }))
-      return;
-    taus[b]   = tau;
-    points[b] = std::move(*point);
-    losses[b].reset();
-    functions[b] = std::move(there);
+    const Station &from = curve[a];
+    if (first_event(from.functions, passed.functions, passed.tau - from.tau) > 1.)
+      return false;
+    std::optional<EventBracket<Station>> bracket =
+      locate_event(from,
+                   passed,
+                   1e-14 * course.length,
+                   [this](const EventBracket<Station> &within, const double tau) {
+                     return solve_between(within.before.back(), within.high, tau);
+                   });
+    if (!bracket)
+      return false;
+    if (bracket->is_narrow && bracket->is_open)
+      throw PathFailure(fmt::format("An event could not be located after load time {}.",
+                                    bracket->before.back().point.state.t));
+    if (bracket->is_narrow)
+      bracket->before.push_back(std::move(bracket->high));
+    Station &end = bracket->before.back();
+    lost_slip    = slips_at_rest(from.functions, end.functions);
+    meet(from, end);
+    curve.resize(a);
+    std::move(bracket->before.begin(), bracket->before.end(), std::back_inserter(curve));
+    return true;
+  }
+
+  // Where all forces vanish together nothing is left there to tell which elements are on a
+  // boundary, and the station stays where it is.
+  void
+  CurvedSegment::meet(const Station &from, Station &reached)
+  {
+    meet_event(from, reached, course.length, [&](const double tau) {
+      std::optional<Station> nearer = solve(tau, reached.point.state.dislocations);
+      if (!nearer)
+        return nearer;
+      const std::vector<std::size_t> met   = elements_on_boundary(reached),
+                                     there = elements_on_boundary(*nearer);
+      if (there.empty() || !std::includes(there.begin(), there.end(), met.begin(), met.end()))
+        nearer.reset();
+      return nearer;
+    });
   }
 
   std::vector<std::size_t>
-  CurvedSegment::elements_on_boundary(const double tau, const JointState &state) const
+  CurvedSegment::elements_on_boundary(const Station &station) const
   {
+    const JointState &state = station.point.state;
     std::vector<std::size_t> result;
     for (const BoundaryElement &candidate :
-         boundary_at(context, course, tau, state).elements_on_boundary(state))
+         boundary_at(context, course, station.tau, state).elements_on_boundary(state))
       result.push_back(candidate.element);
     return result;
   }
 
-  // The values that count as zero are determined by the forces and jumps at the beginning of the
-  // segment, or at the point itself: a segment that begins without any load has no scale for what
-  // is to come. Reserves that rest at the beginning drift by their noise along the whole segment,
-  // and those that are below zero there stay so.
-  std::vector<CurvedSegment::EventFunction>
-  CurvedSegment::event_functions(const double tau, const PathPoint &point) const
+  namespace
   {
-    std::vector<EventFunction> result;
-    const JointState &state             = point.state;
-    const ContactBoundary here          = boundary_at(context, course, tau, state);
-    const Drive drive                   = drive_at(context.elements, course, state);
-    const std::vector<Reserve> reserves = here.reserves(state, point.rates, drive);
-    const std::vector<Reserve> by_start = first_boundary.reserves(state, point.rates, drive);
-    for (std::size_t i = 0; i < reserves.size(); ++i)
-      result.push_back({reserves[i].value,
-                        reserves[i].rate,
-                        std::max(reserves[i].tolerance, by_start[i].tolerance) +
-                          first_reserves[i].drift(tau, reserves[i].noise),
-                        true,
-                        0});
-    const double slip_rate_noise =
-      slip_rate_tolerance *
-      max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (is_slipping(state.states[k]) && carries_shear(context.elements[k], state.strengths[k]))
-        result.push_back({slip_speed(context, point, k), 0., slip_rate_noise, false, k});
-    return result;
+    /** Error, relative to the largest force, that the cubics between two points may make in the
+     * strength of sliding elements. The cubics only tell where to look for events. */
+    constexpr double largest_miss = 1e-9;
+  } // namespace
+
+  // On the way from strength to strength the determinant of a scheme passes zero only where its
+  // equations have no solution; beyond that place they have another solution, to which no path
+  // leads.
+  bool
+  CurvedSegment::is_behind_pole() const
+  {
+    return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
   }
 
-  // The result is the first zero, between points a and b, of the interpolated event functions that
-  // a does not violate.
+  // The defect is at most 1 for a step that is short enough.
   double
-  CurvedSegment::first_root(const std::size_t a, const std::size_t b) const
+  CurvedSegment::step_defect(const Station &from, Station &to) const
   {
-    double nearest      = no_boundary;
-    const double length = taus[b] - taus[a];
-    for (std::size_t i = 0; i < functions[a].size(); ++i)
+    const StepEnergy energy = energy_between(from, to);
+    to.energy_lost          = energy.lost;
+    const double defect     = energy_defect(energy, options.least_energy_loss, count);
+    return is_reduction()
+             ? std::max(defect, reduction_defect(from.point, to.point, to.tau - from.tau))
+             : defect;
+  }
+
+  // The cubics between two points satisfy p = R a - W d, as both ends do, so that in the middle
+  // only the equations of sliding elements tell how far the cubics are from the curve. A slip that
+  // turns back between the points, and again before the second, must not be missed.
+  double
+  CurvedSegment::reduction_defect(const PathPoint &from,
+                                  const PathPoint &to,
+                                  const double length) const
+  {
+    const auto cubic =
+      [length](
+        const Vector &a, const Vector &da, const Vector &b, const Vector &db, const std::size_t i) {
+        return CubicOnUnitInterval(a[i], da[i] * length, b[i], db[i] * length);
+      };
+    const double slowest =
+      -slip_rate_tolerance * length *
+      std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations));
+    double miss = 0.;
+    for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
-        const EventFunction &f = functions[a][i], &g = functions[b][i];
-        double share = no_boundary;
-        // A function that is zero at both points and grows, or falls, at both has rates of
-        // rounding.
-        if (f.has_rate && std::abs(f.value) <= f.tolerance && std::abs(g.value) <= g.tolerance &&
-            f.rate * g.rate > 0.)
+        const ContactElement &element = context.elements[k];
+        if (!is_slipping(to.state.states[k]))
           continue;
-        if (f.has_rate)
+        const auto force = [&](const std::size_t bar) {
+          return cubic(from.state.forces, from.rates.forces, to.state.forces, to.rates.forces, bar)
+            .value(0.5);
+        };
+        const TangentVector e = context.scheme.slip_direction_of(k);
+        const Strength &a     = from.state.strengths[k];
+        const Strength &b     = to.state.strengths[k];
+        const double strength = 0.5 * (a.cohesion + b.cohesion) -
+                                0.5 * (a.friction + b.friction) * force(element.normal_bar);
+        double slope = 0.;
+        for (std::size_t i = 1; i < element.n_bars(); ++i)
           {
-            const CubicOnUnitInterval cubic(f.value, f.rate * length, g.value, g.rate * length);
-            if (cubic.minimum() < -g.tolerance)
-              share = cubic.first_descending_root();
+            const std::size_t bar = element.bar(i);
+            miss                  = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
+            slope += e[i - 1] * cubic(from.state.dislocations,
+                                      from.rates.dislocations,
+                                      to.state.dislocations,
+                                      to.rates.dislocations,
+                                      bar)
+                                  .slope(0.5);
           }
-        else if (g.value < -g.tolerance)
-          share = std::max(f.value, 0.) / (std::max(f.value, 0.) - g.value);
-        nearest = std::min(nearest, taus[a] + share * length);
+        if (!has_nonlinear_shear(element) && slope < slowest &&
+            dot(e, tangential(element, from.rates.dislocations)) >= 0. &&
+            dot(e, tangential(element, to.rates.dislocations)) >= 0.)
+          return std::numeric_limits<double>::infinity();
       }
-    return nearest;
+    const double largest = std::max(max_abs(from.state.forces), max_abs(to.state.forces));
+    return largest > 0. ? miss / (largest_miss * largest) : 0.;
   }
 } // namespace fuga

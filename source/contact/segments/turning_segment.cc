@@ -41,9 +41,6 @@ namespace fuga
       return state;
     }
 
-    /** Rate of slip, relative to the largest rate of dislocation, that counts as zero. */
-    constexpr double no_slip_rate = 1e-10;
-
     /** Return the mean stiffness of both tangents for each element. */
     Vector
     shear_stiffnesses(const PathContext &context, const std::vector<std::size_t> &elements)
@@ -68,7 +65,6 @@ namespace fuga
     : context(path_context)
     , course(path_course)
     , start(path_start)
-    , first_boundary(boundary_at(context, course, 0., start.state))
     , turning(turning_elements(context.elements, start.state))
     , slipping(turning)
     , dilatancies(dilatancies_of(turning, start.state))
@@ -79,6 +75,11 @@ namespace fuga
     , count(iteration_count)
     , solver(shear_stiffnesses(context, turning), count)
     , equilibrium(context, course, PathOptions(), count)
+    , reserves(context,
+               course,
+               start,
+               course.yielding ? course.yielding->drive
+                               : drive_at(context.elements, course, start.state))
     , end(course.length)
   {
     take_background();
@@ -99,7 +100,7 @@ namespace fuga
         first.slip_rates.push_back(
           dot(e, slip_rate(context.elements[k], start.state, k, start.rates)));
       }
-    note_reserves(first);
+    note_functions(first);
     take_strengths(0., stuck);
     if (!take_response(0., first.stage, stuck))
       throw PathFailure(fmt::format(
@@ -125,12 +126,6 @@ namespace fuga
                            std::min(load, course.length * max_abs(start.rates.forces)));
     jump_scale  = std::max(size_of_jumps(start.state.dislocations, start.state.forces),
                           growth * softest > load ? load / softest : growth);
-  }
-
-  double
-  TurningSegment::rate_tolerance(const Station &station) const
-  {
-    return no_slip_rate * max_abs(station.point.rates.dislocations);
   }
 
   double

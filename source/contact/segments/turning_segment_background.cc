@@ -264,7 +264,7 @@ namespace fuga
         station.slip_rates.push_back(dot(context.scheme.slip_direction_of(k),
                                          slip_rate(context.elements[k], state, k, *rates)));
       }
-    note_reserves(station);
+    note_functions(station);
     return true;
   }
 
@@ -279,24 +279,23 @@ namespace fuga
     return drive;
   }
 
-  // A reserve that rests at the beginning of the segment drifts by its noise. A load that is an
-  // unknown must not leave its range.
+  // A load that is an unknown must not leave its range.
   void
-  TurningSegment::note_reserves(Station &station) const
+  TurningSegment::note_functions(Station &station) const
   {
     const PathPoint &point = station.point;
-    station.reserves       = (curve.empty() ? context.boundary : first_boundary)
-                         .reserves(point.state, point.rates, drive_of(station));
-    if (!curve.empty())
-      for (std::size_t i = 0; i < station.reserves.size(); ++i)
-        station.reserves[i].tolerance +=
-          curve.front().reserves[i].drift(station.tau, station.reserves[i].noise);
-    if (!course.yielding)
-      return;
-    constexpr double rounding = 1e-14;
-    const YieldingLoad &load  = *course.yielding;
-    const double tolerance    = rounding * std::max(1., load.last_t);
-    station.reserves.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
-    station.reserves.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
+    station.functions =
+      curve.empty() ? reserves.at_start() : reserves.at(station.tau, point, drive_of(station));
+    if (course.yielding)
+      {
+        constexpr double rounding = 1e-14;
+        const YieldingLoad &load  = *course.yielding;
+        const double tolerance    = rounding * std::max(1., load.last_t);
+        station.functions.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
+        station.functions.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
+      }
+    const double slow = slip_rate_tolerance * max_abs(point.rates.dislocations);
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
   }
 } // namespace fuga

@@ -322,14 +322,14 @@ namespace fuga
             length.reject(error);
             continue;
           }
-        if (first_event(from, to) <= 1.)
+        if (first_event(from.functions, to.functions, to.tau - from.tau) <= 1.)
           if (std::optional<Station> event = locate(from, to))
             {
               if (event->tau > from.tau)
                 curve.push_back(std::move(*event));
               break;
             }
-        const bool is_event = meet_event(from, to);
+        const bool is_event = meet(from, to);
         curve.push_back(std::move(to));
         if (is_event)
           break;

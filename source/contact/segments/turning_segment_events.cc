@@ -12,148 +12,46 @@
 // estimates the errors that an observer of its ends makes.
 namespace fuga
 {
-  // The result is the share of the way from a to b at which the first reserve is used up, by cubics
-  // and, for rates of slip, by secants; it is above one if none is.
-  double
-  TurningSegment::first_event(const Station &a, const Station &b) const
+  std::optional<TurningSegment::Station>
+  TurningSegment::step_from(const Station &from, const double tau)
   {
-    constexpr double none = 2.;
-    const double length   = b.tau - a.tau;
-    double first          = none;
-    for (std::size_t i = 0; i < a.reserves.size(); ++i)
-      {
-        const Reserve &before = a.reserves[i], &after = b.reserves[i];
-        // A reserve that was on its boundary at the beginning is left there by the rates.
-        const bool leaving = before.value <= before.tolerance;
-        const double value = std::max(0., before.value);
-        const double rate  = leaving ? std::max(0., before.rate) : before.rate;
-        const CubicOnUnitInterval course_of(value, rate * length, after.value, after.rate * length);
-        if (after.value < -after.tolerance || course_of.minimum() < -before.tolerance)
-          {
-            const double root = course_of.first_descending_root();
-            first             = std::min(
-              first,
-              root < 1. || after.value >= -after.tolerance ? root : value / (value - after.value));
-          }
-      }
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (b.slip_rates[i] < -rate_tolerance(b))
-        {
-          const double before = std::max(a.slip_rates[i], 0.);
-          first               = std::min(first, before / (before - b.slip_rates[i]));
-        }
-    return first;
-  }
-
-  bool
-  TurningSegment::is_passed(const Station &station) const
-  {
-    for (const Reserve &reserve : station.reserves)
-      if (reserve.value < -reserve.tolerance)
-        return true;
-    for (const double rate : station.slip_rates)
-      if (rate < -rate_tolerance(station))
-        return true;
-    return false;
-  }
-
-  bool
-  TurningSegment::is_reached(const Station &from, const Station &station) const
-  {
-    if (way_to_event(from, station) < no_boundary)
-      return true;
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (station.slip_rates[i] <= rate_tolerance(station) &&
-          curve.back().slip_rates[i] > rate_tolerance(curve.back()))
-        return true;
-    return false;
-  }
-
-  // The result is the distance of the load, ahead or back, at which the first reserve is used up,
-  // among those that are used up to within their tolerance.
-  double
-  TurningSegment::way_to_event(const Station &from, const Station &station) const
-  {
-    double way = no_boundary;
-    for (std::size_t i = 0; i < station.reserves.size(); ++i)
-      if (const Reserve &reserve = station.reserves[i];
-          reserve.value <= reserve.tolerance && reserve.rate < 0. &&
-          from.reserves[i].value > from.reserves[i].tolerance)
-        way = std::min(way, -reserve.value / reserve.rate);
-    return way;
-  }
-
-  // Tolerances are those of the rounding of the largest terms. An element that begins to slip must
-  // not begin off its cone by as much, so the step to the event is corrected. The return value
-  // tells whether there is an event.
-  bool
-  TurningSegment::meet_event(const Station &from, Station &reached)
-  {
-    constexpr double near = 0.01; // of the step
-    const double way      = way_to_event(from, reached);
-    if (way == no_boundary)
-      return false;
-    const double tau = reached.tau + way;
-    Station nearer;
+    Station to;
     double error;
-    if (tau != reached.tau && std::abs(way) <= near * (reached.tau - from.tau) &&
-        tau <= course.length && step(from, tau - from.tau, nearer, error) && !is_passed(nearer))
-      reached = std::move(nearer);
+    return step(from, tau - from.tau, to, error) ? std::optional<Station>(std::move(to))
+                                                 : std::nullopt;
+  }
+
+  // The return value tells whether there is an event.
+  bool
+  TurningSegment::meet(const Station &from, Station &reached)
+  {
+    if (way_to_event(from.functions, reached.functions) == no_boundary)
+      return false;
+    meet_event(
+      from, reached, course.length, [&](const double tau) { return step_from(from, tau); });
     return true;
   }
 
-  // Shorter and longer steps are tried from the same point, until one ends at the event.
+  // Shorter and longer steps are tried from the same point, until one ends at the event. Beyond a
+  // limit load nothing is in equilibrium: a point that cannot be reached lies beyond the event.
   std::optional<TurningSegment::Station>
   TurningSegment::locate(const Station &from, const Station &passed)
   {
-    constexpr int max_steps = 60;
-    Station low = from, high = passed;
-    const double resolution = std::numeric_limits<double>::epsilon() * parameter_scale();
-    double end_of_steps     = high.tau;
-    for (int i = 0; i < max_steps; ++i)
-      {
-        const double share = first_event(low, high);
-        if (share > 1.)
-          return {};
-        double tau = low.tau + share * (high.tau - low.tau);
-        // Every second time a bisection is made, in case the interpolation stagnates.
-        if ((i > 4 && i % 2 == 0) || tau >= end_of_steps)
-          tau = 0.5 * (low.tau + end_of_steps);
-        if (tau - low.tau <= resolution || end_of_steps - low.tau <= 2. * resolution)
-          {
-            if (low.tau > from.tau || share <= 1e-9 || end_of_steps - low.tau <= 2. * resolution)
-              break;
-            tau = low.tau + 2. * resolution;
-          }
-        tau = std::min(tau, end_of_steps);
-        Station middle;
-        double error;
-        // Beyond a limit load nothing is in equilibrium: a point that cannot be reached lies beyond
-        // the event.
-        if (!step(from, tau - from.tau, middle, error))
-          {
-            end_of_steps = tau;
-            continue;
-          }
-        if (is_passed(middle))
-          {
-            high         = std::move(middle);
-            end_of_steps = std::min(end_of_steps, high.tau);
-          }
-        else
-          {
-            low = std::move(middle);
-            if (is_reached(from, low))
-              break;
-          }
-      }
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      if (low.slip_rates[i] <= std::max(rate_tolerance(low), 0.) ||
-          (high.slip_rates[i] < 0. && high.tau - low.tau <= 4. * resolution))
-        if (from.slip_rates[i] > low.slip_rates[i] || high.slip_rates[i] < low.slip_rates[i])
-          lost_slip.push_back(slipping[i]);
-    meet_event(from, low);
-    return low;
+    const double narrowest = 2. * std::numeric_limits<double>::epsilon() * parameter_scale();
+    std::optional<EventBracket<Station>> bracket =
+      locate_event(from, passed, narrowest, [&](const EventBracket<Station> &, const double tau) {
+        return step_from(from, tau);
+      });
+    if (!bracket)
+      return {};
+    Station &last = bracket->before.back();
+    lost_slip     = slips_at_rest(from.functions, last.functions);
+    if (bracket->is_narrow && !bracket->is_open)
+      for (const std::size_t k : slips_at_rest(last.functions, bracket->high.functions))
+        if (std::find(lost_slip.begin(), lost_slip.end(), k) == lost_slip.end())
+          lost_slip.push_back(k);
+    meet(from, last);
+    return std::move(last);
   }
 
   namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/segments/turning_stage.h>
 
 #include <algorithm>
@@ -146,15 +147,17 @@ namespace fuga
     return result;
   }
 
-  double
-  TurningStageSolver::lost_force(const std::size_t row,
-                                 const std::size_t j,
-                                 const TangentVector &slip,
-                                 const double rise) const
+  Vector
+  TurningStageSolver::lost_forces(const std::size_t j,
+                                  const TangentVector &slip,
+                                  const double rise) const
   {
-    const double force =
-      response.against_slip(row, 2 * j) * slip[0] + response.against_slip(row, 2 * j + 1) * slip[1];
-    return response.against_rise.empty() ? force : force + response.against_rise(row, j) * rise;
+    Vector result(response.against_slip.n_rows(), 0.);
+    for (std::size_t a = 0; a < 2; ++a)
+      blas::axpy(result.size(), slip[a], response.against_slip.column(2 * j + a), result.data());
+    if (!response.against_rise.empty())
+      blas::axpy(result.size(), rise, response.against_rise.column(j), result.data());
+    return result;
   }
 
   bool
@@ -189,19 +192,17 @@ namespace fuga
           arms[j] = std::numeric_limits<double>::min();
         const double ratio = xi[j] / arms[j];
         is_weak[2 * j + 1] = !turns_are_coupled && std::abs(ratio) <= weak_ratio;
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t a = 0; a < 2; ++a)
           {
-            const TangentVector e = stage.directions[i], side = normal_to(e);
-            const double friction =
-              turning[i].friction + (of_rates ? advance * turning[i].friction_rate : 0.);
-            for (std::size_t a = 0; a < 2; ++a)
+            const TangentVector slip = a == 0 ? ej : TangentVector{{ratio * sj[0], ratio * sj[1]}};
+            const Vector lost        = lost_forces(j, slip, a == 0 ? turning[j].rise : 0.);
+            for (std::size_t i = 0; i < n; ++i)
               {
-                const TangentVector c = a == 0 ? ej : TangentVector{{ratio * sj[0], ratio * sj[1]}};
-                const auto force      = [&](const std::size_t row) {
-                  return lost_force(3 * i + row, j, c, a == 0 ? turning[j].rise : 0.);
-                };
-                const TangentVector T   = {{force(1), force(2)}};
-                M(2 * i, 2 * j + a)     = dot(e, T) + friction * force(0);
+                const TangentVector e = stage.directions[i], side = normal_to(e),
+                                    T = {{lost[3 * i + 1], lost[3 * i + 2]}};
+                const double friction =
+                  turning[i].friction + (of_rates ? advance * turning[i].friction_rate : 0.);
+                M(2 * i, 2 * j + a)     = dot(e, T) + friction * lost[3 * i];
                 M(2 * i + 1, 2 * j + a) = dot(side, T);
               }
           }
@@ -339,14 +340,12 @@ namespace fuga
                    (own.cohesion_rate - own.friction_rate * stage.forces[3 * i]);
       }
     for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          const TangentVector e = stage.directions[i];
-          const auto force      = [&](const std::size_t row) {
-            return lost_force(3 * i + row, j, stage.directions[j], turning[j].rise);
-          };
-          M(i, j) = turning[i].friction * force(0) + e[0] * force(1) + e[1] * force(2);
-        }
+      {
+        const Vector lost = lost_forces(j, stage.directions[j], turning[j].rise);
+        for (std::size_t i = 0; i < n; ++i)
+          M(i, j) = turning[i].friction * lost[3 * i] +
+                    dot(stage.directions[i], {{lost[3 * i + 1], lost[3 * i + 2]}});
+      }
     const LuFactors solver(std::move(M));
     if (solver.reciprocal_condition() == 0.)
       return {};

@@ -4,14 +4,12 @@
 #ifndef fuga_contact_segments_curved_segment_h
 #define fuga_contact_segments_curved_segment_h
 
+#include <fuga/contact/segments/event_location.h>
 #include <fuga/contact/segments/layer_work.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 
 namespace fuga
 {
-  /** Share of the largest jump rate below which a slip rate counts as zero. */
-  constexpr double slip_rate_tolerance = 1e-10;
-
   /**
    * The path of a working scheme with nonlinear layers, or of one whose friction is being reduced:
    * it is a smooth curve, which is followed by a tangent predictor and an iterated corrector. The
@@ -51,36 +49,34 @@ namespace fuga
     energy_lost() override;
 
   private:
-    /** A quantity that must stay positive: its value and its derivative along the path. */
-    struct EventFunction
+    /** A solved point of the curve. */
+    struct Station
     {
-      double value        = 0.;
-      double rate         = 0.;
-      double tolerance    = 0.;
-      bool has_rate       = true;
-      std::size_t element = 0;
+      double tau = 0.;
+      PathPoint point;
+      EventFunctions functions;
+      /** Energy lost by the step to this point, where that is known [MN m]. */
+      std::optional<double> energy_lost;
     };
 
-    std::vector<EventFunction>
-    event_functions(const double tau, const PathPoint &point) const;
-    double
-    first_root(const std::size_t a, const std::size_t b) const;
-    void
-    locate_end(std::size_t a, std::size_t b);
-    void
-    meet_event();
-    void
-    divide_behind(std::size_t a, const double shortest);
-    std::optional<PathPoint>
+    std::optional<Station>
     solve(const double tau, const Vector &predicted_dislocations);
+    std::optional<Station>
+    solve_between(const Station &a, const Station &b, const double tau);
+    EventFunctions
+    functions_at(const double tau, const PathPoint &point) const;
+    bool
+    ends_before(const std::size_t a, const Station &passed);
+    void
+    meet(const Station &from, Station &reached);
+    void
+    divide_after(std::size_t a, const double shortest);
     [[noreturn]] void
     give_up() const;
-    Vector
-    interpolate(const std::size_t a, const double tau) const;
     bool
     slips_back(const JointState &from, const JointState &to) const;
     bool
-    slips_back_behind(const std::size_t a) const;
+    slips_back_after(const std::size_t a) const;
     bool
     turns_back() const;
     bool
@@ -90,40 +86,28 @@ namespace fuga
     }
     bool
     is_behind_pole() const;
-    /** Return the defect of the step from point @p a to a next one; set @p lost to its energy. */
+    /** Return the defect of the step between two stations; set the energy that it loses. */
     double
-    step_defect(const std::size_t a, const PathPoint &to, const double length, double &lost) const;
-    /** Return the energy of the step between points a and a + 1. */
+    step_defect(const Station &from, Station &to) const;
+    /** Return the energy of the step between @p a and @p b. */
     StepEnergy
-    energy_behind(const std::size_t a) const;
+    energy_between(const Station &a, const Station &b) const;
     double
     reduction_defect(const PathPoint &from, const PathPoint &to, const double length) const;
-    std::size_t
-    insert(const double tau, PathPoint &&point, const std::optional<double> &lost = {});
     double
     jump_of(const PathPoint &point) const;
     std::vector<std::size_t>
-    elements_on_boundary(const double tau, const JointState &state) const;
-    [[noreturn]] void
-    fail_behind(const std::size_t a, const char *what);
-    void
-    forget_behind(const std::size_t a);
+    elements_on_boundary(const Station &station) const;
 
     PathContext context;
     const Course course;
     const PathOptions options;
     IterationCount &count;
     SchemeEquilibrium equilibrium;
-    std::vector<double> taus;
-    std::vector<PathPoint> points;
-    /** Forces, and reserves that rest, at the beginning. */
+    const ReservesOfCurve reserves;
+    std::vector<Station> curve;
+    /** Forces at the beginning. */
     const KnownForces known;
-    const std::vector<Reserve> first_reserves;
-    /** The boundary_at() the beginning. */
-    const ContactBoundary first_boundary;
-    /** Energy lost by the step to each point, where that is known [MN m]. */
-    std::vector<std::optional<double>> losses;
-    std::vector<std::vector<EventFunction>> functions;
     /** Largest jump of any bar at the points so far, used as the scale of the iteration. All jumps
      * may vanish at once, where all elements lift off or come down together, and would then be no
      * scale for themselves. */

@@ -4,6 +4,7 @@
 #ifndef fuga_contact_segments_turning_segment_h
 #define fuga_contact_segments_turning_segment_h
 
+#include <fuga/contact/segments/event_location.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/contact/segments/turning_stage.h>
 
@@ -95,7 +96,7 @@ namespace fuga
       /** Rates of slip along the directions: first of the turning elements, then of those that slip
        * along one tangent. */
       Vector slip_rates;
-      std::vector<Reserve> reserves;
+      EventFunctions functions;
       /** Energy lost by the step to this point [MN m]. */
       double energy_lost = 0.;
     };
@@ -138,7 +139,7 @@ namespace fuga
     Drive
     drive_of(const Station &station) const;
     void
-    note_reserves(Station &station) const;
+    note_functions(Station &station) const;
     double
     driving_force() const;
     /** Return the load time, or the length of a path beyond a limit load, that others are compared
@@ -175,18 +176,12 @@ namespace fuga
 
     double
     rise_defect(const Station &from, const Station &to, const double length) const;
-    double
-    first_event(const Station &a, const Station &b) const;
     bool
     grows_beyond_bounds(const double negligible_load, const double bend) const;
+    std::optional<Station>
+    step_from(const Station &from, const double tau);
     bool
-    is_passed(const Station &station) const;
-    bool
-    is_reached(const Station &from, const Station &station) const;
-    double
-    way_to_event(const Station &from, const Station &station) const;
-    bool
-    meet_event(const Station &from, Station &reached);
+    meet(const Station &from, Station &reached);
     std::optional<Station>
     locate(const Station &from, const Station &passed);
     bool
@@ -197,14 +192,10 @@ namespace fuga
     is_below_end_of_path(const double near_limit, const double near_maximum);
     std::vector<CurvePoint>
     points_of_curve() const;
-    double
-    rate_tolerance(const Station &station) const;
 
     PathContext context;
     const Course course;
     const PathPoint start;
-    /** The boundary_at() the start. */
-    const ContactBoundary first_boundary;
     /** Numbers of the turning elements, and of all elements that slip, the turning ones first. */
     std::vector<std::size_t> turning, slipping;
     /** tan ψ of the turning elements. */
@@ -217,6 +208,7 @@ namespace fuga
     IterationCount &count;
     TurningStageSolver solver;
     SchemeEquilibrium equilibrium;
+    const ReservesOfCurve reserves;
     /** Largest force and jump, which errors are relative to. */
     double force_scale = 0., jump_scale = 0.;
     /** Factor by which the last iteration about a nonlinear background brought its slips closer to

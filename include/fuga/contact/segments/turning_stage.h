@@ -170,13 +170,10 @@ namespace fuga
                  const Vector &xi,
                  const TurningStage &stage,
                  const Residual &residual);
-    /** Return force number @p row that is lost as element @p j slips by @p slip while its lips rise
-     * by @p rise. */
-    double
-    lost_force(const std::size_t row,
-               const std::size_t j,
-               const TangentVector &slip,
-               const double rise) const;
+    /** Return the forces that are lost as element @p j slips by @p slip while its lips rise by
+     * @p rise. */
+    Vector
+    lost_forces(const std::size_t j, const TangentVector &slip, const double rise) const;
 
     const Vector diagonal;
     IterationCount &count;
