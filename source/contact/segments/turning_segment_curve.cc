@@ -64,6 +64,19 @@ namespace fuga
         }
     }
 
+    /** Return whether the force of an element lies on the other side of its cone than @p before,
+     * against its slip: a second solution of eq. 30, to which no path leads. */
+    bool
+    is_across_cone(const std::vector<TangentVector> &before,
+                   const std::vector<TangentVector> &directions,
+                   const Vector &xi)
+    {
+      for (std::size_t i = 0; i < xi.size(); ++i)
+        if (xi[i] < 0. && dot(before[i], directions[i]) < 0.)
+          return true;
+      return false;
+    }
+
     Vector
     products(const Vector &a, const Vector &b)
     {
@@ -193,7 +206,8 @@ namespace fuga
                          known,
                          xi,
                          to.stage,
-                         state))
+                         state) ||
+            is_across_cone(from.stage.directions, to.stage.directions, xi))
           return false;
         stages.rates.push_back(xi);
         for (double &value : stages.rates.back())
