@@ -54,8 +54,8 @@ namespace fuga
     if (bracket->is_narrow)
       bracket->before.push_back(std::move(bracket->high));
     Station &end = bracket->before.back();
-    lost_slip    = slips_at_rest(from.functions, end.functions);
-    meet(from, end);
+    lost_slip    = slips_at_rest(bracket->last_but_one().functions, end.functions);
+    meet(from, bracket->last_but_one(), end);
     curve.resize(a);
     std::move(bracket->before.begin(), bracket->before.end(), std::back_inserter(curve));
     return true;
@@ -64,9 +64,9 @@ namespace fuga
   // Where all forces vanish together nothing is left there to tell which elements are on a
   // boundary, and the station stays where it is.
   void
-  CurvedSegment::meet(const Station &from, Station &reached)
+  CurvedSegment::meet(const Station &from, const Station &before, Station &reached)
   {
-    meet_event(from, reached, course.length, [&](const double tau) {
+    meet_event(from, before, reached, course.length, [&](const double tau) {
       std::optional<Station> nearer = solve(tau, reached.point.state.dislocations);
       if (!nearer)
         return nearer;

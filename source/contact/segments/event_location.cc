@@ -92,23 +92,24 @@ namespace fuga
   }
 
   double
-  way_to_event(const EventFunctions &before, const EventFunctions &at)
+  way_to_event(const EventFunctions &before, const EventFunctions &at, const double length)
   {
     double way = no_boundary;
     for (std::size_t i = 0; i < at.size(); ++i)
-      if (const EventFunction &f = at[i]; !f.slipping && f.value <= f.tolerance && f.rate < 0. &&
-                                          before[i].value > before[i].tolerance)
+      if (const EventFunction &f = at[i], &g = before[i];
+          !f.slipping && f.value <= f.tolerance && f.rate < 0. &&
+          (g.value > g.tolerance || g.rate * length > f.tolerance))
         way = std::min(way, -f.value / f.rate);
     return way;
   }
 
   bool
-  is_met(const EventFunctions &before, const EventFunctions &at)
+  is_met(const EventFunctions &before, const EventFunctions &at, const double length)
   {
     for (std::size_t i = 0; i < at.size(); ++i)
       if (at[i].slipping && at[i].value <= at[i].tolerance && before[i].value > before[i].tolerance)
         return true;
-    return way_to_event(before, at) < no_boundary;
+    return way_to_event(before, at, length) < no_boundary;
   }
 
   std::vector<std::size_t>

@@ -25,10 +25,10 @@ namespace fuga
   bool
   TurningSegment::meet(const Station &from, Station &reached)
   {
-    if (way_to_event(from.functions, reached.functions) == no_boundary)
+    if (way_to_event(from.functions, reached.functions, reached.tau - from.tau) == no_boundary)
       return false;
     meet_event(
-      from, reached, course.length, [&](const double tau) { return step_from(from, tau); });
+      from, from, reached, course.length, [&](const double tau) { return step_from(from, tau); });
     return true;
   }
 
@@ -45,7 +45,7 @@ namespace fuga
     if (!bracket)
       return {};
     Station &last = bracket->before.back();
-    lost_slip     = slips_at_rest(from.functions, last.functions);
+    lost_slip     = slips_at_rest(bracket->last_but_one().functions, last.functions);
     if (bracket->is_narrow && !bracket->is_open)
       for (const std::size_t k : slips_at_rest(last.functions, bracket->high.functions))
         if (std::find(lost_slip.begin(), lost_slip.end(), k) == lost_slip.end())

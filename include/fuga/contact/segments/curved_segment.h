@@ -68,7 +68,7 @@ namespace fuga
     bool
     ends_before(const std::size_t a, const Station &passed);
     void
-    meet(const Station &from, Station &reached);
+    meet(const Station &from, const Station &before, Station &reached);
     void
     divide_after(std::size_t a, const double shortest);
     [[noreturn]] void

@@ -70,14 +70,15 @@ namespace fuga
   is_violated(const EventFunctions &functions);
 
   /** Return the distance, ahead or back, at which the first reserve is used up, among those that
-   * are used up at @p at to within their tolerance and were not @p before; no_boundary if none
-   * is. */
+   * are used up at @p at to within their tolerance and were not @p before, @p length back, or had
+   * only begun to grow; no_boundary if none is. */
   double
-  way_to_event(const EventFunctions &before, const EventFunctions &at);
+  way_to_event(const EventFunctions &before, const EventFunctions &at, const double length);
 
-  /** Return whether a function that was not used up @p before is used up at @p at. */
+  /** Return whether a function that was not used up @p before, or had only begun to grow, is used
+   * up at @p at. */
   bool
-  is_met(const EventFunctions &before, const EventFunctions &at);
+  is_met(const EventFunctions &before, const EventFunctions &at, const double length);
 
   /** Return the elements whose slip is at rest, and was faster @p before. */
   std::vector<std::size_t>
@@ -95,6 +96,13 @@ namespace fuga
     bool is_narrow = false;
     /** True if no station was found just beyond the lower end. */
     bool is_open = false;
+
+    /** Return the station that comes before the last one. */
+    const Station &
+    last_but_one() const
+    {
+      return before[before.size() > 1 ? before.size() - 2 : 0];
+    }
   };
 
   /**
@@ -141,7 +149,7 @@ namespace fuga
           }
         else
           {
-            const bool met = is_met(last.functions, middle->functions);
+            const bool met = is_met(last.functions, middle->functions, tau - first);
             bracket.before.push_back(std::move(*middle));
             if (met)
               return bracket;
@@ -152,18 +160,23 @@ namespace fuga
   }
 
   /**
-   * Move @p reached, a station after @p from, to where the reserve that is used up there to within
-   * its tolerance is zero. Tolerances are those of the rounding of the largest terms: an element
-   * that begins to slip must not begin off its cone by as much, nor one that opens with a force.
-   * `solve(tau)` returns a station up to @p last_tau, or nothing.
+   * Move @p reached, a station of a step from @p from, to where a reserve is zero that is used up
+   * there to within its tolerance and was not at the station @p before. Tolerances are those of the
+   * rounding of the largest terms: an element that begins to slip must not begin off its cone by as
+   * much, nor one that opens with a force. `solve(tau)` returns a station up to @p last_tau, or
+   * nothing.
    */
   template <typename Station, typename Solve>
   void
-  meet_event(const Station &from, Station &reached, const double last_tau, Solve &&solve)
+  meet_event(const Station &from,
+             const Station &before,
+             Station &reached,
+             const double last_tau,
+             Solve &&solve)
   {
-    constexpr double near = 0.01; // of the way
-    const double way      = way_to_event(from.functions, reached.functions);
-    const double tau      = reached.tau + way;
+    constexpr double near = 0.01; // of the step
+    const double way = way_to_event(before.functions, reached.functions, reached.tau - before.tau);
+    const double tau = reached.tau + way;
     if (tau == reached.tau || std::abs(way) > near * (reached.tau - from.tau) || tau > last_tau)
       return;
     std::optional<Station> nearer = solve(tau);
