@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 // Finds where a curve meets the first boundary of the contact conditions, and estimates the errors

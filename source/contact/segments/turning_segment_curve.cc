@@ -254,24 +254,6 @@ namespace fuga
     return std::isfinite(error);
   }
 
-  // Dislocations are rounded, so that forces leave the cones. A step puts them back, whatever its
-  // length: the error of the shortest steps is rounding and no reason to shorten another one.
-  double
-  TurningSegment::error_of_rounding(const Station &from, const double shortest)
-  {
-    constexpr double largest = 10., margin = 2.;
-    double worst = 0.;
-    for (const double length : {2. * shortest, 8. * shortest, 32. * shortest})
-      {
-        Station to;
-        double error = 0.;
-        if (!step(from, length, to, error) || error > largest)
-          return 1.;
-        worst = std::max(worst, error);
-      }
-    return std::max(1., margin * worst);
-  }
-
   // A boundary that is a few shortest steps ahead is met where the curve ends: of elements that
   // reach it together one may be a rounding error after the others. Slips that grow beyond bounds
   // although something resists them go on after a jump.

@@ -25,11 +25,8 @@ namespace fuga
   bool
   TurningSegment::meet(const Station &from, Station &reached)
   {
-    if (way_to_event(from.functions, reached.functions, reached.tau - from.tau) == no_boundary)
-      return false;
-    meet_event(
+    return meet_event(
       from, from, reached, course.length, [&](const double tau) { return step_from(from, tau); });
-    return true;
   }
 
   // Shorter and longer steps are tried from the same point, until one ends at the event. Beyond a
@@ -168,5 +165,23 @@ namespace fuga
     const JointState &state = to.point.state;
     return worst /
            (allowed_share * max_abs(context.system.jumps(state.dislocations, state.forces)));
+  }
+
+  // Dislocations are rounded, so that forces leave the cones. A step puts them back, whatever its
+  // length: the error of the shortest steps is rounding and no reason to shorten another one.
+  double
+  TurningSegment::error_of_rounding(const Station &from, const double shortest)
+  {
+    constexpr double largest = 10., margin = 2.;
+    double worst = 0.;
+    for (const double length : {2. * shortest, 8. * shortest, 32. * shortest})
+      {
+        Station to;
+        double error = 0.;
+        if (!step(from, length, to, error) || error > largest)
+          return 1.;
+        worst = std::max(worst, error);
+      }
+    return std::max(1., margin * worst);
   }
 } // namespace fuga

@@ -164,10 +164,10 @@ namespace fuga
    * there to within its tolerance and was not at the station @p before. Tolerances are those of the
    * rounding of the largest terms: an element that begins to slip must not begin off its cone by as
    * much, nor one that opens with a force. `solve(tau)` returns a station up to @p last_tau, or
-   * nothing.
+   * nothing. Return whether there is such a reserve.
    */
   template <typename Station, typename Solve>
-  void
+  bool
   meet_event(const Station &from,
              const Station &before,
              Station &reached,
@@ -176,12 +176,15 @@ namespace fuga
   {
     constexpr double near = 0.01; // of the step
     const double way = way_to_event(before.functions, reached.functions, reached.tau - before.tau);
+    if (way == no_boundary)
+      return false;
     const double tau = reached.tau + way;
     if (tau == reached.tau || std::abs(way) > near * (reached.tau - from.tau) || tau > last_tau)
-      return;
+      return true;
     std::optional<Station> nearer = solve(tau);
     if (nearer && !is_violated(nearer->functions))
       reached = std::move(*nearer);
+    return true;
   }
 } // namespace fuga
 
