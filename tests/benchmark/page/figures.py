@@ -25,7 +25,7 @@ class Measurement:
         self.scene, self.tool, self.variant, self.n = key
         self.phases = {row["phase"]: float(row["seconds"]) for row in rows}
         self.note = note  # events, iterations, failures ...
-        self.total, self.seconds = (self.phases.get(name) for name in TOTALS[:2])
+        self.total, self.seconds, self.all_phases = (self.phases.get(name) for name in TOTALS[:3])
         first = rows[0] if rows else {"dofs": 0, "memory_MB": 0, "error": "failed"}
         self.dofs, self.memory = int(first["dofs"]) or None, float(first["memory_MB"]) or None
         self.failed = first["error"] == "failed"

@@ -155,7 +155,8 @@ took turns. All raw figures of that run: [benchmark_phases.csv](benchmark_phases
 
 "CPU" is user and system time of the whole process [s]. "After start" is this less the CPU time of the same program that
 only says its version (fuga: median of the last five; CalculiX) or only loads its library (GetFEM), measured just before. Phases
-are those of fuga's `summary.json`, by the clock. No VTU files are written, save by the bonded control, where the time
+are those of fuga's `summary.json`, by the clock; where two runs of fuga are compared, their sums are, since the start
+of a process varies by more than a small scene takes. No VTU files are written, save by the bonded control, where the time
 for them is subtracted. An error is the relative Euclidean norm of all jumps at the end of the history.
 
 n: contact elements. x10, x1: ten, one increment per stage. nts, sts: node-to-surface, surface-to-surface contact of
