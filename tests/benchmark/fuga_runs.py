@@ -81,8 +81,6 @@ def run(tag, sections, fields="never", cpu_limit=900, result_file="summary.json"
         result.failure = ": ".join(word for word in words if word)
     if summary:
         phases.update(summary["seconds"])
-        phases["phases_after_start"] = sum(
-            value for name, value in summary["seconds"].items() if name not in ("start", "fields"))
         result.elements = summary["sizes"].get("contact_elements", 0)
         result.dofs = summary["sizes"]["degrees_of_freedom"]
         result.info = {"events": summary["events"]["total"], "steps": summary["events"]["steps"],

@@ -8,7 +8,8 @@ import statistics
 import time
 
 AMPLE = 10.       # CPU seconds; a case that has taken as many is not run again
-SAME = 0.02       # two runs that differ by less need no third
+SAME = 0.02       # two runs that differ by less need no third,
+SHORT = 2.        # unless they are shorter: one pause of the machine would count half
 UNKNOWN = 10.     # seconds of a run nobody has measured
 
 
@@ -28,7 +29,7 @@ class Case:
 
     def is_settled(self):
         taken = [result.phases["total"] for result in self.results]
-        return sum(taken) > AMPLE or (len(taken) > 1 and max(taken) < (1. + SAME) * min(taken))
+        return sum(taken) > AMPLE or (len(taken) > 1 and SHORT < max(taken) < (1. + SAME) * min(taken))
 
     def rows(self):
         """Medians; of the runs that came to the end, if some did."""

@@ -5,7 +5,7 @@ import csv
 import json
 import math
 
-TOTALS = ("total", "total_after_start", "phases_after_start", "wall")
+TOTALS = ("total", "total_after_start", "wall")
 
 
 def exponent(points):
@@ -25,7 +25,7 @@ class Measurement:
         self.scene, self.tool, self.variant, self.n = key
         self.phases = {row["phase"]: float(row["seconds"]) for row in rows}
         self.note = note  # events, iterations, failures ...
-        self.total, self.seconds, self.all_phases = (self.phases.get(name) for name in TOTALS[:3])
+        self.total, self.seconds = (self.phases.get(name) for name in TOTALS[:2])
         first = rows[0] if rows else {"dofs": 0, "memory_MB": 0, "error": "failed"}
         self.dofs, self.memory = int(first["dofs"]) or None, float(first["memory_MB"]) or None
         self.failed = first["error"] == "failed"
@@ -44,6 +44,10 @@ class Measurement:
     def without_fields(self, start=False):
         """All work but the writing of VTU files."""
         return self.clock(start) and self.clock(start) - self.phases.get("fields", 0.)
+
+    def all_phases(self):
+        """Sum of the medians of all phases but the start and the writing of VTU files."""
+        return sum(seconds for name, seconds in self.phases.items() if name not in (*TOTALS, "start", "fields"))
 
     def failure(self):
         return "failed: " + "; ".join(self.note.get("failures", [])[:1])

@@ -25,14 +25,11 @@ def _faster(what, factor, theirs, ours, label=""):
 
 
 def _over_control(figures, scene, variant, n):
-    """Ratio of the sums of phases. The control contains the recovery of the displacements: the path shall, too.
-
-    None: not measured.
-    """
+    """The control contains the recovery of the displacements: the path shall, too. None: not measured."""
     path, control = figures.fuga(scene, variant, n), figures.fuga(scene, "bonded", n)
     if not path or not control:
         return None
-    return (path.all_phases + control.phases.get("recovery of displacements", 0.)) / control.all_phases
+    return (path.all_phases() + control.phases.get("recovery of displacements", 0.)) / control.all_phases()
 
 
 def bonded(figures):
@@ -125,7 +122,7 @@ def stiffness(figures):
         for variant in ("kn1e+12 f0.6", "rigid f0.6"):
             ours = figures.fuga("scene_g", variant, n)
             yield _at_most("scene G, n = %d: cost of %s / cost of k_n = 1e6 (the same: within a quarter)" % (
-                n, variant.split()[0]), 1.25, ours.all_phases / base.all_phases if ours and base else None)
+                n, variant.split()[0]), 1.25, ours.all_phases() / base.all_phases() if ours and base else None)
     tried = [figures.at("scene_g", "calculix", v, 33) for v in figures.variants("scene_g", "calculix")
              if v.startswith("kn1e+12")]
     if tried:

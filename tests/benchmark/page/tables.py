@@ -151,12 +151,12 @@ took turns. All raw figures of that run: [benchmark_phases.csv](benchmark_phases
 | run | %(date)s, %(minutes)s minutes, load at the beginning %(load)s |
 | versions | fuga %(commit)s, %(versions)s |
 | threads | 1 for every tool, save in the table of threads |
-| repeats | medians of %(repeats)d rounds at most; a case that had taken 10 s, or twice the same within 2 %%, was not run again |
+| repeats | medians of %(repeats)d rounds at most; a case that had taken 10 s, or twice the same within 2 %% and more than 2 s, was not run again |
 
 "CPU" is user and system time of the whole process [s]. "After start" is this less the CPU time of the same program that
 only says its version (fuga: median of the last five; CalculiX) or only loads its library (GetFEM), measured just before. Phases
-are those of fuga's `summary.json`, by the clock; where two runs of fuga are compared, their sums are, since the start
-of a process varies by more than a small scene takes. No VTU files are written, save by the bonded control, where the time
+are those of fuga's `summary.json`, by the clock; where two runs of fuga are compared, it is by the sums of their
+phases, since the start of a process varies by more than a small scene takes. No VTU files are written, save by the bonded control, where the time
 for them is subtracted. An error is the relative Euclidean norm of all jumps at the end of the history.
 
 n: contact elements. x10, x1: ten, one increment per stage. nts, sts: node-to-surface, surface-to-surface contact of
