@@ -151,7 +151,7 @@ took turns. All raw figures of that run: [benchmark_phases.csv](benchmark_phases
 | run | %(date)s, %(minutes)s minutes, load at the beginning %(load)s |
 | versions | fuga %(commit)s, %(versions)s |
 | threads | 1 for every tool, save in the table of threads |
-| repeats | medians of %(repeats)d rounds at most; a case that had taken 10 s, or twice the same within 2 %% and more than 2 s, was not run again |
+| repeats | medians of %(repeats)d rounds, of fewer where a case had taken 10 s or twice the same within 2 %% |
 
 "CPU" is user and system time of the whole process [s]. "After start" is this less the CPU time of the same program that
 only says its version (fuga: median of the last five; CalculiX) or only loads its library (GetFEM), measured just before. Phases
