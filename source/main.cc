@@ -8,11 +8,12 @@
 #include <fuga/input/read/read_parameters.h>
 #include <fuga/output/files/directory_lock.h>
 #include <fuga/output/files/output_files.h>
-#include <fuga/output/files/threads.h>
 #include <fuga/output/files/version.h>
 #include <fuga/output/tables/law_table.h>
 #include <fuga/output/tables/report.h>
+#include <fuga/run/journal/passing_line.h>
 #include <fuga/run/simulation/phases.h>
+#include <fuga/run/simulation/threads.h>
 #include <fuga/study/adaptive_run.h>
 #include <fuga/study/model_check.h>
 #include <fuga/study/sweep.h>
@@ -57,36 +58,6 @@ namespace
     bool restart           = false;
     bool quiet             = false;
     bool print_parameters  = false;
-  };
-
-  /** A line on a terminal that disappears when this object is destroyed. */
-  class PassingLine
-  {
-  public:
-    PassingLine(const std::string &text, const bool is_wanted)
-      : width(is_wanted && processes::have_terminal() ? text.size() : 0)
-    {
-      show(text);
-    }
-
-    ~PassingLine()
-    {
-      show(std::string(width, ' '));
-    }
-
-    PassingLine(const PassingLine &) = delete;
-
-  private:
-    void
-    show(const std::string &text) const
-    {
-      if (width == 0)
-        return;
-      fmt::print("\r{}\r", text);
-      std::fflush(stdout);
-    }
-
-    const std::size_t width;
   };
 
   void

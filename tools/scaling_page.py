@@ -105,7 +105,7 @@ def measure(fuga, problem, solver, n, processes, folder):
         sys.exit(f"{' '.join(command)}\n{done.stderr}")
     with open(os.path.join(output, "summary.json"), encoding="utf-8") as file:
         summary = json.load(file)
-    seconds, peaks = summary["seconds"], summary["work"]["peak_memory_MB_behind_phase"]
+    seconds, peaks = summary["seconds"], summary["work"]["peak_memory_MB_after_phase"]
     row = {"problem": problem, "solver": solver, "n": n, "processes": processes,
            "unknowns": summary["sizes"]["degrees_of_freedom"], "elements": summary["sizes"]["contact_elements"],
            "bars": summary["sizes"]["bars"], "events": summary["events"]["total"],

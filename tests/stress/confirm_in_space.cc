@@ -132,7 +132,8 @@ namespace fuga::stress
       return std::max(share(stress, sizes.stress), share(length, sizes.length));
     }
 
-    /** What differs; empty if nothing does. */
+    /** What differs; empty if nothing does. In space more than one continuation may exist where the
+     * section has only one: its elements across the thickness need not move alike. */
     std::string
     compare_with_section(const SectionPath &section,
                          const JointModel &joint,
@@ -140,8 +141,10 @@ namespace fuga::stress
                          const PieceSample &sample,
                          Confirmation &confirmation)
     {
-      if (result.verdict != section.result.verdict ||
-          std::abs(result.t - section.result.t) > same_path * section.result.t)
+      const bool several = result.verdict == Verdict::non_unique_continuation;
+      if (several ? section.result.t < (1. - same_path) * result.t
+                  : result.verdict != section.result.verdict ||
+                      std::abs(result.t - section.result.t) > same_path * section.result.t)
         return fmt::format("the plane section ends at t = {:.9g}, {}, not {:.9g}",
                            section.result.t,
                            verdict_name(section.result.verdict),

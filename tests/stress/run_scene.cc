@@ -13,9 +13,9 @@
 #include <fuga/contact/path/event_path.h>
 #include <fuga/contact/segments/scheme_equilibrium.h>
 #include <fuga/input/read/read_parameters.h>
-#include <fuga/output/files/threads.h>
 #include <fuga/output/tables/summary.h>
 #include <fuga/run/simulation/phases.h>
+#include <fuga/run/simulation/threads.h>
 
 #include <nlohmann/json.hpp>
 

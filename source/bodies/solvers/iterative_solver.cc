@@ -22,6 +22,7 @@ namespace fuga
     int
     multiply_for_multigrid(ML_Operator *level, int, double *x, int, double *y)
     {
+      // ML keeps the matrix as an untyped pointer; both types are those of system->K.
       const auto *matrix = static_cast<const Epetra_CrsMatrix *>(ML_Get_MyMatvecData(level));
       const auto &K      = static_cast<const NodalMatrix &>(*matrix);
       const Epetra_Vector X(View, K.DomainMap(), x);

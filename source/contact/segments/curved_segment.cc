@@ -138,7 +138,7 @@ namespace fuga
     context.scheme.linearise(state);
     std::optional<WorkingScheme::FreeMotion> motion =
       context.scheme.motion(drive_at(context.elements, course, state));
-    if (!motion || motion->is_driven || is_behind_pole())
+    if (!motion || motion->is_driven || has_crossed_pole())
       return {};
     point.rates              = std::move(motion->rates);
     largest_jump             = std::max(largest_jump, jump_of(point));

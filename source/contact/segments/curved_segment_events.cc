@@ -101,7 +101,7 @@ namespace fuga
   // equations have no solution; beyond that place they have another solution, to which no path
   // leads.
   bool
-  CurvedSegment::is_behind_pole() const
+  CurvedSegment::has_crossed_pole() const
   {
     return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
   }

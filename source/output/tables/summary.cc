@@ -193,7 +193,7 @@ namespace fuga
       json["work"]                                = work_section(summary.work);
       json["work"]["counted"]                     = counted_section();
       json["work"]["bodies"]                      = bodies_section(summary.work.bodies);
-      json["work"]["peak_memory_MB_behind_phase"] = object(summary.peaks);
+      json["work"]["peak_memory_MB_after_phase"] = object(summary.peaks);
       json["seconds"]                             = object(summary.phases);
       json["memory_MB"]                           = summary.memory_MB;
       if (const std::vector<double> memory = processes::peak_memory(); !memory.empty())

@@ -85,7 +85,7 @@ namespace fuga
       return course.share_rate != 0.;
     }
     bool
-    is_behind_pole() const;
+    has_crossed_pole() const;
     /** Return the defect of the step between two stations; set the energy that it loses. */
     double
     step_defect(const Station &from, Station &to) const;

@@ -128,7 +128,7 @@ namespace fuga
     visit("log", log);
   }
 
-  /** Write checkpoint.cbor, which is complete whenever it is visible. @throws NumericalFailure */
+  /** Write checkpoint.cbor, which is complete whenever it is visible. @throws WriteFailure */
   void
   write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
 

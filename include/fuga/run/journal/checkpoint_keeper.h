@@ -36,7 +36,7 @@ namespace fuga
     void
     write_at_event();
 
-    /** Write a checkpoint of the last cut of the path. @throws NumericalFailure */
+    /** Write a checkpoint of the last cut of the path. @throws WriteFailure */
     void
     write();
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#ifndef fuga_output_files_threads_h
-#define fuga_output_files_threads_h
+#ifndef fuga_run_simulation_threads_h
+#define fuga_run_simulation_threads_h
 
 namespace fuga
 {

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/blas_threads.h>
-#include <fuga/output/files/threads.h>
+#include <fuga/run/simulation/threads.h>
 
 #include <deal.II/base/multithread_info.h>
 
