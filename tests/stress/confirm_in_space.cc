@@ -181,7 +181,9 @@ namespace fuga::stress
       // compliance from the cells around them, which are not those of the section.
       const bool may_differ = section.result.n_non_unique > 0 || !joint.report.empty();
       if (difference.empty())
-        confirmation.by = "plane section";
+        // That there are several continuations is not what the section shows.
+        confirmation.by =
+          result.verdict == Verdict::non_unique_continuation ? "certificate" : "plane section";
       else if (may_differ)
         confirmation.by = "certificate";
       else

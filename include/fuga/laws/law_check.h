@@ -30,9 +30,9 @@ namespace fuga
   check_law(const ComplianceLaw &law, const double largest_stress);
 
   /**
-   * Return the largest deformation [m] of a plot of the curve: nine tenths of the limit if there is
-   * one, otherwise a fifth more than the scale of the law's data, otherwise the deformation at
-   * @p typical_stress [stress].
+   * Return the largest deformation of a plot of the curve: nine tenths of the limit if there is
+   * one, otherwise somewhat more than the scale of the law's data, otherwise the deformation at
+   * @p typical_stress.
    */
   double
   range_of_interest(const ComplianceLaw &law, const double typical_stress);

@@ -190,12 +190,12 @@ namespace fuga
     std::string
     with_last_part(Json json, const RunSummary &summary, const Parameters &parameters)
     {
-      json["work"]                                = work_section(summary.work);
-      json["work"]["counted"]                     = counted_section();
-      json["work"]["bodies"]                      = bodies_section(summary.work.bodies);
+      json["work"]                               = work_section(summary.work);
+      json["work"]["counted"]                    = counted_section();
+      json["work"]["bodies"]                     = bodies_section(summary.work.bodies);
       json["work"]["peak_memory_MB_after_phase"] = object(summary.peaks);
-      json["seconds"]                             = object(summary.phases);
-      json["memory_MB"]                           = summary.memory_MB;
+      json["seconds"]                            = object(summary.phases);
+      json["memory_MB"]                          = summary.memory_MB;
       if (const std::vector<double> memory = processes::peak_memory(); !memory.empty())
         json["memory_of_processes_MB"] = memory;
       json["joints"]     = summary.split_report;

@@ -46,8 +46,9 @@ class Measurement:
         return self.clock(start) and self.clock(start) - self.phases.get("fields", 0.)
 
     def all_phases(self):
-        """Sum of the medians of all phases but the start and the writing of VTU files."""
-        return sum(seconds for name, seconds in self.phases.items() if name not in (*TOTALS, "start", "fields"))
+        """Sum of the medians of all phases but the start and the writing of VTU files; zero for a run that failed."""
+        return 0. if self.failed else sum(
+            seconds for name, seconds in self.phases.items() if name not in (*TOTALS, "start", "fields"))
 
     def failure(self):
         return "failed: " + "; ".join(self.note.get("failures", [])[:1])

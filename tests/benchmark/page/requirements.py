@@ -24,12 +24,16 @@ def _faster(what, factor, theirs, ours, label=""):
     return what, required, measured, "yes" if theirs / ours >= factor else "no"
 
 
+def _ratio(ours, base, further=0.):
+    """Of the sums of phases; `further` seconds are added to ours. None: one was not measured, or failed."""
+    sums = ours.all_phases(), base.all_phases()
+    return (sums[0] + further) / sums[1] if all(sums) else None
+
+
 def _over_control(figures, scene, variant, n):
     """The control contains the recovery of the displacements: the path shall, too. None: not measured."""
     path, control = figures.fuga(scene, variant, n), figures.fuga(scene, "bonded", n)
-    if not path or not control:
-        return None
-    return (path.all_phases() + control.phases.get("recovery of displacements", 0.)) / control.all_phases()
+    return _ratio(path, control, control.phases.get("recovery of displacements", 0.))
 
 
 def bonded(figures):
@@ -122,7 +126,7 @@ def stiffness(figures):
         for variant in ("kn1e+12 f0.6", "rigid f0.6"):
             ours = figures.fuga("scene_g", variant, n)
             yield _at_most("scene G, n = %d: cost of %s / cost of k_n = 1e6 (the same: within a quarter)" % (
-                n, variant.split()[0]), 1.25, ours.all_phases() / base.all_phases() if ours and base else None)
+                n, variant.split()[0]), 1.25, _ratio(ours, base))
     tried = [figures.at("scene_g", "calculix", v, 33) for v in figures.variants("scene_g", "calculix")
              if v.startswith("kn1e+12")]
     if tried:
