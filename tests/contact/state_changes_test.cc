@@ -2,11 +2,11 @@
 // Copyright (C) 2026 by the Fuga authors
 
 // Sequences of states of single elements, each pressed and sheared through springs of stiffness
-// one; everything follows by hand. With a linear layer, C_n = 1, C_t = 1/2, and the gap g0:
+// one; everything follows by hand. With a linear layer, C_n = 1, C_t = 2, and the gap g0:
 //     open: u_n = -F_n, u_t = F_t;      closed: -N = (F_n - g0)/2;
 //     stick: T = (F_t - s)/3;            slip: u_t = F_t - T, s = F_t - 3T.
 
-#include "contact/toy_system.h"
+#include "contact/beyond_record.h"
 #include "known_answer.h"
 
 #include <fuga/laws/cubic_root_law.h>
@@ -119,6 +119,30 @@ TEST(StateChanges, ClosingDecidesBetweenStickAndSlip)
       const double T = state == ContactState::stick ? 0.5 * ratio / 3. : 0.125 * slip_sign(state);
       EXPECT_NEAR(record.levels[0].forces[1], T, tolerance);
     }
+}
+
+// A layer that is a million times as soft beside a common one, both sliding. It carries 1e-12, of
+// which friction holds less than the last digits of the other shear, but it is closed by 1e-6. So
+// it opens where the load that presses it vanishes, σ = 1/2, not where that begins to fall.
+TEST(StateChanges, SoftLayerStaysClosedWhereItsShearIsOnlyRounding)
+{
+  constexpr double C = 1e6, N = 1e-12, F = N * (1. + C);
+  ToyJoint joint(2, 1., make_linear_law(1.), make_linear_law(2.), {0.5, 0.});
+  const std::unique_ptr<ComplianceLaw> soft = make_linear_law(C);
+  joint.elements[0].normal_law              = soft.get();
+  const ToySystem system                    = separate_elements(2);
+  const LoadHistory history({0., 1., 2.},
+                            {{0., 0., 0., 0.}, {F, 1e-3, 2., 3.}, {-F, 1e-3, 2., 3.}});
+  const auto [result, record] =
+    follow_beyond_in_plane_and_space(system, joint.elements, history, 1., {1., 2.});
+  EXPECT_EQ(result.verdict, Verdict::done);
+  EXPECT_LE(record.worst.worst(), 1e-12); // of 1e-6 beside jumps of 2
+  ASSERT_EQ(record.events.size(), 3u);
+  expect_event(record.events[0], 0., ContactState::stick, ContactState::slip_forward);
+  expect_event(record.events[1], 0., ContactState::stick, ContactState::slip_forward);
+  expect_event(record.events[2], 1.5, ContactState::slip_forward, ContactState::open);
+  EXPECT_NEAR(record.levels[0].forces[0], -N, 1e-19);
+  EXPECT_NEAR(record.levels[1].dislocations[0], F, 1e-18);
 }
 
 // Several elements change at the very same load, t = 1, each in its own way: 0 closes and sticks, 1

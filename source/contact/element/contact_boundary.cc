@@ -69,7 +69,8 @@ namespace fuga
   ContactBoundary::is_visibly_closed(const JointState &state, const std::size_t k) const
   {
     constexpr double visible = 1e2;
-    return state.states[k] != ContactState::open && system.is_curved(elements[k].normal_bar) &&
+    return state.states[k] != ContactState::open &&
+           system.compliance(elements[k].normal_bar) > 0. &&
            -gap(elements[k], state, k) > visible * zero_gap;
   }
 
@@ -84,12 +85,13 @@ namespace fuga
     const double strength         = shear_strength(element, state, k);
     const double tolerance        = strength_tolerance(k, state.strengths[k]);
     const bool slipping           = is_slipping(state.states[k]);
-    if (is_cone && strength <= tolerance && !state.strengths[k].resists_shear())
-      return;
-    if (strength <= tolerance && !(is_cone && is_visibly_closed(state, k)))
+    const bool resists            = state.strengths[k].resists_shear();
+    if (strength <= tolerance && !(resists && is_visibly_closed(state, k)))
       {
+        if (is_cone && !resists)
+          return;
         candidate.shear = ShearPosition::at_apex;
-        candidate.grazing |= state.strengths[k].resists_shear() && !state.strengths[k].has_bond();
+        candidate.grazing |= resists && !state.strengths[k].has_bond();
       }
     else if (slipping || size >= strength - tolerance)
       {

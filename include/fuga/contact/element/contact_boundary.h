@@ -208,7 +208,7 @@ namespace fuga
                      const RateNoise &noise) const;
     double
     noise_of_shear(const std::size_t k, const JointState &state, const RateNoise &noise) const;
-    /** Return whether a nonlinear layer is closed by more than rounding: its lips do not open, even
+    /** Return whether a compliant layer is closed by more than rounding: its lips do not open, even
      * if its force is too small to determine its shear. */
     bool
     is_visibly_closed(const JointState &state, const std::size_t k) const;
