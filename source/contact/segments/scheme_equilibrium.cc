@@ -36,6 +36,8 @@ namespace fuga
   // u]. Newton's method includes the tangent stiffness of the layer in K at every iteration. The
   // paper keeps K = K_lin + A/ρ0 and moves (C(u) - A/ρ0) u to the right-hand side, equations (3),
   // (7), (8): with the residual written out, this is the same correction with the constant matrix.
+  // Where a path begins without any load, only the forces of the present state tell what is
+  // rounding.
   bool
   SchemeEquilibrium::solve(const double tau,
                            const double largest_jump,
@@ -61,12 +63,14 @@ namespace fuga
         count.max_in_one = std::max(count.max_in_one, static_cast<std::size_t>(i));
         if (!constant)
           context.scheme.linearise(state);
-        const Vector residual = context.scheme.residual(state);
-        const bool is_balanced =
-          max_abs(residual) <= max_abs(context.boundary.all_force_tolerances());
+        const Vector residual  = context.scheme.residual(state);
+        const auto is_balanced = [&, size = max_abs(residual)]() {
+          return size <= max_abs(context.boundary.all_force_tolerances()) ||
+                 size <= max_abs(boundary_at(context, course, tau, state).all_force_tolerances());
+        };
         const std::optional<JointRates> change = context.scheme.correction(residual, answer);
         if (!change)
-          return is_balanced;
+          return is_balanced();
         const Vector growth = context.system.jumps(change->dislocations, change->forces);
         const double share =
           constant ? 1.
@@ -81,7 +85,7 @@ namespace fuga
           std::max(largest_jump, max_abs(context.system.jumps(state.dislocations, state.forces)));
         if (passes_limit_of_law(context.elements, state))
           return false;
-        if (size <= options.tolerance * total && (leaves_nothing || is_balanced))
+        if (size <= options.tolerance * total && (leaves_nothing || is_balanced()))
           return true;
         contraction = size / last_change;
         n_growing   = contraction >= 1. ? n_growing + 1 : 0;
@@ -91,7 +95,7 @@ namespace fuga
         // nearly unloaded responds to a force that counts as zero with more than the rounding of a
         // jump.
         if (!constant && contraction > 0.3 &&
-            (is_balanced || (leaves_nothing && size <= 1e3 * options.tolerance * total)))
+            (is_balanced() || (leaves_nothing && size <= 1e3 * options.tolerance * total)))
           return true;
         last_change = size;
       }
