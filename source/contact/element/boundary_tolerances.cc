@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // The values of forces, gaps and their rates that count as zero.
 namespace fuga
@@ -21,6 +22,9 @@ namespace fuga
      * begin and rest again and again where rigid joints cross, with a larger one elements begin to
      * slip off their cones. */
     constexpr double of_small_differences_in_space = 1e-2;
+    /** Share of the terms of a force that is their rounding where as many of them are added as
+     * there are bars. */
+    constexpr double few_last_digits = 4. * std::numeric_limits<double>::epsilon();
     /** Share of the reactions to all loads that counts as a force in a time step, whose loads hold
      * bodies at their present places and may be far above every force. */
     constexpr double of_reactions_in_motion = 1e-2;
@@ -67,10 +71,12 @@ namespace fuga
     const double largest_force =
       std::max(in_space ? 0. : of_given * max_abs(given), max_abs(state.forces));
     double largest_jump = 0.;
+    last_digits         = 0.;
     for (std::size_t i = 0; i < force_tolerances.size(); ++i)
       {
         const double terms = given[i] + system.scale(i) * scaled_dislocation;
         const double size  = std::min(terms, std::max(least_share * terms, largest_force));
+        last_digits        = std::max(last_digits, few_last_digits * terms);
         force_tolerances[i] =
           in_space ? std::min(relative * size,
                               std::max(value_tolerance * size, largest_share * largest_force))

@@ -65,8 +65,11 @@ namespace fuga
           context.scheme.linearise(state);
         const Vector residual  = context.scheme.residual(state);
         const auto is_balanced = [&, size = max_abs(residual)]() {
-          return size <= max_abs(context.boundary.all_force_tolerances()) ||
-                 size <= max_abs(boundary_at(context, course, tau, state).all_force_tolerances());
+          if (size <= max_abs(context.boundary.all_force_tolerances()))
+            return true;
+          const ContactBoundary here = boundary_at(context, course, tau, state);
+          return size <=
+                 std::max(max_abs(here.all_force_tolerances()), here.rounding_of_residual());
         };
         const std::optional<JointRates> change = context.scheme.correction(residual, answer);
         if (!change)

@@ -122,6 +122,14 @@ namespace fuga
     std::vector<Reserve>
     reserves(const JointState &state, const JointRates &rates, const Drive &drive) const;
 
+    /** Return the largest residual of an equation of forces that may be nothing but rounding [MN]:
+     * a few last digits of its terms. */
+    double
+    rounding_of_residual() const
+    {
+      return last_digits;
+    }
+
     /** Return the force below which a bar counts as unloaded [MN]. */
     double
     force_tolerance(const std::size_t bar) const
@@ -238,7 +246,8 @@ namespace fuga
     const LayeredSystem &system;
     const bool in_space;
     Vector force_tolerances;
-    double zero_gap = 0.;
+    double zero_gap    = 0.;
+    double last_digits = 0.;
   };
 } // namespace fuga
 
