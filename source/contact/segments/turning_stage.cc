@@ -39,8 +39,7 @@ namespace fuga
     Vector result = multiply(response.against_slip, slips);
     if (!response.against_rise.empty())
       for (std::size_t j = 0; j < dilations.size(); ++j)
-        for (std::size_t i = 0; i < result.size(); ++i)
-          result[i] += response.against_rise(i, j) * dilations[j];
+        blas::axpy(result.size(), dilations[j], response.against_rise.column(j), result.data());
     return result;
   }
 
@@ -66,9 +65,7 @@ namespace fuga
   TurningStageSolver::noise(const double tau, const TurningStage &base) const
   {
     constexpr double rounding = 1e-15, slip_rounding = 1e-18;
-    double longest_slip = 0.;
-    for (const long double slip : base.slips)
-      longest_slip = std::max(longest_slip, std::abs(static_cast<double>(slip)));
+    const double longest_slip = max_abs(Vector(base.slips.begin(), base.slips.end()));
     Vector result;
     for (std::size_t i = 0; i < turning.size(); ++i)
       {
@@ -245,10 +242,7 @@ namespace fuga
                             Vector &xi,
                             TurningStage &stage)
   {
-    const auto has_factors = [this](const std::size_t i) {
-      return factorisations[i].factors.has_value();
-    };
-    const bool has_old_factors     = has_factors(0) || has_factors(1);
+    const bool has_old_factors     = factorisations[0].factors || factorisations[1].factors;
     const Vector first_xi          = xi;
     const TurningStage first_stage = stage;
     if (iterate(demand, tau, advance, base, xi, stage))
