@@ -45,17 +45,18 @@ namespace fuga::judges
     {
       Scales scales;
       scales.force = std::max({largest(load), largest(forces), std::numeric_limits<double>::min()});
-      // Where nothing moves at all, the rounding of what the largest force would move.
-      double stiffest = 0.;
+      // Where rigid joints let nothing move, the last digits of the jumps are measured by the
+      // deformation that the largest force causes, of which they are the rounding.
+      constexpr double least_share = 1e-4;
+      double stiffest              = 0.;
       for (std::size_t i = 0; i < problem.S.n_rows(); ++i)
         stiffest = std::max(stiffest, problem.S(i, i));
-      const double rounding =
-        stiffest > 0. ? std::numeric_limits<double>::epsilon() * scales.force / stiffest : 0.;
-      scales.length = std::max({largest(jumps),
-                                largest(slip),
-                                largest(slip_before),
-                                rounding,
-                                std::numeric_limits<double>::min()});
+      const double unmoved = stiffest > 0. ? least_share * scales.force / stiffest : 0.;
+      scales.length        = std::max({largest(jumps),
+                                       largest(slip),
+                                       largest(slip_before),
+                                       unmoved,
+                                       std::numeric_limits<double>::min()});
       for (const JudgeElement &element : problem.elements)
         scales.length = std::max(scales.length, std::abs(element.initial_gap));
       return scales;
