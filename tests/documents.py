@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the Fuga authors
 """The pages of doc/ speak of what exists: messages of doc/errors.md are in the sources, entries of doc/names.md and
 doc/errors.md are in doc/input.md, the sources name an entry once, links lead to files and headings; pages, sections and equations that any file mentions
-are there, and so are the sources that a page mentions; generated pages have the remarks that are written by hand; the
+are there, and so are the sources and folders that a page mentions; generated pages have the remarks that are written by hand; the
 README is short, and the top of the repository tidy.
 
 usage: documents.py SOURCE_DIR
@@ -116,6 +116,31 @@ def check_mentions():
     return n_mentions
 
 
+def check_rooms():
+    """A path in a page that begins with a folder of source/ is a source or a folder; in a list in brackets a name without a
+    folder is a source beside the one before it."""
+    tops = {path.name for path in (ROOT / "source").iterdir()}
+    known = {path.relative_to(top).with_suffix("") for top in (ROOT / "source", ROOT / "include/fuga") for path in top.rglob("*")}
+    n_paths = 0
+    for page in sorted((ROOT / "doc").rglob("*.md")) + [ROOT / "CONTRIBUTING.md"]:
+        text = page.read_text(encoding="utf-8")
+        lists = re.findall(r"\(((?:`[a-z_0-9/]+`(?:,\s+|(?=\))))+)\)", text)
+        lists += re.findall(r"`[a-z_]+/[a-z_0-9/]+`", text)
+        for words in lists:
+            room = None
+            for name in re.findall(r"`([^`]+)`", words):
+                path = pathlib.Path(name)
+                if "/" in name:
+                    room = path.parent if path.parts[0] in tops else None
+                elif room:
+                    path = room / name
+                if room:
+                    n_paths += 1
+                    if path not in known:
+                        complaints.append(f"{page.relative_to(ROOT)}: source/ and include/fuga/ have no {path}")
+    return n_paths
+
+
 def check_remarks():
     """A generated page has the hand-written remarks as they are now."""
     for path in sorted((ROOT / "doc/remarks").glob("*.md")):
@@ -152,7 +177,7 @@ def main():
     n_names = check_names()
     check_top()
     check_remarks()
-    n_mentions = check_mentions()
+    n_mentions = check_mentions() + check_rooms()
     for path in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "meshes").glob("*.md")), *sorted((ROOT / "doc").rglob("*.md"))]:
         check_links(path)
     if n_names < 100 or n_messages < 40 or n_entries < 30 or n_mentions < 200:

@@ -84,6 +84,15 @@ TEST_F(TwoJoints, RoughJointOpensAndSlides)
   EXPECT_EQ(text(), "'seam' opens and slides");
 }
 
+// A block that hangs above its base, and one that is left on an edge of it.
+TEST_F(TwoJoints, LipsThatApproach)
+{
+  move(0, {{0., -1.}}, 0., {{0., 0.}});
+  EXPECT_EQ(text(), "'seam' closes");
+  move(0, {{0., 0.}}, 0.5, {{2., 0.}});
+  EXPECT_EQ(text(), "'seam' closes, turning about (2, 0)");
+}
+
 // A block that tips over its corner (2, 0) opens the base and does not slide on it.
 TEST_F(TwoJoints, TippingAboutACorner)
 {

@@ -33,6 +33,31 @@ namespace
     mesh.points.push_back({CellShape::point, {{0}}, 5});
     return write_mesh(mesh);
   }
+
+  /** A run of the block with these @p entries of the joint, free @p boundaries, @p loads and
+   * @p stages. */
+  SceneRun
+  run_block(const std::string &entries,
+            const std::string &boundaries,
+            const std::string &loads,
+            const std::string &stages)
+  {
+    const std::string name = temporary_directory() + "/hinge.prm";
+    std::ofstream(name) << "subsection Mesh\nset File = " << block_mesh()
+                        << "\nend\nsubsection Bodies\nsubsection block\nset Young modulus = 4.8\n"
+                           "set Poisson ratio = 0.36\nset Weight density = 1\nend\nend\n"
+                           "subsection Joints\nsubsection base\nset Plus lip = base\n"
+                           "set Minus lip = rigid\nset Normal law = rigid\n"
+                           "set Shear law = linear\nset Shear compliance = 1e-9\n"
+                           "set Friction coefficient = 1.6\n"
+                        << entries
+                        << "end\nend\nsubsection Boundaries\nsubsection corner\nset Fixed = x\n"
+                           "end\nsubsection sides\nset Fixed = free\nend\n"
+                        << boundaries << "end\nsubsection Loads\n"
+                        << loads << "end\nsubsection Stages\n"
+                        << stages << "end\n";
+    return run_scene(name);
+  }
 } // namespace
 
 // Pressed by 1 and pulled to the left by t at its upper side, the block turns about its left corner
@@ -40,24 +65,29 @@ namespace
 // taken for a stiffness: the block would open by 1e11 m.
 TEST(HingedBlock, TurnsOver)
 {
-  const std::string name = temporary_directory() + "/hinge.prm";
-  std::ofstream(name)
-    << "subsection Mesh\nset File = " << block_mesh()
-    << "\nend\nsubsection Bodies\nsubsection block\nset Young modulus = 4.8\n"
-       "set Poisson ratio = 0.36\nend\nend\nsubsection Joints\nsubsection base\nset Plus lip = "
-       "base\n"
-       "set Minus lip = rigid\nset Normal law = rigid\nset Shear law = linear\n"
-       "set Shear compliance = 1e-9\nset Friction coefficient = 1.6\nend\nend\n"
-       "subsection Boundaries\nsubsection corner\nset Fixed = x\nend\n"
-       "subsection sides\nset Fixed = free\nend\nend\n"
-       "subsection Loads\n"
-       "subsection press\nset Type = pressure\nset Boundaries = top\nset Value = 1\nend\n"
-       "subsection pull\nset Type = traction\nset Boundaries = top\nset Value = -1; 0\nend\nend\n"
-       "subsection Stages\nsubsection first\nset Loads = press: t\nend\n"
-       "subsection second\nset Loads = pull: t\nend\nend\n";
-  const SceneRun run = run_scene(name);
+  const SceneRun run = run_block(
+    "",
+    "",
+    "subsection press\nset Type = pressure\nset Boundaries = top\nset Value = 1\nend\n"
+    "subsection pull\nset Type = traction\nset Boundaries = top\nset Value = -1; 0\nend\n",
+    "subsection first\nset Loads = press: t\nend\nsubsection second\nset Loads = pull: t\nend\n");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(run.summary.at("verdict"), "limit load");
   EXPECT_NEAR(run.summary.at("t").get<double>(), 1.5, 1e-12);
   EXPECT_LE(run.certificate(), 1e-12);
+}
+
+// A block that hangs a millimetre above its base falls at once, straight down: the motion without
+// resistance is one of two, with that about the corner, and the weight drives this one.
+TEST(HingedBlock, FallsOntoItsBase)
+{
+  const SceneRun run = run_block("set Initial gap = 1e-3\n",
+                                 "subsection top\nset Fixed = free\nend\n",
+                                 "subsection weight\nset Type = weight\nset Bodies = block\nend\n",
+                                 "subsection first\nset Loads = weight: t\nend\n");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.summary.at("verdict"), "limit load");
+  EXPECT_EQ(run.summary.at("t"), 0.);
+  EXPECT_EQ(run.summary.at("limit_load").at("mechanism"), "closing");
+  EXPECT_EQ(run.summary.at("limit_load").at("motion"), "'base' closes");
 }

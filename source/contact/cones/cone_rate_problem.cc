@@ -120,7 +120,7 @@ namespace fuga
     if (!stuck || !stiffness)
       {
         result.has_mechanism = true;
-        result.mechanism     = background.mechanism();
+        result.mechanism     = background.mechanism(drive);
         return;
       }
     has_system = true;

@@ -76,18 +76,22 @@ namespace fuga
   MechanismKind
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements)
   {
-    double opening = 0., sliding = 0.;
+    double opening = 0., closing = 0., sliding = 0.;
     for (const ContactElement &element : elements)
       {
-        opening = std::max(opening, std::abs(jumps[element.normal_bar]));
+        opening = std::max(opening, jumps[element.normal_bar]);
+        closing = std::max(closing, -jumps[element.normal_bar]);
         if (element.has_tangential_bar())
           sliding = std::max(sliding, std::abs(jumps[element.tangential_bar]));
         if (element.has_second_tangential_bar())
           sliding = std::max(sliding, std::abs(jumps[element.second_tangential_bar]));
       }
-    if (opening <= no_jump * sliding)
+    const double parting = std::max(opening, closing);
+    if (parting <= no_jump * sliding)
       return MechanismKind::sliding;
-    return sliding <= no_jump * opening ? MechanismKind::overturning : MechanismKind::mixed;
+    if (sliding > no_jump * parting)
+      return MechanismKind::mixed;
+    return opening <= no_jump * closing ? MechanismKind::closing : MechanismKind::overturning;
   }
 
   ContactState

@@ -138,7 +138,7 @@ namespace fuga
       return; // what rests would have to be held at every point of a curve
     result.exists        = false;
     result.has_mechanism = true;
-    result.mechanism     = off_boundary.mechanism();
+    result.mechanism     = off_boundary.mechanism(drive);
   }
 
   std::vector<RateProblem::Switch>

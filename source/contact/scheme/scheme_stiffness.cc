@@ -122,15 +122,55 @@ namespace fuga
     return result;
   }
 
-  JointRates
-  WorkingScheme::mechanism() const
+  // What a small stiffness leaves of the drive is a free motion in its direction, but for a share
+  // of resisted ones as small as that stiffness; a second solution has hardly any share of them.
+  Vector
+  WorkingScheme::free_motion_along(const Drive &drive) const
   {
-    DenseMatrix M        = active_matrix();
-    const double epsilon = 1e-14;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
-                                    epsilon * system.largest_stiffness());
-    const Vector x = null_vector(std::move(M));
+    constexpr double small = 1e-8, same_motion = 1e-3;
+    const std::size_t n = rows.size();
+    DenseMatrix M       = active_matrix();
+    Vector x            = drives_of_rows(drive), added(n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double scale = system.scale(rows[i].bar);
+        added[i]           = small * scale * scale;
+        M(i, i) += added[i];
+        x[i] = forces_in(rows[i], drive.reactions.data()) - x[i];
+      }
+    const LuFactors factors(std::move(M));
+    if (!(factors.reciprocal_condition() > 0.))
+      return {};
+    Vector first;
+    for (int sweep = 0; sweep < 2; ++sweep)
+      {
+        for (std::size_t i = 0; i < n && sweep > 0; ++i)
+          x[i] *= added[i];
+        factors.solve(x);
+        const double largest = max_abs(x);
+        if (!(largest > 0.))
+          return {};
+        for (double &value : x)
+          value /= largest;
+        if (sweep == 0)
+          first = x;
+      }
+    return max_abs(along(first, -1., x)) <= same_motion ? x : Vector();
+  }
+
+  JointRates
+  WorkingScheme::mechanism(const Drive &drive) const
+  {
+    Vector x = free_motion_along(drive);
+    if (x.empty())
+      {
+        DenseMatrix M        = active_matrix();
+        const double epsilon = 1e-14;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          M(i, i) += epsilon * std::max(system.stiffness()(rows[i].bar, rows[i].bar),
+                                        epsilon * system.largest_stiffness());
+        x = null_vector(std::move(M));
+      }
     JointRates result;
     result.forces.assign(system.n_bars(), 0.);
     result.dislocations.assign(system.n_bars(), 0.);

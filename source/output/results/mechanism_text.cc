@@ -54,9 +54,11 @@ namespace fuga
         JointMotion motion;
         if (std::max(opening, sliding) <= smallest_share * largest)
           return motion;
-        motion.opens  = opening > smallest_share * sliding;
-        motion.slides = sliding > smallest_share * opening;
-        motion.turns  = motion.opens && largest_normal - smallest_normal > smallest_share * opening;
+        const bool parts = opening > smallest_share * sliding;
+        motion.closes    = parts && largest_normal <= smallest_share * opening;
+        motion.opens     = parts && !motion.closes;
+        motion.slides    = sliding > smallest_share * opening;
+        motion.turns     = parts && largest_normal - smallest_normal > smallest_share * opening;
         if (motion.turns && is_known && !in_space)
           motion.centre = centre();
         return motion;
@@ -114,13 +116,15 @@ namespace fuga
     for (std::size_t j = 0; j < motions.size(); ++j)
       {
         const JointMotion &motion = motions[j];
-        if (motion.slides && !motion.opens)
+        const bool parts          = motion.opens || motion.closes;
+        if (motion.slides && !parts)
           sliding += fmt::format("{}'{}'", sliding.empty() ? "slides on " : ", ", joint_names[j]);
-        else if (motion.opens)
+        else if (parts)
           {
-            rest += fmt::format("{}'{}' opens{}",
+            rest += fmt::format("{}'{}' {}{}",
                                 rest.empty() ? "" : "; ",
                                 joint_names[j],
+                                motion.closes ? "closes" : "opens",
                                 motion.slides ? " and slides" : "");
             if (motion.turns)
               rest += motion.centre ? fmt::format(", turning about ({:.4g}, {:.4g})",

@@ -28,6 +28,8 @@ namespace fuga
           return "sliding";
         case MechanismKind::overturning:
           return "overturning";
+        case MechanismKind::closing:
+          return "closing";
         case MechanismKind::mixed:
           return "mixed";
       }

@@ -21,7 +21,9 @@ namespace fuga
     sliding,
     /** The lips only part. */
     overturning,
-    /** The lips slide and part. */
+    /** Lips that are apart only approach each other. */
+    closing,
+    /** The lips slide, and part or approach each other. */
     mixed
   };
 

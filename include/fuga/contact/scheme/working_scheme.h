@@ -167,10 +167,10 @@ namespace fuga
       return driven_motion(drive);
     }
 
-    /** Return a direction of motion without resistance of a singular scheme (null vector, largest
-     * entry 1). */
+    /** Return the motion without resistance in which @p drive sets a singular scheme (largest
+     * entry 1); one of them if it drives none. */
     JointRates
-    mechanism() const;
+    mechanism(const Drive &drive) const;
 
     const SchemeWork &
     work() const
@@ -267,6 +267,9 @@ namespace fuga
      */
     std::optional<FreeMotion>
     driven_motion(const Drive &drive) const;
+    /** Return the unknowns of the motion of mechanism(); nothing if the drive works on none. */
+    Vector
+    free_motion_along(const Drive &drive) const;
     Vector
     drives_of_rows(const Drive &drive) const;
     bool

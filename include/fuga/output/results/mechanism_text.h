@@ -16,6 +16,8 @@ namespace fuga
   {
     bool slides = false;
     bool opens  = false;
+    /** Whether lips that are apart approach each other everywhere. */
+    bool closes = false;
     /** Whether they turn against each other. */
     bool turns = false;
     /** The centre of rotation, in the plane, if they turn as two rigid bodies. */
@@ -25,8 +27,8 @@ namespace fuga
   /**
    * Return the motion of every joint. @p jumps are those of the bars, the largest of which is 1;
    * @p frames has one entry per element. A motion below a thousandth of the largest of the whole
-   * model counts as none; so does opening below a thousandth of the sliding in the same joint, and
-   * vice versa.
+   * model counts as none; so does opening or closing below a thousandth of the sliding in the same
+   * joint, and vice versa.
    */
   std::vector<JointMotion>
   joint_motions(const std::size_t n_joints,
