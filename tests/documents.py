@@ -124,9 +124,9 @@ def check_rooms():
     n_paths = 0
     for page in sorted((ROOT / "doc").rglob("*.md")) + [ROOT / "CONTRIBUTING.md"]:
         text = page.read_text(encoding="utf-8")
-        lists = re.findall(r"\(((?:`[a-z_0-9/]+`(?:,\s+|(?=\))))+)\)", text)
-        lists += re.findall(r"`[a-z_]+/[a-z_0-9/]+`", text)
-        for words in lists:
+        in_brackets = r"\(((?:`[a-z_0-9/]+`(?:,\s+|(?=\))))+)\)"
+        alone = re.findall(r"`[a-z_]+/[a-z_0-9/]+`", re.sub(in_brackets, "", text))
+        for words in re.findall(in_brackets, text) + alone:
             room = None
             for name in re.findall(r"`([^`]+)`", words):
                 path = pathlib.Path(name)

@@ -86,10 +86,10 @@ namespace fuga
         if (element.has_second_tangential_bar())
           sliding = std::max(sliding, std::abs(jumps[element.second_tangential_bar]));
       }
-    const double parting = std::max(opening, closing);
-    if (parting <= no_jump * sliding)
+    const double normal = std::max(opening, closing);
+    if (normal <= no_jump * sliding)
       return MechanismKind::sliding;
-    if (sliding > no_jump * parting)
+    if (sliding > no_jump * normal)
       return MechanismKind::mixed;
     return opening <= no_jump * closing ? MechanismKind::closing : MechanismKind::overturning;
   }

@@ -127,35 +127,25 @@ namespace fuga
   Vector
   WorkingScheme::free_motion_along(const Drive &drive) const
   {
-    constexpr double small = 1e-8, same_motion = 1e-3;
-    const std::size_t n = rows.size();
-    DenseMatrix M       = active_matrix();
-    Vector x            = drives_of_rows(drive), added(n);
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const double scale = system.scale(rows[i].bar);
-        added[i]           = small * scale * scale;
-        M(i, i) += added[i];
-        x[i] = forces_in(rows[i], drive.reactions.data()) - x[i];
-      }
-    const LuFactors factors(std::move(M));
+    constexpr double same_motion = 1e-3;
+    const LuFactors factors(matrix_with_addition(usual_addition));
     if (!(factors.reciprocal_condition() > 0.))
       return {};
-    Vector first;
-    for (int sweep = 0; sweep < 2; ++sweep)
-      {
-        for (std::size_t i = 0; i < n && sweep > 0; ++i)
-          x[i] *= added[i];
-        factors.solve(x);
-        const double largest = max_abs(x);
-        if (!(largest > 0.))
-          return {};
-        for (double &value : x)
-          value /= largest;
-        if (sweep == 0)
-          first = x;
-      }
-    return max_abs(along(first, -1., x)) <= same_motion ? x : Vector();
+    const auto motion_under = [&factors](Vector forces) {
+      factors.solve(forces);
+      const double largest = max_abs(forces);
+      for (double &value : forces)
+        value = largest > 0. ? value / largest : 0.;
+      return forces;
+    };
+    const Vector first = motion_under(unbalanced_forces(drives_of_rows(drive), drive.reactions));
+    Vector of_addition = first;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      of_addition[i] *= addition(rows[i], usual_addition);
+    Vector second = motion_under(std::move(of_addition));
+    if (max_abs(second) == 0. || max_abs(along(first, -1., second)) > same_motion)
+      return {};
+    return second;
   }
 
   JointRates

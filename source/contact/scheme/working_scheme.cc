@@ -27,8 +27,6 @@ namespace fuga
      * leave there: a larger answer is that of a matrix made of rounding. Forces of other bars,
      * where the structure is statically determinate, have no stiffness to be measured by. */
     constexpr double largest_answer = 1e13, rounding_of_drive = 1e-14;
-    /** Stiffness that lets free motions rest, in units of scale()². */
-    constexpr double usual_addition = 1e-8;
     /** Numbers of sweeps of refinement with the inverse of the matrix itself, and with that of a
      * nearby one, as long as each sweep halves the defect. */
     constexpr int max_sweeps       = 3;
@@ -173,11 +171,9 @@ namespace fuga
                         JointRates &result) const
   {
     std::vector<Number> active(rows.size(), 0.);
-    Vector defect(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      defect[i] = forces_in(rows[i], force_offset.data()) - rhs[i];
-    double worst = std::numeric_limits<double>::infinity();
-    double last  = worst;
+    Vector defect = unbalanced_forces(rhs, force_offset);
+    double worst  = std::numeric_limits<double>::infinity();
+    double last   = worst;
     for (int sweep = 0; sweep == 0 || (worst > good_defect * driving_force &&
                                        (stale ? sweep < max_stale_sweeps && worst < 0.5 * last
                                               : sweep < max_sweeps));
@@ -288,20 +284,14 @@ namespace fuga
                                const Vector &rhs,
                                const Vector &force_offset) const
   {
-    const std::size_t n = rows.size();
-    DenseMatrix M       = active_matrix();
-    Vector defect(n);
+    const std::size_t n  = rows.size();
+    Vector defect        = unbalanced_forces(rhs, force_offset);
     double driving_force = 0.;
     for (std::size_t i = 0; i < force_offset.size(); ++i)
       driving_force = std::max(driving_force, std::abs(force_offset[i]) / system.scale(i));
     for (std::size_t i = 0; i < n; ++i)
-      {
-        const double scale = system.scale(rows[i].bar);
-        M(i, i) += added_stiffness * scale * scale;
-        defect[i]     = forces_in(rows[i], force_offset.data()) - rhs[i];
-        driving_force = std::max(driving_force, std::abs(rhs[i]) / scale);
-      }
-    const LuFactors factors(std::move(M));
+      driving_force = std::max(driving_force, std::abs(rhs[i]) / system.scale(rows[i].bar));
+    const LuFactors factors(matrix_with_addition(added_stiffness));
     if (!(factors.reciprocal_condition() > 0.))
       return {};
     std::vector<long double> active(n, 0.L);

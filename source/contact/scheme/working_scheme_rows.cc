@@ -263,6 +263,31 @@ namespace fuga
   }
 
   Vector
+  WorkingScheme::unbalanced_forces(const Vector &rhs, const Vector &force_offset) const
+  {
+    Vector result(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result[i] = forces_in(rows[i], force_offset.data()) - rhs[i];
+    return result;
+  }
+
+  double
+  WorkingScheme::addition(const SchemeRow &row, const double added_stiffness) const
+  {
+    const double scale = system.scale(row.bar);
+    return added_stiffness * scale * scale;
+  }
+
+  DenseMatrix
+  WorkingScheme::matrix_with_addition(const double added_stiffness) const
+  {
+    DenseMatrix M = active_matrix();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      M(i, i) += addition(rows[i], added_stiffness);
+    return M;
+  }
+
+  Vector
   WorkingScheme::residual(const JointState &at)
   {
     bring_up_to_date();

@@ -54,11 +54,11 @@ namespace fuga
         JointMotion motion;
         if (std::max(opening, sliding) <= smallest_share * largest)
           return motion;
-        const bool parts = opening > smallest_share * sliding;
-        motion.closes    = parts && largest_normal <= smallest_share * opening;
-        motion.opens     = parts && !motion.closes;
-        motion.slides    = sliding > smallest_share * opening;
-        motion.turns     = parts && largest_normal - smallest_normal > smallest_share * opening;
+        const bool is_normal = opening > smallest_share * sliding;
+        motion.closes        = is_normal && largest_normal <= smallest_share * opening;
+        motion.opens         = is_normal && !motion.closes;
+        motion.slides        = sliding > smallest_share * opening;
+        motion.turns = is_normal && largest_normal - smallest_normal > smallest_share * opening;
         if (motion.turns && is_known && !in_space)
           motion.centre = centre();
         return motion;
@@ -116,10 +116,10 @@ namespace fuga
     for (std::size_t j = 0; j < motions.size(); ++j)
       {
         const JointMotion &motion = motions[j];
-        const bool parts          = motion.opens || motion.closes;
-        if (motion.slides && !parts)
+        const bool is_normal      = motion.opens || motion.closes;
+        if (motion.slides && !is_normal)
           sliding += fmt::format("{}'{}'", sliding.empty() ? "slides on " : ", ", joint_names[j]);
-        else if (parts)
+        else if (is_normal)
           {
             rest += fmt::format("{}'{}' {}{}",
                                 rest.empty() ? "" : "; ",

@@ -225,6 +225,8 @@ namespace fuga
 
   private:
     static constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+    /** Stiffness that lets free motions rest, in units of scale()². */
+    static constexpr double usual_addition = 1e-8;
 
     std::vector<SchemeRow>
     wanted_rows() const;
@@ -249,6 +251,14 @@ namespace fuga
     forces_in(const SchemeRow &row, const double *forces) const;
     DenseMatrix
     active_matrix() const;
+    /** Return the forces in the rows, less @p rhs, while nothing answers. */
+    Vector
+    unbalanced_forces(const Vector &rhs, const Vector &force_offset) const;
+    /** Return @p added_stiffness, in units of scale()², for a row [MN/m]. */
+    double
+    addition(const SchemeRow &row, const double added_stiffness) const;
+    DenseMatrix
+    matrix_with_addition(const double added_stiffness) const;
     /** The rates with a stiffness added, those with it removed again, and the share of the drive
      * that is then left unresisted. */
     struct MotionBeside
