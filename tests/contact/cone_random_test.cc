@@ -133,7 +133,8 @@ namespace fuga::tests
 
   // Elastic bodies and rigid plates, soft, stiff and rigid layers, friction up to 1.2, gaps,
   // elements without friction, six random load cases one after the other: every path ends with the
-  // history or at a limit load, and satisfies the judge at every event.
+  // history, at a limit load or where a plate falls on an open element, and satisfies the judge at
+  // every event.
   TEST(ConeRandom, ManyPathsEndProperly)
   {
     std::size_t n_limits = 0;
@@ -174,8 +175,9 @@ namespace fuga::tests
           }
         const LoadHistory history(corners, factors);
         const ConeRun run(system, joint.elements, history, {1., 1.5, 3.3, 6.});
-        EXPECT_TRUE(run.result.verdict == Verdict::done ||
-                    (is_plate && run.result.verdict == Verdict::limit_load))
+        EXPECT_TRUE(
+          run.result.verdict == Verdict::done ||
+          (is_plate && (run.result.verdict == Verdict::limit_load || run.result.jump.found)))
           << "seed " << seed;
         // The default bound of a run.
         EXPECT_LT(run.record.worst.worst(), 1e-9) << "seed " << seed;

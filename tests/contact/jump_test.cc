@@ -136,6 +136,47 @@ namespace fuga::tests
       }
   }
 
+  // A block that hangs above its base is held by nothing, and falls under the first millionth of
+  // its load. It rests where it meets the base: the layer closes by no more than the load times its
+  // compliance, and what is given off is the work of the load.
+  TEST(Jump, BodyFallsOntoItsBase)
+  {
+    const std::size_t n  = 4;
+    constexpr double gap = 0.3, load = 1e-6;
+    ToyJoint joint = rigid_block_joint(n, 1., make_linear_law(1.), make_linear_law(1.), {0.4, 0.});
+    for (ContactElement &element : joint.elements)
+      element.initial_gap = gap;
+    const ToySystem block = rigid_block(n, 1.);
+    const LiftedProblem lifted(block, joint.elements);
+    const LoadHistory history({0., 1., 2.}, {{0., 0., 0.}, {0., -1., 0.}, {0.2, -1., 0.}});
+    const auto falls = [&](const ContactSystem &system,
+                           const std::vector<ContactElement> &elements) {
+      Record stopped(system, elements, history), record(system, elements, history);
+      const PathResult end = run(system, elements, history, false, stopped);
+      EXPECT_EQ(end.verdict, Verdict::no_continuation);
+      EXPECT_EQ(end.mechanism, MechanismKind::closing);
+      EXPECT_EQ(end.t, 0.);
+      EXPECT_TRUE(end.jump.shows_instability());
+      const PathResult result = run(system, elements, history, true, record);
+      EXPECT_EQ(result.verdict, Verdict::done);
+      EXPECT_EQ(result.n_followed_jumps, 1u);
+      for (const Jump &jump : {end.jump, result.jump})
+        {
+          EXPECT_NEAR(jump.size, gap, 10. * load);
+          EXPECT_NEAR(jump.released, load * gap, 10. * load * load);
+          EXPECT_NEAR(jump.dissipated, 0., 10. * load * load);
+        }
+      EXPECT_LT(record.worst.worst(), 1e-12);
+      ASSERT_EQ(record.levels.size(), 2u);
+      double pressed = 0.;
+      for (const ContactElement &element : elements)
+        pressed += record.levels.back().forces[element.normal_bar];
+      EXPECT_NEAR(pressed, -1., 1e-12);
+    };
+    falls(block, joint.elements);
+    falls(lifted.system, lifted.elements);
+  }
+
   // A block that slides away rests nowhere.
   TEST(Jump, LimitLoadIsNone)
   {

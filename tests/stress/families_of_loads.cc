@@ -29,7 +29,9 @@ namespace fuga::stress::families
                           {"displacement", "block_top", fmt::format("{}; 0", random.uniform(0., 2.) * size)},
                           {"traction", "block_left", fmt::format("{}; 0", draw_pressure(random, model))}};
       }
-    return with_stages(random, std::move(model), random.integer(2, 4));
+    model               = with_stages(random, std::move(model), random.integer(2, 4));
+    model.follows_jumps = random.chance(0.5);
+    return model;
   }
 
   GridModel

@@ -175,10 +175,11 @@ namespace fuga::stress
           text += fmt::format("set {} = {}\n", entry, value);
         text += "end\n";
       }
-    return text + fmt::format("subsection Solver\nset Certificate bound = {}\n{}end\n"
+    return text + fmt::format("subsection Solver\nset Certificate bound = {}\n{}{}end\n"
                               "subsection Output\nset Fields = end\nset Log = quiet\nend\n",
                               certificate_bound,
-                              dimension() == 2 ? "set Non-unique = first\n" : "");
+                              dimension() == 2 ? "set Non-unique = first\n" : "",
+                              follows_jumps ? "set No continuation = jump\n" : "");
   }
 
   void

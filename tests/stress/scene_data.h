@@ -110,6 +110,8 @@ namespace fuga::stress
     std::map<std::string, std::string> initial_velocities;
     /** Entries of the section Dynamics. */
     std::vector<std::pair<std::string, std::string>> dynamics;
+    /** True if the path goes on after jumps. */
+    bool follows_jumps = false;
 
     bool
     is_in_motion() const

@@ -115,7 +115,7 @@ namespace fuga::stress
       {"soft", "joints softer than the bodies by up to 1e10, near collapse", families::soft},
       {"contrast", "moduli of ratio 1e-6 to 1e6, Poisson's ratio 0.4999", families::contrast},
       {"rigid bodies", "rigid bodies on rigid joints", families::rigid_bodies},
-      {"gap", "initial gaps that close", families::gap},
+      {"gap", "initial gaps that close, and falls through them", families::gap},
       {"settlement", "prescribed displacements", families::settlement},
       {"stages", "60 to 200 small stages", families::stages},
       {"many elements", "100 to 300 contact elements", families::many_elements},

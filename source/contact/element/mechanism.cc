@@ -73,6 +73,18 @@ namespace fuga
     return jumps;
   }
 
+  bool
+  closes_lips(const Vector &jumps,
+              const std::vector<ContactElement> &elements,
+              const JointState &state)
+  {
+    constexpr double closing = 1e-3; // of the largest jump
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (state.states[k] == ContactState::open && jumps[elements[k].normal_bar] < -closing)
+        return true;
+    return false;
+  }
+
   MechanismKind
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements)
   {

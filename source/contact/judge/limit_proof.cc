@@ -77,6 +77,10 @@ namespace fuga
     if (is_limit && of_path.proves())
       return {of_path, {}};
 
+    // What comes to rest again, after a jump, is no limit load.
+    if (!is_limit && result.mechanism != MechanismKind::none && result.jump.shows_instability())
+      return {};
+
     const std::optional<Vector> motion = judge.mechanism(state);
     const MechanismCertificate of_judge =
       motion ? judge.judge_mechanism(state, *motion) : MechanismCertificate();

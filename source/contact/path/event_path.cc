@@ -137,8 +137,6 @@ namespace fuga
       {
         result.verdict = Verdict::no_continuation;
         find_critical_elements(state, result);
-        if (jump_to_equilibrium(state, levels, observer, result))
-          return true;
       }
     else if (segment->ends_at_limit())
       take_limit(state, segment->motion_at_limit(), result);
@@ -146,8 +144,7 @@ namespace fuga
       return true;
     // Share of a stage by which the path ends before the limit where directions of slip turn.
     constexpr double near_limit = 2e-6;
-    go_beyond_limit(state, near_limit, observer, result);
-    return false;
+    return jump_or_go_beyond(state, near_limit, levels, observer, result);
   }
 
   bool
@@ -164,12 +161,7 @@ namespace fuga
         return true;
       }
     lose_equilibrium(state, continuation, observer, result);
-    if (result.verdict == Verdict::no_continuation &&
-        jump_to_equilibrium(state, levels, observer, result))
-      return true;
-    if (result.verdict != Verdict::non_unique_continuation)
-      go_beyond_limit(state, 0., observer, result);
-    return false;
+    return jump_or_go_beyond(state, 0., levels, observer, result);
   }
 
   // A step of zero length may end at a boundary that it does not reach: where all forces and jumps

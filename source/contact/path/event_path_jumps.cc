@@ -97,7 +97,7 @@ namespace fuga
     if (!options.follow_jumps)
       {
         constexpr double nearer = 0.01;
-        if (!result.tried.empty())
+        if (!result.tried.empty() || result.mechanism != MechanismKind::none)
           if (const auto same = equilibrium_ahead(state, nearer * end->jump.length, levels))
             result.jump.size_nearer = same->jump.size;
         return false;
@@ -105,6 +105,26 @@ namespace fuga
     jump_to(end->state, state, observer, result);
     reach_levels(levels, state, observer);
     return true;
+  }
+
+  // A motion without bound is a limit load. One that closes lips may come to rest on them.
+  bool
+  EventPath::jump_or_go_beyond(JointState &state,
+                               const double ahead,
+                               const std::vector<double> &levels,
+                               PathObserver &observer,
+                               PathResult &result)
+  {
+    if (result.verdict == Verdict::non_unique_continuation)
+      return false;
+    if ((result.verdict == Verdict::no_continuation ||
+         closes_lips(result.mechanism_jumps, elements, state)) &&
+        jump_to_equilibrium(state, levels, observer, result))
+      return true;
+    if (result.jump.found)
+      result.verdict = Verdict::no_continuation;
+    go_beyond_limit(state, ahead, observer, result);
+    return false;
   }
 
   // The path ends where it fails again and again.
@@ -133,9 +153,11 @@ namespace fuga
     for (std::size_t k = 0; k < elements.size(); ++k)
       if (state.states[k] != end.states[k])
         events.push_back({end.t, k, state.states[k], end.states[k]});
-    state           = end;
-    result.verdict  = Verdict::done;
-    result.critical = {};
+    state            = end;
+    result.verdict   = Verdict::done;
+    result.critical  = {};
+    result.mechanism = MechanismKind::none;
+    result.mechanism_jumps.clear();
     result.tried.clear();
     result.barrier = {};
     result.t       = state.t;

@@ -82,7 +82,32 @@ namespace fuga
       if (!find_equilibrium(tau, state))
         return {};
     while (lose_strength(state));
+    correct_forces(state);
     return finished(std::move(state));
+  }
+
+  // Forces that are computed from jumps lack digits where these are large beside deformations, as
+  // after a fall. A correction gives its forces as well.
+  void
+  ImplicitStep::correct_forces(JointState &state) const
+  {
+    constexpr double rounding     = 1e-15;
+    constexpr int max_corrections = 3;
+    double before                 = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < max_corrections; ++i)
+      {
+        const Vector residual = context.scheme.residual(state);
+        const double worst    = max_abs(residual);
+        if (worst <= rounding * max_abs(state.forces) || worst > 0.5 * before)
+          return;
+        before = worst;
+        context.scheme.linearise(finished(state));
+        const std::optional<JointRates> change = context.scheme.correction(residual);
+        if (!change)
+          return;
+        state.dislocations = along(std::move(state.dislocations), 1., change->dislocations);
+        state.forces       = along(std::move(state.forces), 1., change->forces);
+      }
   }
 
   // In Newton's method every solution gives new demands. It has ended when they do not change, and

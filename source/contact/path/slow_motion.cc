@@ -8,24 +8,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace fuga
 {
   namespace
   {
-    /** Initial and largest resistance, in units of the largest stiffness of the bodies, and the
-     * factors by which it falls and rises. */
+    /** Initial and largest resistance, in units of the largest stiffness of the bodies, or, if
+     * these are rigid, of the joints, and the factors by which it falls and rises. */
     constexpr double first_resistance = 10., largest_resistance = 1e6;
     constexpr double fall = 0.5, rise = 4.;
     constexpr int max_motions = 300;
     /** Share of the largest force below which the resistance is zero and the motion rests. */
     constexpr double at_rest = 1e-10;
-    /** Size of a motion without bound, in units of the largest deformation before it. */
+    /** Size of a motion without bound, in units of the largest deformation, or distance of lips,
+     * before it. */
     constexpr double far = 1e3;
     /** Share of the force within which a motion has met the same force, and the number of steps for
      * which it may do so: then something slides, and there is no equilibrium near by either. */
     constexpr double same_force = 1e-5;
     constexpr int max_steady    = 20;
+    /** Number of such steps after which lips that come closer are brought together at once, and the
+     * part of the way that this leads along. */
+    constexpr int least_steady   = 3;
+    constexpr double just_before = 1. - 1e-6;
 
     /** The bodies with a viscous resistance between their faces against all jumps, beginning at δ0:
      * (S + κ BᵀB) x + Bᵀp = F a + κ Bᵀδ0. */
@@ -145,20 +152,69 @@ namespace fuga
       return energy;
     }
 
-    /** Return the energy that bodies, layers and loads release from one equilibrium to another at
-     * the same load: along dislocations the potential changes by -p·dd, and p is linear in d. */
+    /** Return the energy that bodies, layers and loads release from one equilibrium to another, at
+     * the load of the latter: along dislocations the potential changes by -p·dd, and p is linear in
+     * d. */
     double
     released_energy(const std::vector<ContactElement> &elements,
                     const LayeredSystem &system,
+                    const Vector &factors,
                     const JointState &from,
                     const JointState &to)
     {
       double released =
         energy_beyond_linear(elements, system, from) - energy_beyond_linear(elements, system, to);
-      for (std::size_t i = 0; i < from.forces.size(); ++i)
-        released +=
-          0.5 * (from.forces[i] + to.forces[i]) * (to.dislocations[i] - from.dislocations[i]);
+      const Vector before = system.forces(factors, from.dislocations, from.water);
+      for (std::size_t i = 0; i < before.size(); ++i)
+        released += 0.5 * (before[i] + to.forces[i]) * (to.dislocations[i] - from.dislocations[i]);
       return released;
+    }
+
+    /** Return how many steps such as that from @p before to @p after, the largest jump of which is
+     * @p moved, bring open lips together; zero if none come closer, or if lips rise, which has its
+     * own end. */
+    double
+    steps_to_contact(const std::vector<ContactElement> &elements,
+                     const JointState &before,
+                     const JointState &after,
+                     const double moved)
+    {
+      constexpr double part = 1e-3; // of the motion, which is no rounding
+      double n_steps        = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        {
+          if (after.dilations[k] != before.dilations[k])
+            return 0.;
+          if (after.states[k] != ContactState::open || before.states[k] != ContactState::open)
+            continue;
+          const double gap      = lip_opening(elements[k], after, k);
+          const double approach = lip_opening(elements[k], before, k) - gap;
+          if (approach > part * moved)
+            n_steps = std::min(n_steps, gap / approach);
+        }
+      return std::isfinite(n_steps) ? n_steps : 0.;
+    }
+
+    /** Repeat the step from @p before to @p after @p n_steps times, as a motion does that nothing
+     * but the constant resistance stops. */
+    void
+    repeat_step(const JointState &before, const double n_steps, JointState &after)
+    {
+      for (std::size_t i = 0; i < after.dislocations.size(); ++i)
+        after.dislocations[i] += n_steps * (after.dislocations[i] - before.dislocations[i]);
+      for (std::size_t k = 0; k < after.slips.size(); ++k)
+        after.slips[k] = sum(after.slips[k], n_steps, sum(after.slips[k], -1., before.slips[k]));
+    }
+
+    /** Return the widest distance of open lips [m]. */
+    double
+    widest_opening(const std::vector<ContactElement> &elements, const JointState &state)
+    {
+      double widest = 0.;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        if (state.states[k] == ContactState::open)
+          widest = std::max(widest, lip_opening(elements[k], state, k));
+      return widest;
     }
 
     double
@@ -200,11 +256,13 @@ namespace fuga
     reduce_strengths(elements, course, course.length, state.strengths);
     const Vector factors = course.factors_at(course.length);
 
-    const double stiffness    = largest_diagonal(bodies.stiffness());
+    const double of_bodies    = largest_diagonal(bodies.stiffness());
+    const double stiffness    = of_bodies > 0. ? of_bodies : system.largest_stiffness();
     const Vector jumps_before = jumps_of_bodies(system, course.factors, from);
     // The displacements of bodies before a time step are contained in its imposed jumps.
-    const double reach  = far * std::max(max_abs(system.jumps(from.dislocations, from.forces)),
-                                        max_abs(from.forces) / stiffness);
+    const double reach  = far * std::max({max_abs(system.jumps(from.dislocations, from.forces)),
+                                          max_abs(from.forces) / stiffness,
+                                          widest_opening(elements, from)});
     double resistance   = first_resistance * stiffness;
     Vector jumps        = jumps_before;
     double force_before = 0.;
@@ -221,16 +279,26 @@ namespace fuga
             resistance *= rise;
             continue;
           }
-        end.jump.dissipated += friction_work(elements, state, *next);
-        state                    = std::move(*next);
+        const JointState before  = std::exchange(state, std::move(*next));
         const Vector jumps_after = jumps_of_bodies(system, factors, state);
         const double moved       = largest_difference(jumps_after, jumps);
-        jumps                    = jumps_after;
-        if (largest_difference(jumps, jumps_before) > reach)
-          return {};
-        const double force = resistance * moved;
+        const double friction    = friction_work(elements, before, state);
+        const double force       = resistance * moved;
+        end.jump.dissipated += friction;
         n_steady     = std::abs(force - force_before) <= same_force * force ? n_steady + 1 : 0;
         force_before = force;
+        jumps        = jumps_after;
+        if (n_steady >= least_steady)
+          if (const double n_steps = just_before * steps_to_contact(elements, before, state, moved);
+              n_steps > 1.)
+            {
+              repeat_step(before, n_steps, state);
+              end.jump.dissipated += n_steps * friction;
+              jumps    = jumps_of_bodies(system, factors, state);
+              n_steady = 0;
+            }
+        if (largest_difference(jumps, jumps_before) > reach)
+          return {};
         if (force <= at_rest * max_abs(state.forces))
           if (std::optional<JointState> equilibrium = step(elements, system, factors, state))
             {
@@ -241,7 +309,7 @@ namespace fuga
               end.jump.length = course.t_end - from.t;
               end.jump.size =
                 largest_difference(jumps_of_bodies(system, factors, state), jumps_before);
-              end.jump.released = released_energy(elements, system, from, state);
+              end.jump.released = released_energy(elements, system, factors, from, state);
               return end;
             }
         resistance *= fall;

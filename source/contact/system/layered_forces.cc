@@ -38,12 +38,13 @@ namespace fuga
   }
 
   // Where joints cross, dislocations that the bodies cannot follow press against the small
-  // compliance there: forces are small differences of W d.
+  // compliance there: forces are small differences of W d. So they are where a body has moved far,
+  // as in a fall, and deforms little.
   bool
   LayeredSystem::refines_forces(const Vector &dislocations, const Vector &forces) const
   {
-    constexpr double small_difference = 1e-3;
-    return delicate || (saddle_factors &&
+    const double small_difference = saddle_factors ? 1e-3 : 1e-5;
+    return delicate || (rigid_motions &&
                         size_of(forces, scales) < small_difference * scaled_size(dislocations));
   }
 

@@ -58,7 +58,8 @@ namespace fuga
     const double smallest = largest > 0. ? 1e-14 * largest : 1.;
     for (std::size_t i = 0; i < compliances.size(); ++i)
       scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
-    if (delicate || saddle_factors)
+    const bool may_fall = system.jump_operator().is_identity() && !system.rigid_motions().empty();
+    if (delicate || saddle_factors || may_fall)
       rigid_motions.emplace(system);
     add_imposed_jumps(system);
     if (!delicate || !saddle_factors)

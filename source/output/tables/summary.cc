@@ -116,6 +116,9 @@ namespace fuga
                         {"size_with_hundredth_of_load", path.jump.size_nearer},
                         {"followed", path.n_followed_jumps},
                         {"over_failures", path.n_failures}};
+      if (path.jump.found && path.mechanism != MechanismKind::none)
+        json["jump"].update(
+          {{"mechanism", mechanism_name(path.mechanism)}, {"motion", summary.motion}});
       json["zero_length_steps"] = path.n_zero_steps;
       json["schemes_tried"]     = path.n_schemes;
       json["decided_by"]        = {{"block switching", path.n_decided_by[0]},

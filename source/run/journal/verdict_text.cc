@@ -67,10 +67,13 @@ namespace fuga
   std::string
   reason_text(const PhaseRun<dim> &phase, const PathResult &result)
   {
+    const std::string reason =
+      result.mechanism != MechanismKind::none
+        ? "mechanism: " + mechanism_name(result.mechanism)
+        : "although nothing moves freely, " + critical_friction_text(phase, result);
     return result.verdict == Verdict::limit_load
-             ? "mechanism: " + mechanism_name(result.mechanism)
-             : "although nothing moves freely, " + critical_friction_text(phase, result) +
-                 jump_text(result.jump, phase.parameters.output.units);
+             ? reason
+             : reason + jump_text(result.jump, phase.parameters.output.units);
   }
 
   std::string

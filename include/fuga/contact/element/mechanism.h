@@ -47,6 +47,12 @@ namespace fuga
   Vector
   mechanism_jumps(const JointRates &motion, const LayeredSystem &system);
 
+  /** Return whether a motion with these jumps closes open lips, so that it may come to rest. */
+  bool
+  closes_lips(const Vector &jumps,
+              const std::vector<ContactElement> &elements,
+              const JointState &state);
+
   MechanismKind
   classify_mechanism(const Vector &jumps, const std::vector<ContactElement> &elements);
 

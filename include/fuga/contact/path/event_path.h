@@ -136,6 +136,15 @@ namespace fuga
                         const std::vector<double> &levels,
                         PathObserver &observer,
                         PathResult &result);
+    /** End the path where equilibrium is lost: jump to another one or go beyond the limit, both on
+     * request. Return whether the path goes on after a jump. @p ahead is the amount by which the
+     * load may still grow. */
+    bool
+    jump_or_go_beyond(JointState &state,
+                      const double ahead,
+                      const std::vector<double> &levels,
+                      PathObserver &observer,
+                      PathResult &result);
     /** Return whether the direction of a slip turns. @p size is the size of the force rates that
      * others are compared with, if it is larger than they. */
     bool

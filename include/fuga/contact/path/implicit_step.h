@@ -52,6 +52,8 @@ namespace fuga
     solve(const JointState &from, const double tau, const JointState &guess);
     bool
     find_equilibrium(const double tau, JointState &state);
+    void
+    correct_forces(JointState &state) const;
     /** Let lips that have begun to slip, unlike in @p before, slide until nothing shears them. */
     void
     unload_slips(const std::vector<ContactState> &before, JointState &state) const;

@@ -79,6 +79,9 @@ def _verdict_words(summary):
         for motion in summary.get("continuations", [])[-1:]:
             sentences.append(f"After {rounded(motion['seconds'], 3)} s the bodies still move, with "
                              f"{rounded(motion['largest_velocity_at_end'], 3)} units of length per second.")
+    elif "mechanism" in (jump := summary["events"].get("jump", {})):
+        sentences.append(f"There {jump['motion']}, which nothing resists (mechanism {jump['mechanism']}); it comes to "
+                         f"rest after a jump of {rounded(jump['size'], 3)} units of length.")
     else:
         sentences.append("Nothing moves freely there, yet no quasi-static continuation exists: friction is beyond its "
                          "critical value.")
