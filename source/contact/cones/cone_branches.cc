@@ -75,11 +75,12 @@ namespace fuga
            (has_free_directions() ? most_with_directions : most_combinations);
   }
 
+  // On its cone an element slips along its force, whatever state was tried before.
   void
   ConeRateProblem::take(const Choice &choice, Candidate &candidate)
   {
     candidate.state     = choice.state;
-    candidate.direction = choice.direction;
+    candidate.direction = candidate.at_apex ? choice.direction : candidate.shear_direction;
     candidate.slip = candidate.strength = 0.;
   }
 

@@ -200,9 +200,12 @@ namespace fuga
     resticking = segment.resticking();
     result.t   = state.t;
     ++result.n_steps;
-    // Share of the load time below which a step is no progress.
-    constexpr double shortest_step = 1e-13;
-    if (length > shortest_step * std::max(1., course.t))
+    // Share of the load time below which a step is no progress, and share of a release for one that
+    // leaves the scheme as it is.
+    constexpr double shortest_step = 1e-13, shortest_release = 1e-6;
+    const bool is_repeated = course.kind == Course::Kind::release && state.states == last_states;
+    last_states            = state.states;
+    if (length > (is_repeated ? shortest_release : shortest_step * std::max(1., course.t)))
       standstill.forget();
     else
       note_zero_step(state, result);

@@ -191,6 +191,8 @@ namespace fuga
     const LayeredSystem &system;
     const LoadHistory &history;
     Standstill standstill;
+    /** The states in the segment before. */
+    std::vector<ContactState> last_states;
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
