@@ -80,8 +80,9 @@ def _verdict_words(summary):
             sentences.append(f"After {rounded(motion['seconds'], 3)} s the bodies still move, with "
                              f"{rounded(motion['largest_velocity_at_end'], 3)} units of length per second.")
     elif "mechanism" in (jump := summary["events"].get("jump", {})):
-        sentences.append(f"There {jump['motion']}, which nothing resists (mechanism {jump['mechanism']}); it comes to "
-                         f"rest after a jump of {rounded(jump['size'], 3)} units of length.")
+        sentences.append(f"There {jump['motion']}, and nothing resists it (mechanism {jump['mechanism']}) before it comes "
+                         f"to rest after a jump of {rounded(jump['size'], 3)} units of length. "
+                         "Solver/No continuation = jump goes on from there.")
     else:
         sentences.append("Nothing moves freely there, yet no quasi-static continuation exists: friction is beyond its "
                          "critical value.")
