@@ -117,12 +117,14 @@ namespace fuga
   {
     if (result.verdict == Verdict::non_unique_continuation)
       return false;
-    if ((result.verdict == Verdict::no_continuation ||
-         closes_lips(result.mechanism_jumps, elements, state)) &&
-        jump_to_equilibrium(state, levels, observer, result))
-      return true;
-    if (result.jump.found)
-      result.verdict = Verdict::no_continuation;
+    if (result.verdict == Verdict::no_continuation ||
+        closes_lips(result.mechanism_jumps, elements, state))
+      {
+        if (jump_to_equilibrium(state, levels, observer, result))
+          return true;
+        if (result.jump.found)
+          result.verdict = Verdict::no_continuation;
+      }
     go_beyond_limit(state, ahead, observer, result);
     return false;
   }

@@ -116,7 +116,8 @@ namespace fuga
                         {"size_with_hundredth_of_load", path.jump.size_nearer},
                         {"followed", path.n_followed_jumps},
                         {"over_failures", path.n_failures}};
-      if (path.jump.found && path.mechanism != MechanismKind::none)
+      if (path.jump.found && path.verdict == Verdict::no_continuation &&
+          path.mechanism != MechanismKind::none)
         json["jump"].update(
           {{"mechanism", mechanism_name(path.mechanism)}, {"motion", summary.motion}});
       json["zero_length_steps"] = path.n_zero_steps;
