@@ -159,8 +159,9 @@ namespace fuga::stress
           case RateAnswer::undecided:
             break;
         }
+      // A body that falls moves freely as well, until it comes to rest.
       const bool mechanism =
-        result.verdict == Verdict::limit_load && examiner.is_mechanism(end, result.mechanism_jumps);
+        !result.mechanism_jumps.empty() && examiner.is_mechanism(end, result.mechanism_jumps);
       // A complete enumeration needs no further witness; nor does a mechanism: a finite step may
       // find a place for a body that nothing holds and nothing drives.
       const bool asks_steps =

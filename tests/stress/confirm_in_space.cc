@@ -208,7 +208,7 @@ namespace fuga::stress
       };
       if (!examiner.can_solve(end))
         confirmation.by = "certificate"; // laws or strengths that ConeNewton does not know
-      else if (result.verdict == Verdict::limit_load &&
+      else if (!result.mechanism_jumps.empty() &&
                examiner.is_mechanism(end, result.mechanism_jumps))
         confirmation.by = "mechanism";
       else if (result.verdict == Verdict::non_unique_continuation)
