@@ -9,29 +9,6 @@
 
 namespace fuga
 {
-  namespace
-  {
-    /** Return -ln(1-q) without its first terms, i.e. Σ q^k/k beginning with k = @p first. The
-     * closed form cancels for small q, the series does not. */
-    double
-    rest_of_logarithm(const double q, const int first)
-    {
-      const double series_limit = 0.3;
-      if (q > series_limit)
-        {
-          double sum = 0.;
-          for (int k = first - 1; k > 0; --k)
-            sum = q * (1. / k + sum);
-          return -std::log1p(-q) - sum;
-        }
-      double sum   = 0.;
-      double power = std::pow(q, first);
-      for (int k = first; power > 1e-18 * sum && k < 100; ++k, power *= q)
-        sum += power / k;
-      return sum;
-    }
-  } // namespace
-
   LawNine::LawNine(const double rho, const double zeta) : compliance(rho), thickness(zeta)
   {
   }

@@ -26,21 +26,11 @@ namespace fuga
     return 1. / (compliance * rest * rest);
   }
 
-  // With u = w/V_m the energy is (V_m²/ρ0) (-ln(1 - u) - u). For small u the difference cancels;
-  // its series Σ u^k/k, which begins with k = 2, does not.
+  // With u = w/V_m, ∫σ dw is (V_m²/ρ0)(-ln(1 - u) - u).
   double
   HyperbolicLaw::energy(const double w) const
   {
-    const double u            = w / limit;
-    const double scale        = limit * limit / compliance;
-    const double series_limit = 0.3;
-    if (u > series_limit)
-      return scale * (-std::log1p(-u) - u);
-    double sum   = 0.;
-    double power = u * u;
-    for (int k = 2; power > 1e-18 * sum && k < 100; ++k, power *= u)
-      sum += power / k;
-    return scale * sum;
+    return limit * limit / compliance * rest_of_logarithm(w / limit, 2);
   }
 
   double

@@ -61,4 +61,24 @@ namespace fuga
       }
     return w;
   }
+
+  // The closed form cancels: at q = 0.3 the terms that begin with q⁶ are 5e-4 of the logarithm.
+  // Extended precision has these digits to spare; for smaller q the series needs few terms.
+  double
+  NonlinearLaw::rest_of_logarithm(const double q, const int first)
+  {
+    constexpr double series_limit = 0.3;
+    if (q > series_limit)
+      {
+        long double sum = 0.L;
+        for (int k = first - 1; k > 0; --k)
+          sum = q * (1.L / k + sum);
+        return static_cast<double>(-std::log1p(-static_cast<long double>(q)) - sum);
+      }
+    double sum   = 0.;
+    double power = std::pow(q, first);
+    for (int k = first; power > 1e-18 * sum && k < 100; ++k, power *= q)
+      sum += power / k;
+    return sum;
+  }
 } // namespace fuga

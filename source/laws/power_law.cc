@@ -68,9 +68,8 @@ namespace fuga
   {
     if (w < foot.length)
       return foot.energy(w);
-    const double growth = (exponent + 1.) * std::log(w / foot.length);
-    return foot.energy(foot.length) +
-           foot.end_stress * foot.length / (exponent + 1.) * std::expm1(growth);
+    return foot.energy(foot.length) + foot.end_stress * foot.length / (exponent + 1.) *
+                                        (std::pow(w / foot.length, exponent + 1.) - 1.);
   }
 
   double

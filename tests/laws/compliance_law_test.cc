@@ -67,8 +67,8 @@ TEST(CubicRootLaw, StressSecantAndTangent)
 }
 
 // V11: the stored energy of law (9), closed form, where it does not cancel (q ≥ 0.1: the formula
-// itself loses six digits at q = 0.1, hence 1e-8 there); for small closures its first two terms
-// (3ζ²/ρ)(q⁶/6 + q⁷/7 + q⁸/8 + ...) are summed instead, as a series.
+// itself loses six digits at q = 0.1, hence 1e-8 there), and its series (3ζ²/ρ)(q⁶/6 + q⁷/7 + ...)
+// to all digits but those that a rounding of q changes.
 TEST(CubicRootLaw, Energy)
 {
   const CubicRootLaw law(rho, zeta);
@@ -79,12 +79,12 @@ TEST(CubicRootLaw, Energy)
   };
   for (const Row &row : rows)
     EXPECT_NEAR(law.energy(closure(row.q)) / exact(row.q), 1., row.q < 0.3 ? 1e-8 : 1e-12);
-  for (const double q : {1e-4, 1e-3, 0.01, 0.1, 0.2, 0.5})
+  for (const double q : {1e-4, 1e-3, 0.01, 0.1, 0.2, 0.29, 0.31, 0.5})
     {
       double series = 0.;
       for (int k = 200; k >= 6; --k)
         series += std::pow(q, k) / k;
-      EXPECT_NEAR(law.energy(closure(q)) / (c * series), 1., 1e-12) << q;
+      EXPECT_NEAR(law.energy(closure(q)) / (c * series), 1., rounding) << q;
     }
   EXPECT_EQ(law.energy(0.), 0.);
 }
@@ -140,7 +140,9 @@ TEST(CubicRootTangentLaw, StressAndTangent)
 }
 
 // The series Σ q^k/k, k ≥ 3, where the closed form has no digits left, and that of its integral
-// over w = ζq³, 9 Σ q^(k+3)/(k (k+3)), at all closures; 1e-12 for the cancellation beyond q = 0.3.
+// over w = ζq³, 9 Σ q^(k+3)/(k (k+3)), at all closures. A rounding of q changes the energy by up
+// to 14 at q = 0.9. The path measures its steps by this energy: where it lost three digits beyond
+// q = 0.3, steps were shortened without end.
 TEST(CubicRootTangentLaw, StressAndEnergyBySeries)
 {
   const CubicRootTangentLaw law(rho, zeta);
@@ -152,8 +154,8 @@ TEST(CubicRootTangentLaw, StressAndEnergyBySeries)
           stress += 3. * std::pow(q, k) / k;
           energy += 9. * std::pow(q, k + 3) / (k * (k + 3.));
         }
-      EXPECT_NEAR(law.stress(closure(q)) * rho / zeta / stress, 1., 1e-12) << q;
-      EXPECT_NEAR(law.energy(closure(q)) * rho / (zeta * zeta) / energy, 1., 1e-12) << q;
+      EXPECT_NEAR(law.stress(closure(q)) * rho / zeta / stress, 1., rounding) << q;
+      EXPECT_NEAR(law.energy(closure(q)) * rho / (zeta * zeta) / energy, 1., rounding) << q;
     }
   EXPECT_EQ(law.stress(0.), 0.);
   EXPECT_EQ(law.energy(0.), 0.);

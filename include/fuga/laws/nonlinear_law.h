@@ -37,6 +37,11 @@ namespace fuga
      */
     double
     deformation_between(const double sigma, double lower, double upper) const;
+
+    /** Return -ln(1-q) without its first terms, i.e. Σ q^k/k beginning with k = @p first, to all
+     * digits. */
+    static double
+    rest_of_logarithm(const double q, const int first);
   };
 } // namespace fuga
 
