@@ -114,6 +114,18 @@ namespace fuga
                : result;
     }
 
+    /** Return whether all @p forces of an element count as zero. */
+    bool
+    carries_nothing(const ContactBoundary &boundary,
+                    const ContactElement &element,
+                    const Vector &forces)
+    {
+      for (std::size_t i = 0; i < element.n_bars(); ++i)
+        if (std::abs(forces[element.bar(i)]) > boundary.force_tolerance(element.bar(i)))
+          return false;
+      return true;
+    }
+
     /** Return whether the lips are apart while a nonlinear layer is still sheared by what a broken
      * bond has left. */
     bool
@@ -143,8 +155,8 @@ namespace fuga
   // layer that is soft at first would promise too much of it, so that it is bounded by what its law
   // stores under the force at the end. Near a limit load, where rates grow without bound, it is
   // also bounded by the known energies and the growth of the loads. In a motion the energies of the
-  // bodies are known as well. Jumps are known up to rounding errors of the largest one; no shorter
-  // step could fix the effect of these errors.
+  // bodies are known as well. Jumps are known up to rounding errors of the largest one, and forces
+  // that count as zero are nothing but such errors; no shorter step could fix their effect.
   StepEnergy
   energy_of_step(const PathContext &context,
                  const Course &course,
@@ -160,6 +172,7 @@ namespace fuga
     const auto force_at_end = [&](const std::size_t bar) {
       return to.state.forces[bar] + rest * to.rates.forces[bar];
     };
+    const ContactBoundary here = boundary_at(context, course, tau, to.state);
     double defect = 0., stored = 0., known = 0.;
     Vector of_rates(jumps.size(), 0.);
     for (std::size_t i = 0; i < jumps.size(); ++i)
@@ -170,6 +183,9 @@ namespace fuga
         const bool open               = to.state.states[k] == ContactState::open;
         if (open ? !unloads_in_shear(element, from.state)
                  : !(has_nonlinear_closure(element) || has_nonlinear_shear(element)))
+          continue;
+        if (carries_nothing(here, element, from.state.forces) &&
+            carries_nothing(here, element, to.state.forces))
           continue;
         double element_work = 0., noise = 0.;
         const auto work_of_bar =
