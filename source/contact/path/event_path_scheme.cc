@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/change_of_state.h>
+#include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/path/event_path.h>
 
 namespace fuga
@@ -27,6 +28,7 @@ namespace fuga
       return continuation;
     ++result.n_decided_by[static_cast<std::size_t>(continuation.method)];
 
+    rest_at_apex(state, set, course.drive, continuation.rates);
     continuation.costs_strength =
       adopt_scheme(state, set, continuation.n_branches, observer, result);
     return continuation;
@@ -41,6 +43,29 @@ namespace fuga
           state.strengths[k].dilatancy = 0.;
         scheme.set_state(k, state.states[k]);
         scheme.set_strength(k, state.strengths[k]);
+      }
+  }
+
+  // Faces may slip apart under the first load and leave some elements where they are, which satisfy
+  // the conditions of slip as well as those of stick. Sliding from the apex costs strength, and
+  // they do not slide.
+  void
+  EventPath::rest_at_apex(const JointState &state,
+                          const std::vector<BoundaryElement> &set,
+                          const Drive &drive,
+                          const JointRates &rates)
+  {
+    const ContactBoundary::RateNoise noise(system, rates, drive);
+    for (const BoundaryElement &candidate : set)
+      {
+        const std::size_t k           = candidate.element;
+        const ContactElement &element = elements[k];
+        const bool begins_to_slide = !is_slipping(state.states[k]) && is_slipping(scheme.state(k));
+        if (!begins_to_slide || element.friction.friction_loss == 0. ||
+            state.forces[element.normal_bar] < -boundary.force_tolerance(element.normal_bar))
+          continue;
+        if (length(slip_rate(element, state, k, rates)) <= noise.jump())
+          scheme.set_state(k, ContactState::stick);
       }
   }
 

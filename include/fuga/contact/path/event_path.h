@@ -94,6 +94,13 @@ namespace fuga
     /** Set the states and strengths of the working scheme to those of @p state. */
     void
     take_scheme(JointState &state);
+    /** Let the elements of @p set stick that have no force to give up and would lose friction by a
+     * slip with the rate zero. */
+    void
+    rest_at_apex(const JointState &state,
+                 const std::vector<BoundaryElement> &set,
+                 const Drive &drive,
+                 const JointRates &rates);
     /** Return whether the scheme costs strength, so that its rates do not hold. */
     bool
     adopt_scheme(JointState &state,
