@@ -67,9 +67,10 @@ namespace fuga
     // With this many rows a product takes as long as threads need to start and to meet.
     constexpr std::size_t few_bars = 2500;
     const blas::OneThread of_small_systems(system.n_bars() <= few_bars);
-    next_level = cut.next_level;
-    resticking = cut.resticking;
-    standstill = Standstill();
+    next_level  = cut.next_level;
+    resticking  = cut.resticking;
+    last_states = cut.last_states;
+    standstill  = Standstill();
     ReportCounter reports(observer, cut.n_reports);
     return follow(levels, reports);
   }
@@ -81,6 +82,7 @@ namespace fuga
     start.memory            = memory();
     start.memory.iterations = end.memory.iterations;
     start.resticking        = {};
+    start.last_states       = {};
     start.n_reports         = 0;
     return resume(start, levels, observer);
   }
@@ -106,11 +108,12 @@ namespace fuga
     observer.start();
     if (!observer.wants_cuts())
       return;
-    cut.state      = state;
-    cut.result     = result;
-    cut.memory     = memory();
-    cut.next_level = next_level;
-    cut.resticking = resticking;
+    cut.state       = state;
+    cut.result      = result;
+    cut.memory      = memory();
+    cut.next_level  = next_level;
+    cut.resticking  = resticking;
+    cut.last_states = last_states;
   }
 
   Course

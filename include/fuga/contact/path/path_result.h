@@ -233,6 +233,8 @@ namespace fuga
     std::size_t next_level = 0;
     /** First guess of the next decision, see PathSegment::resticking(). */
     std::vector<std::size_t> resticking;
+    /** The states in the segment before. */
+    std::vector<ContactState> last_states;
     /** Number of reports to the observer since the cut. */
     std::size_t n_reports = 0;
   };
@@ -241,12 +243,13 @@ namespace fuga
   void
   for_each_field(Cut &cut, Visitor &&visit)
   {
-    auto &[state, result, memory, next_level, resticking, n_reports] = cut;
+    auto &[state, result, memory, next_level, resticking, last_states, n_reports] = cut;
     visit("state", state);
     visit("result", result);
     visit("memory", memory);
     visit("next_level", next_level);
     visit("resticking", resticking);
+    visit("last_states", last_states);
     visit("n_reports", n_reports);
   }
 } // namespace fuga
