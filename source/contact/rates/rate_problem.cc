@@ -35,6 +35,8 @@ namespace fuga
                      const std::vector<std::size_t> &resticking,
                      const double widening)
   {
+    resting       = resticking;
+    noise_at_rest = widening;
     Continuation result;
     if (!in_space)
       for (const RateMethod method : {RateMethod::block_switching, RateMethod::single_switching})
@@ -43,7 +45,7 @@ namespace fuga
           if (switch_states(state, set, drive, result))
             return result;
         }
-    solve_reduced(state, set, drive, resticking, widening, result);
+    solve_reduced(state, set, drive, result);
     return result;
   }
 
@@ -101,8 +103,6 @@ namespace fuga
   RateProblem::solve_reduced(const JointState &state,
                              const std::vector<BoundaryElement> &set,
                              const Drive &drive,
-                             const std::vector<std::size_t> &resticking,
-                             const double widening,
                              Continuation &result)
   {
     take_background(state, set);
@@ -111,8 +111,8 @@ namespace fuga
                                                  set,
                                                  off_boundary,
                                                  drive,
-                                                 resticking,
-                                                 widening,
+                                                 resting,
+                                                 noise_at_rest,
                                                  acceptance(state, set, drive, checked));
     result.exists                = found.exists;
     result.rates                 = in_space ? found.rates : checked.rates;
@@ -163,12 +163,15 @@ namespace fuga
         local.normal_stiffness = system.scale(n) * system.scale(n);
         if (element.has_tangential_bar())
           {
-            const std::size_t t   = element.tangential_bar;
-            local.shear           = tangential(element, rates.forces);
-            local.velocity        = tangential(element, rates.dislocations);
-            local.slip            = dot(now.direction, slip_rate(element, state, k, rates));
-            local.no_slip         = noise.jump();
-            local.no_shear        = noise.force(t) + state.strengths[k].friction * local.no_force;
+            const std::size_t t = element.tangential_bar;
+            local.shear         = tangential(element, rates.forces);
+            local.velocity      = tangential(element, rates.dislocations);
+            local.slip          = dot(now.direction, slip_rate(element, state, k, rates));
+            local.no_slip       = noise.jump();
+            local.no_shear      = noise.force(t) + state.strengths[k].friction * local.no_force;
+            if (now.state == ContactState::stick &&
+                std::find(resting.begin(), resting.end(), k) != resting.end())
+              local.no_shear *= noise_at_rest;
             local.shear_stiffness = system.scale(t) * system.scale(t);
           }
         const DemandedAnswer wanted = RateLaw(member, element, state, drive).demand(now, local);

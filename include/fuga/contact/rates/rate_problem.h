@@ -107,8 +107,8 @@ namespace fuga
 
     /**
      * Find a continuation from @p state under @p drive, with the states of the scheme as the first
-     * guess. @p resticking lists the elements whose slip has just come to rest; with two tangential
-     * bars, rates up to @p widening times rounding do not move them again.
+     * guess. @p resticking lists the elements whose slip has just come to rest; rates up to @p
+     * widening times rounding do not move them again.
      */
     Continuation
     solve(const JointState &state,
@@ -217,8 +217,6 @@ namespace fuga
     solve_reduced(const JointState &state,
                   const std::vector<BoundaryElement> &set,
                   const Drive &drive,
-                  const std::vector<std::size_t> &resticking,
-                  const double widening,
                   Continuation &result);
     ControlledContinuation
     solve_yielding(const JointState &state,
@@ -252,6 +250,9 @@ namespace fuga
     WorkingScheme off_boundary;
     const bool in_space;
     ConeRateProblem reduced;
+    /** The elements whose slip has just come to rest, and the factor for their noise. */
+    std::vector<std::size_t> resting;
+    double noise_at_rest = 1.;
   };
 } // namespace fuga
 
