@@ -48,6 +48,31 @@ namespace
     const ToyJoint joint = ToyJoint(1, 1., make_rigid_law(), make_rigid_law(), {0.5, 0.});
     const LoadHistory history;
   };
+
+  /** A path that comes as far as it is told, and fails there. */
+  class FailingPath : public EventPath
+  {
+  public:
+    FailingPath(const ToyJoint &joint,
+                const LayeredSystem &layered,
+                const LoadHistory &loads,
+                const double t)
+      : EventPath(joint.elements, layered, loads, PathOptions()), end(t)
+    {
+    }
+
+  private:
+    PathResult
+    follow(const std::vector<double> &, ReportCounter &observer) override
+    {
+      JointState state = cut.state;
+      state.t          = end;
+      observer.jumped(state);
+      throw NumericalFailure("planted");
+    }
+
+    const double end;
+  };
 } // namespace
 
 // Forces in equilibrium with the loads grow as these do: by 2^-49 of the largest, and no jump at
@@ -135,4 +160,20 @@ TEST(Conditioning, OfAPathThatFails)
       EXPECT_EQ(n_paths, 3);
       EXPECT_EQ(found.other_end, n_failures == 1);
     }
+}
+
+// Wherever it fails: two failures are not two ends.
+TEST(Conditioning, OfAPathThatFailsElsewhere)
+{
+  const Pressed pressed(0.1);
+  const LayeredSystem layered(pressed.node, pressed.joint.elements);
+  double t                 = 0.5;
+  const Conditioning found = conditioning(
+    [&](const LoadHistory &loads) {
+      return std::make_unique<FailingPath>(pressed.joint, layered, loads, t += 0.1);
+    },
+    layered,
+    pressed.history,
+    {2.});
+  EXPECT_FALSE(found.other_end);
 }

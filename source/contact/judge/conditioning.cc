@@ -150,7 +150,8 @@ namespace fuga
                const std::vector<double> &levels,
                const std::function<bool(const Conditioning &)> &enough)
   {
-    // A numerical failure is an end like any other.
+    // Where the path fails, an end that it reaches under other loads is another one. Two failures
+    // say nothing about the data, wherever they are.
     const auto follow = [&](const LoadHistory &loads, LevelRecord &record) {
       std::optional<Verdict> verdict;
       try
@@ -174,8 +175,10 @@ namespace fuga
         const std::optional<Verdict> changed = follow(scaled(history, 1. + worst.change), other);
         worst.forces = std::max(worst.forces, difference(record.forces, other.forces));
         worst.jumps  = std::max(worst.jumps, difference(record.jumps, other.jumps));
-        worst.other_end |= changed != verdict || record.forces.size() != other.forces.size() ||
-                           std::abs(other.end.t - record.end.t) > 1e-6 * std::max(1., record.end.t);
+        worst.other_end |=
+          (verdict || changed) &&
+          (changed != verdict || record.forces.size() != other.forces.size() ||
+           std::abs(other.end.t - record.end.t) > 1e-6 * std::max(1., record.end.t));
       }
     return worst;
   }
