@@ -176,9 +176,9 @@ namespace fuga
         worst.forces = std::max(worst.forces, difference(record.forces, other.forces));
         worst.jumps  = std::max(worst.jumps, difference(record.jumps, other.jumps));
         worst.other_end |=
-          (verdict || changed) &&
-          (changed != verdict || record.forces.size() != other.forces.size() ||
-           std::abs(other.end.t - record.end.t) > 1e-6 * std::max(1., record.end.t));
+          changed != verdict ||
+          (verdict && (record.forces.size() != other.forces.size() ||
+                       std::abs(other.end.t - record.end.t) > 1e-6 * std::max(1., record.end.t)));
       }
     return worst;
   }

@@ -55,18 +55,22 @@ namespace fuga
                           const Drive &drive,
                           const JointRates &rates)
   {
-    const ContactBoundary::RateNoise noise(system, rates, drive);
+    std::vector<std::size_t> beginning;
     for (const BoundaryElement &candidate : set)
       {
         const std::size_t k           = candidate.element;
         const ContactElement &element = elements[k];
-        const bool begins_to_slide = !is_slipping(state.states[k]) && is_slipping(scheme.state(k));
-        if (!begins_to_slide || element.friction.friction_loss == 0. ||
-            state.forces[element.normal_bar] < -boundary.force_tolerance(element.normal_bar))
-          continue;
-        if (length(slip_rate(element, state, k, rates)) <= noise.jump())
-          scheme.set_state(k, ContactState::stick);
+        if (element.friction.friction_loss != 0. && !is_slipping(state.states[k]) &&
+            is_slipping(scheme.state(k)) &&
+            state.forces[element.normal_bar] >= -boundary.force_tolerance(element.normal_bar))
+          beginning.push_back(k);
       }
+    if (beginning.empty())
+      return;
+    const ContactBoundary::RateNoise noise(system, rates, drive);
+    for (const std::size_t k : beginning)
+      if (length(slip_rate(elements[k], state, k, rates)) <= noise.jump())
+        scheme.set_state(k, ContactState::stick);
   }
 
   // The boundary elements get the states of the working scheme. The rates that led to it do not
