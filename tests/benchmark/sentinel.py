@@ -9,8 +9,9 @@ usage: sentinel.py [--record | --against PROGRAM]
 
 Parts whose ratio is above 1.25 times the recorded one in every round, so that noise of the machine is none, are
 marked, and the exit code is 1. --record writes the record from this run; commit it together with the change that is its
-reason. The record knows its processor; on another one, where the path may have to wait for a smaller cache, --against
-compares with another fuga, built from the commit of the record, in the same rounds.
+reason. The record knows processors, as the path may have to wait for a smaller cache on another one; it has rows of every
+one that it was written on, with the commit. Where it has none, --against compares with another fuga, built from the
+commit of a record, in the same rounds.
 """
 import argparse
 import csv
@@ -28,6 +29,7 @@ from peers import calculix
 from process import processor
 
 RECORD = meshes.REPOSITORY / "doc" / "benchmark_record.csv"
+COLUMNS = ("scene", "part", "cpu_seconds", "ratio", "processor", "commit")
 ROUNDS, WORSE = 3, 1.25
 # Parts shorter than this are the clock's and the kernel's rather than the program's [s of the processor].
 SHORTEST = 0.03
@@ -139,20 +141,22 @@ def seconds_of_peers():
 
 
 def read_record():
-    """{(scene, part): ratio} and the processor they were measured on."""
-    if not RECORD.exists():
-        return {}, None
+    """The rows of all processors."""
     with open(RECORD, encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {(row["scene"], row["part"]): float(row["ratio"]) for row in rows}, rows[0].get("processor")
+        return list(csv.DictReader(file))
 
 
 def write_record(figures):
+    """Replaces the rows of this processor."""
+    commit = subprocess.run(["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=meshes.REPOSITORY,
+                            capture_output=True, text=True, check=True).stdout.strip()
+    rows = [row for row in read_record() if row["processor"] != processor()]
+    rows += [{"scene": scene, "part": part, "cpu_seconds": "%.4f" % seconds, "ratio": "%.4f" % ratio,
+              "processor": processor(), "commit": commit} for (scene, part), (seconds, ratio, _) in figures.items()]
     with open(RECORD, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["scene", "part", "cpu_seconds", "ratio", "processor"])
-        writer.writerows([*key, "%.4f" % seconds, "%.4f" % ratio, processor()]
-                         for key, (seconds, ratio, _) in figures.items())
+        writer = csv.DictWriter(file, fieldnames=COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
     print("Recorded in %s." % RECORD.relative_to(meshes.REPOSITORY))
 
 
@@ -184,10 +188,13 @@ def main():
     figures = present.figures(peers)
     if other:
         return 1 if compare(figures, {key: ratio for key, (_, ratio, _) in other.figures(peers).items()}, "other") else 0
-    recorded, recorded_on = read_record()
-    n_worse = compare(figures, recorded, "recorded")
-    if recorded_on not in (None, processor()):
-        print("The record is of another processor (%s; this one: %s): see --against." % (recorded_on, processor()))
+    record = read_record()
+    known = processor() if any(row["processor"] == processor() for row in record) else record[-1]["processor"]
+    rows = [row for row in record if row["processor"] == known]
+    n_worse = compare(figures, {(row["scene"], row["part"]): float(row["ratio"]) for row in rows}, "recorded")
+    print("Recorded: %s on %s." % (rows[0]["commit"], known))
+    if known != processor():
+        print("This processor is another one, %s: see --against." % processor())
     if options.record:
         write_record(figures)
         return 0
