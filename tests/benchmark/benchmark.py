@@ -5,10 +5,10 @@
 
 usage: benchmark.py [--quick] [--repeats N] [--only PART]... [--full] [--tables]
 
-The tools take turns, and the whole round is repeated, so that a slow quarter of an hour of the machine hits all of
-them; the figures are medians. What has taken 10 s, or twice the same time, is not repeated. A whole run writes
-results/benchmark/phases.csv and doc/benchmarks.md with its plots; with --quick or --only everything goes to
-results/benchmark/partial instead. --tables writes the page again from the figures of the last whole run.
+The tools take turns in every part, round after round (rounds.py); the figures are medians. What has taken 10 s, or
+twice the same time, is not repeated. A whole run writes results/benchmark/phases.csv and doc/benchmarks.md with its
+plots; with --quick or --only everything goes to results/benchmark/partial instead. --tables writes the page again from
+the figures of the last whole run.
 """
 import argparse
 import csv
@@ -20,7 +20,7 @@ import sys
 import time
 
 import meshes
-from fuga_runs import WORK
+from fuga_runs import WORK, commit
 from page import figures, tables
 from parts import MAKERS, REFERENCES, all_cases
 from process import processor
@@ -33,10 +33,8 @@ def machine():
     packages = ["calculix-ccx", "python3-getfem++", "libdeal.ii-dev", "libmumps-dev", "libopenblas0-pthread"]
     query = ["dpkg-query", "-W", "-f=${Package} ${Version}, ", *packages]
     versions = subprocess.run(query, capture_output=True, text=True)
-    commit = subprocess.run(["git", "-C", str(meshes.REPOSITORY), "describe", "--always", "--dirty"],
-                            capture_output=True, text=True).stdout.strip()
     return {"cpu": processor(), "cores": len(open("/proc/cpuinfo").read().split("processor\t")) - 1,
-            "system": platform.platform(), "versions": versions.stdout.rstrip(", "), "commit": commit,
+            "system": platform.platform(), "versions": versions.stdout.rstrip(", "), "commit": commit(),
             "date": time.strftime("%Y-%m-%d"), "load": open("/proc/loadavg").read().split()[0]}
 
 
@@ -65,7 +63,7 @@ def write_page(directory, page_directory):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="small scenes, one round: does everything still run?")
-    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--repeats", type=int, default=5)
     parser.add_argument("--only", action="append", choices=tuple(MAKERS))
     parser.add_argument("--full", action="store_true", help="also the longest runs of the peers (hours)")
     parser.add_argument("--tables", action="store_true", help="measure nothing, write the page again")

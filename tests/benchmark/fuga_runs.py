@@ -19,6 +19,14 @@ STARTS = collections.deque(maxlen=5)
 LOSS_OF_EQUILIBRIUM = 3  # exit code
 
 
+def commit():
+    """Of the repository; -dirty where the program's sources differ from it."""
+    git = ["git", "-C", str(meshes.REPOSITORY)]
+    name = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    same = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", "source", "include", "CMakeLists.txt"]).returncode == 0
+    return name if same else name + "-dirty"
+
+
 def prm_text(sections, indent=""):
     lines = []
     for name, value in sections.items():

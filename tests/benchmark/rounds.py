@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Fuga authors
-"""Cases in rounds: the tools take turns, so that a slow quarter of an hour of the machine hits all of them."""
+"""The cases of each part in rounds: the tools take turns, one round right after the other, so that what is compared has
+met the same minutes of the machine; short cases, to which a slow second does most, come in all rounds."""
 import csv
 import dataclasses
 import math
@@ -61,7 +62,7 @@ def expect(cases, recorded):
 
 
 def _remaining(cases, repeats, number, behind):
-    """Seconds, if all goes as measured or expected; `behind`: how many cases of this round are done."""
+    """Seconds of a part, if all goes as measured or expected; `behind`: how many cases of this round are done."""
     left = 0.
     for k, case in enumerate(cases):
         if not case.is_settled():
@@ -71,17 +72,21 @@ def _remaining(cases, repeats, number, behind):
 
 
 def measure_all(cases, repeats):
-    begin, parts = time.time(), list(dict.fromkeys(case.part for case in cases))
-    for number in range(repeats):
-        for k, case in enumerate(cases, 1):
-            if number and case.is_settled():
-                continue
-            start = time.time()
-            result = case.run()
-            case.results.append(result)
-            case.seconds = time.time() - start
-            print("%5.1f min, %4.1f left: %s (%d of %d), round %d of %d, %d of %d: %s %s %s: %.3f s%s%s" % (
-                (time.time() - begin) / 60., _remaining(cases, repeats, number, k) / 60.,
-                case.part, parts.index(case.part) + 1, len(parts), number + 1, repeats, k, len(cases), *case.key,
-                result.phases["total"], "" if result.error is None else ", error %.1e" % result.error,
-                ", " + result.failure if result.failure else ""), flush=True)
+    begin, parts = time.time(), {case.part: [] for case in cases}
+    for case in cases:
+        parts[case.part].append(case)
+    for place, (part, of_part) in enumerate(parts.items(), 1):
+        later = sum(_remaining(parts[other], repeats, 0, 0) for other in list(parts)[place:])
+        for number in range(repeats):
+            for k, case in enumerate(of_part, 1):
+                if number and case.is_settled():
+                    continue
+                start = time.time()
+                result = case.run()
+                case.results.append(result)
+                case.seconds = time.time() - start
+                print("%5.1f min, %4.1f left: %s (%d of %d), round %d of %d, %d of %d: %s %s %s: %.3f s%s%s" % (
+                    (time.time() - begin) / 60., (_remaining(of_part, repeats, number, k) + later) / 60.,
+                    part, place, len(parts), number + 1, repeats, k, len(of_part), *case.key,
+                    result.phases["total"], "" if result.error is None else ", error %.1e" % result.error,
+                    ", " + result.failure if result.failure else ""), flush=True)

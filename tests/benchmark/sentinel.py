@@ -148,11 +148,9 @@ def read_record():
 
 def write_record(figures):
     """Replaces the rows of this processor."""
-    commit = subprocess.run(["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=meshes.REPOSITORY,
-                            capture_output=True, text=True, check=True).stdout.strip()
     rows = [row for row in read_record() if row["processor"] != processor()]
     rows += [{"scene": scene, "part": part, "cpu_seconds": "%.4f" % seconds, "ratio": "%.4f" % ratio,
-              "processor": processor(), "commit": commit} for (scene, part), (seconds, ratio, _) in figures.items()]
+              "processor": processor(), "commit": fuga_runs.commit()} for (scene, part), (seconds, ratio, _) in figures.items()]
     with open(RECORD, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, fieldnames=COLUMNS, lineterminator="\n")
         writer.writeheader()
