@@ -20,11 +20,10 @@ LOSS_OF_EQUILIBRIUM = 3  # exit code
 
 
 def commit():
-    """Of the repository; -dirty where the program's sources differ from it."""
-    git = ["git", "-C", str(meshes.REPOSITORY)]
-    name = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    same = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", "source", "include", "CMakeLists.txt"]).returncode == 0
-    return name if same else name + "-dirty"
+    """The last one that changed the program; -dirty where its sources differ from it."""
+    git, sources = ["git", "-C", str(meshes.REPOSITORY)], ["--", "source", "include", "CMakeLists.txt"]
+    name = subprocess.run([*git, "log", "-1", "--format=%h", *sources], capture_output=True, text=True).stdout.strip()
+    return name if subprocess.run([*git, "diff", "--quiet", "HEAD", *sources]).returncode == 0 else name + "-dirty"
 
 
 def prm_text(sections, indent=""):
