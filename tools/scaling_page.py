@@ -158,6 +158,7 @@ def growth(rows, key, variable):
 class Page:
     def __init__(self, data):
         self.machine, self.commit, self.rows = data["machine"], data["commit"], data["rows"]
+        self.runs = "once" if data["runs"] == 1 else f"{data['runs']} times, of which the fastest counts"
         loads = [row["load"] for row in self.rows]
         self.load = f"{min(loads):.0f} to {max(loads):.0f}"
         self.text = []
@@ -301,7 +302,7 @@ class Page:
                      "`iterative matrix-free` finds stage ends without the stiffness of the interface (section 18). "
                      "Problems: `parameters/dam_block_3d.prm` with meshes of `meshes/dam_block_3d.geo`, "
                      "`parameters/scene_g_f06.prm` with meshes of `meshes/scene_g.py`; loads interpolated between stage "
-                     f"ends. One BLAS thread. Load average of the machine while measuring: {self.load}. Times are CPU "
+                     f"ends. One BLAS thread. Every case was run {self.runs}. Load average of the machine while measuring: {self.load}. Times are CPU "
                      "seconds, so that other work does not count; those of the phases are wall seconds times "
                      "the share of a processor that the run got.\n"]
         self.write_runs()
@@ -340,14 +341,17 @@ def main():
     how.add_argument("--again", action="store_true", help="measure all once more, keep of every case the faster run")
     options = parser.parse_args()
     store = os.path.join(options.output, "scaling.json")
-    data = {"rows": []}
+    here = {"machine": f"{os.cpu_count()} cores of an {processor()}, Linux {platform.release().split('-')[0]}",
+            "commit": commit()}
+    data = {**here, "runs": 0, "rows": []}
     if options.from_measurements or options.missing or options.again:
         with open(store, encoding="utf-8") as file:
             data = json.load(file)
     if not options.from_measurements:
-        data["machine"] = f"{os.cpu_count()} cores of an {processor()}, Linux {platform.release().split('-')[0]}"
-        if data.setdefault("commit", commit()) != commit():
-            sys.exit(f"{store} is of {data['commit']}, this is {commit()}: measure without --missing and --again.")
+        for what, ours in here.items():
+            if data[what] != ours:
+                sys.exit(f"{store} is of another {what}, {data[what]}, not {ours}: measure without --missing and --again.")
+        data["runs"] += not options.missing
         measure_all(data, os.path.abspath(options.fuga), options.again, store)
     Page(data).write(os.path.join(options.output, "scaling.md"))
 

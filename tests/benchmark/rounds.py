@@ -4,6 +4,7 @@
 met the same minutes of the machine; short cases, to which a slow second does most, come in all rounds."""
 import csv
 import dataclasses
+import itertools
 import math
 import statistics
 import time
@@ -77,16 +78,15 @@ def measure_all(cases, repeats):
         parts[case.part].append(case)
     for place, (part, of_part) in enumerate(parts.items(), 1):
         later = sum(_remaining(parts[other], repeats, 0, 0) for other in list(parts)[place:])
-        for number in range(repeats):
-            for k, case in enumerate(of_part, 1):
-                if number and case.is_settled():
-                    continue
-                start = time.time()
-                result = case.run()
-                case.results.append(result)
-                case.seconds = time.time() - start
-                print("%5.1f min, %4.1f left: %s (%d of %d), round %d of %d, %d of %d: %s %s %s: %.3f s%s%s" % (
-                    (time.time() - begin) / 60., (_remaining(of_part, repeats, number, k) + later) / 60.,
-                    part, place, len(parts), number + 1, repeats, k, len(of_part), *case.key,
-                    result.phases["total"], "" if result.error is None else ", error %.1e" % result.error,
-                    ", " + result.failure if result.failure else ""), flush=True)
+        for number, (k, case) in itertools.product(range(repeats), enumerate(of_part, 1)):
+            if case.is_settled():
+                continue
+            start = time.time()
+            result = case.run()
+            case.results.append(result)
+            case.seconds = time.time() - start
+            print("%5.1f min, %4.1f left: %s (%d of %d), round %d of %d, %d of %d: %s %s %s: %.3f s%s%s" % (
+                (time.time() - begin) / 60., (_remaining(of_part, repeats, number, k) + later) / 60.,
+                part, place, len(parts), number + 1, repeats, k, len(of_part), *case.key,
+                result.phases["total"], "" if result.error is None else ", error %.1e" % result.error,
+                ", " + result.failure if result.failure else ""), flush=True)

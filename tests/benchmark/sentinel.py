@@ -148,9 +148,10 @@ def read_record():
 
 def write_record(figures):
     """Replaces the rows of this processor."""
-    rows = [row for row in read_record() if row["processor"] != processor()]
-    rows += [{"scene": scene, "part": part, "cpu_seconds": "%.4f" % seconds, "ratio": "%.4f" % ratio,
-              "processor": processor(), "commit": fuga_runs.commit()} for (scene, part), (seconds, ratio, _) in figures.items()]
+    origin = {"processor": processor(), "commit": fuga_runs.commit()}
+    rows = [row for row in read_record() if row["processor"] != origin["processor"]]
+    rows += [{"scene": scene, "part": part, "cpu_seconds": "%.4f" % seconds, "ratio": "%.4f" % ratio, **origin}
+             for (scene, part), (seconds, ratio, _) in figures.items()]
     with open(RECORD, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, fieldnames=COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -186,13 +187,13 @@ def main():
     figures = present.figures(peers)
     if other:
         return 1 if compare(figures, {key: ratio for key, (_, ratio, _) in other.figures(peers).items()}, "other") else 0
-    record = read_record()
-    known = processor() if any(row["processor"] == processor() for row in record) else record[-1]["processor"]
+    record, here = read_record(), processor()
+    known = here if any(row["processor"] == here for row in record) else record[-1]["processor"]
     rows = [row for row in record if row["processor"] == known]
     n_worse = compare(figures, {(row["scene"], row["part"]): float(row["ratio"]) for row in rows}, "recorded")
     print("Recorded: %s on %s." % (rows[0]["commit"], known))
-    if known != processor():
-        print("This processor is another one, %s: see --against." % processor())
+    if known != here:
+        print("This processor is another one, %s: see --against." % here)
     if options.record:
         write_record(figures)
         return 0
