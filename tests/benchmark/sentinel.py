@@ -66,7 +66,7 @@ CASES = {**{"scene G, %d, f = %g" % (n, f): scenes.scene_g(n, f) for n in (129, 
                                            ["Solver/Bodies=direct", "Output/Fields=never", "Safety/Load factor=water"]),
          "dam under an earthquake": OfFile("dam_earthquake.prm", lambda: str(meshes.REPOSITORY / "meshes" / "dam.msh"),
                                            ["Output/Fields=never"])}
-# Contact elements of S0 where it has most degrees of freedom of all scenes.
+# Contact elements of the scene with most degrees of freedom, S0.
 LARGEST = 257
 # The same bodies, grown together, under the loads of the end: one linear solution, by the same program.
 CONTROLS = {(case.name, case.n): case.altered(bonded=True) for case in CASES.values() if isinstance(case, scenes.Scene)}
