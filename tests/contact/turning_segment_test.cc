@@ -4,7 +4,7 @@
 #include "contact/cone_toy.h"
 
 #include <fuga/contact/element/layer_response.h>
-#include <fuga/contact/segments/turning_segment.h>
+#include <fuga/contact/segments/curved_segment.h>
 #include <fuga/laws/cubic_root_law.h>
 
 #include <boost/numeric/odeint.hpp>
@@ -322,7 +322,7 @@ namespace fuga::tests
               boundary.set_scales(point.state, course.factors, 1.);
               WorkingScheme background(joint.elements, layered);
               IterationCount count;
-              TurningSegment segment({joint.elements, layered, boundary, background},
+              CurvedSegment segment({joint.elements, layered, boundary, background},
                                      course,
                                      point,
                                      {e},

@@ -9,7 +9,6 @@
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/layer_work.h>
-#include <fuga/contact/segments/turning_segment.h>
 
 #include <cmath>
 #include <limits>
@@ -207,25 +206,19 @@ namespace fuga
   std::unique_ptr<PathSegment>
   EventPath::make_segment(const Course &course, const PathPoint &start)
   {
-    const PathContext context{elements, system, boundary, scheme};
     const bool is_curved =
       scheme.is_nonlinear() || is_bent_by_reduction(elements, course, start.state);
-    if (course.yielding || (course.kind != Course::Kind::beyond_limit && turns(start, is_curved)))
-      {
-        std::vector<TangentVector> directions;
-        for (std::size_t k = 0; k < elements.size(); ++k)
-          directions.push_back(scheme.slip_direction_of(k));
-        return std::make_unique<TurningSegment>(
-          PathContext{elements, system, boundary, rate_problem.background()},
-          course,
-          start,
-          directions,
-          options,
-          iteration_count);
-      }
-    if (is_curved)
-      return std::make_unique<CurvedSegment>(context, course, start, options, iteration_count);
-    return std::make_unique<StraightSegment>(context, course, start);
+    const bool is_turning =
+      course.yielding || (course.kind != Course::Kind::beyond_limit && turns(start, is_curved));
+    const PathContext context{
+      elements, system, boundary, is_turning ? rate_problem.background() : scheme};
+    if (!is_turning && !is_curved)
+      return std::make_unique<StraightSegment>(context, course, start);
+    std::vector<TangentVector> directions;
+    for (std::size_t k = 0; k < elements.size() && is_turning; ++k)
+      directions.push_back(scheme.slip_direction_of(k));
+    return std::make_unique<CurvedSegment>(
+      context, course, start, directions, options, iteration_count);
   }
 
   // The force of an element that slips moves across its slip, now or, along a curve, perhaps later.

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/path/event_path.h>
-#include <fuga/contact/segments/turning_segment.h>
+#include <fuga/contact/segments/curved_segment.h>
 
 #include <algorithm>
 

@@ -1,75 +1,57 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/cubic.h>
-#include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
-#include <iterator>
 #include <limits>
 
-// Finds where a curve meets the first boundary of the contact conditions, and estimates the errors
-// of its steps.
+// Finds where a curve meets the first boundary of the contact conditions.
 namespace fuga
 {
-  EventFunctions
-  CurvedSegment::functions_at(const double tau, const PathPoint &point) const
-  {
-    const JointState &state = point.state;
-    EventFunctions result   = tau == 0.
-                                ? reserves.at_start()
-                                : reserves.at(tau, point, drive_at(context.elements, course, state));
-    const double slow       = slip_rate_tolerance *
-                        max_abs(context.system.jumps(point.rates.dislocations, point.rates.forces));
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      if (is_slipping(state.states[k]) && carries_shear(context.elements[k], state.strengths[k]))
-        result.push_back({slip_speed(context, point, k), 0., slow, k});
-    return result;
-  }
-
-  // The return value tells whether there is an event between station @p a and @p passed. Nothing
-  // after it is a state of the path. Where its place is not resolved, what it changes is seen
-  // beyond it.
-  bool
-  CurvedSegment::ends_before(const std::size_t a, const Station &passed)
-  {
-    const Station &from = curve[a];
-    if (first_event(from.functions, passed.functions, passed.tau - from.tau) > 1.)
-      return false;
-    std::optional<EventBracket<Station>> bracket =
-      locate_event(from,
-                   passed,
-                   1e-14 * course.length,
-                   [this](const EventBracket<Station> &within, const double tau) {
-                     return solve_between(within.before.back(), within.high, tau);
-                   });
-    if (!bracket)
-      return false;
-    if (bracket->is_narrow && bracket->is_open)
-      throw PathFailure(fmt::format("An event could not be located after load time {}.",
-                                    bracket->before.back().point.state.t));
-    if (bracket->is_narrow)
-      bracket->before.push_back(std::move(bracket->high));
-    Station &end = bracket->before.back();
-    lost_slip    = slips_at_rest(bracket->last_but_one().functions, end.functions);
-    meet(from, bracket->last_but_one(), end);
-    curve.resize(a);
-    std::move(bracket->before.begin(), bracket->before.end(), std::back_inserter(curve));
-    return true;
-  }
-
-  // Where all forces vanish together nothing is left there to tell which elements are on a
-  // boundary, and the station stays where it is.
+  // A load that is an unknown must not leave its range.
   void
+  CurvedSegment::note_functions(Station &station) const
+  {
+    const PathPoint &point = station.point;
+    station.functions =
+      curve.empty() ? reserves.at_start() : reserves.at(station.tau, point, drive_of(station));
+    if (course.yielding)
+      {
+        constexpr double rounding = 1e-14;
+        const YieldingLoad &load  = *course.yielding;
+        const double tolerance    = rounding * std::max(1., load.last_t);
+        station.functions.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
+        station.functions.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
+      }
+    const double slow =
+      slip_rate_tolerance * (turns() ? max_abs(point.rates.dislocations)
+                                     : size_of_jumps(point.rates.dislocations, point.rates.forces));
+    for (std::size_t i = 0; i < slipping.size(); ++i)
+      station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
+  }
+
+  // Where nothing turns a curve has no memory, and the step begins @p near its end.
+  std::optional<CurvedSegment::Station>
+  CurvedSegment::step_from(const Station &from, const Station &near, const double tau)
+  {
+    const Station &first = turns() ? from : near;
+    Station to;
+    if (!step(first, tau - first.tau, to))
+      return {};
+    to.length = tau - from.tau;
+    return to;
+  }
+
+  // The return value tells whether there is an event. Where all forces vanish together nothing is
+  // left there to tell which elements are on a boundary, and the station stays where it is.
+  bool
   CurvedSegment::meet(const Station &from, const Station &before, Station &reached)
   {
-    meet_event(from, before, reached, course.length, [&](const double tau) {
-      std::optional<Station> nearer = solve(tau, reached.point.state.dislocations);
-      if (!nearer)
+    return meet_event(from, before, reached, course.length, [&](const double tau) {
+      std::optional<Station> nearer = step_from(from, reached, tau);
+      if (!nearer || turns())
         return nearer;
       const std::vector<std::size_t> met   = elements_on_boundary(reached),
                                      there = elements_on_boundary(*nearer);
@@ -90,83 +72,31 @@ namespace fuga
     return result;
   }
 
-  namespace
+  // Shorter and longer steps are tried from the same point, until one ends at the event. Beyond a
+  // limit load nothing is in equilibrium: a point that cannot be reached lies beyond the event.
+  // Where its place is not resolved, what it changes is seen beyond it.
+  std::optional<CurvedSegment::Station>
+  CurvedSegment::locate(const Station &from, const Station &passed)
   {
-    /** Error, relative to the largest force, that the cubics between two points may make in the
-     * strength of sliding elements. The cubics only tell where to look for events. */
-    constexpr double largest_miss = 1e-9;
-  } // namespace
-
-  // On the way from strength to strength the determinant of a scheme passes zero only where its
-  // equations have no solution; beyond that place they have another solution, to which no path
-  // leads.
-  bool
-  CurvedSegment::has_crossed_pole() const
-  {
-    return is_reduction() && context.scheme.determinant_sign() != determinant_sign;
-  }
-
-  // The defect is at most 1 for a step that is short enough.
-  double
-  CurvedSegment::step_defect(const Station &from, Station &to) const
-  {
-    const StepEnergy energy = energy_between(from, to);
-    to.energy_lost          = energy.lost;
-    const double defect     = energy_defect(energy, options.least_energy_loss, count);
-    return is_reduction()
-             ? std::max(defect, reduction_defect(from.point, to.point, to.tau - from.tau))
-             : defect;
-  }
-
-  // The cubics between two points satisfy p = R a - W d, as both ends do, so that in the middle
-  // only the equations of sliding elements tell how far the cubics are from the curve. A slip that
-  // turns back between the points, and again before the second, must not be missed.
-  double
-  CurvedSegment::reduction_defect(const PathPoint &from,
-                                  const PathPoint &to,
-                                  const double length) const
-  {
-    const auto cubic =
-      [length](
-        const Vector &a, const Vector &da, const Vector &b, const Vector &db, const std::size_t i) {
-        return CubicOnUnitInterval(a[i], da[i] * length, b[i], db[i] * length);
-      };
-    const double slowest =
-      -slip_rate_tolerance * length *
-      std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations));
-    double miss = 0.;
-    for (std::size_t k = 0; k < context.elements.size(); ++k)
-      {
-        const ContactElement &element = context.elements[k];
-        if (!is_slipping(to.state.states[k]))
-          continue;
-        const auto force = [&](const std::size_t bar) {
-          return cubic(from.state.forces, from.rates.forces, to.state.forces, to.rates.forces, bar)
-            .value(0.5);
-        };
-        const TangentVector e = context.scheme.slip_direction_of(k);
-        const Strength &a     = from.state.strengths[k];
-        const Strength &b     = to.state.strengths[k];
-        const double strength = 0.5 * (a.cohesion + b.cohesion) -
-                                0.5 * (a.friction + b.friction) * force(element.normal_bar);
-        double slope = 0.;
-        for (std::size_t i = 1; i < element.n_bars(); ++i)
-          {
-            const std::size_t bar = element.bar(i);
-            miss                  = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
-            slope += e[i - 1] * cubic(from.state.dislocations,
-                                      from.rates.dislocations,
-                                      to.state.dislocations,
-                                      to.rates.dislocations,
-                                      bar)
-                                  .slope(0.5);
-          }
-        if (!has_nonlinear_shear(element) && slope < slowest &&
-            dot(e, tangential(element, from.rates.dislocations)) >= 0. &&
-            dot(e, tangential(element, to.rates.dislocations)) >= 0.)
-          return std::numeric_limits<double>::infinity();
-      }
-    const double largest = std::max(max_abs(from.state.forces), max_abs(to.state.forces));
-    return largest > 0. ? miss / (largest_miss * largest) : 0.;
+    const double narrowest                       = turns()
+                                                     ? 2. * std::numeric_limits<double>::epsilon() * parameter_scale()
+                                                     : 1e-14 * course.length;
+    std::optional<EventBracket<Station>> bracket = locate_event(
+      from, passed, narrowest, [&](const EventBracket<Station> &within, const double tau) {
+        return step_from(from, within.before.back(), tau);
+      });
+    if (!bracket)
+      return {};
+    const bool is_beyond = bracket->is_narrow && !bracket->is_open;
+    if (is_beyond && !turns())
+      bracket->before.push_back(std::move(bracket->high));
+    Station &last = bracket->before.back();
+    lost_slip     = slips_at_rest(bracket->last_but_one().functions, last.functions);
+    if (is_beyond && turns())
+      for (const std::size_t k : slips_at_rest(last.functions, bracket->high.functions))
+        if (std::find(lost_slip.begin(), lost_slip.end(), k) == lost_slip.end())
+          lost_slip.push_back(k);
+    meet(from, turns() ? from : bracket->last_but_one(), last);
+    return std::move(last);
   }
 } // namespace fuga

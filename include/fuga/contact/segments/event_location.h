@@ -164,7 +164,8 @@ namespace fuga
    * there to within its tolerance and was not at the station @p before. Tolerances are those of the
    * rounding of the largest terms: an element that begins to slip must not begin off its cone by as
    * much, nor one that opens with a force. `solve(tau)` returns a station up to @p last_tau, or
-   * nothing. Return whether there is such a reserve.
+   * nothing; a station there stays, as the next course begins with it. Return whether there is such
+   * a reserve.
    */
   template <typename Station, typename Solve>
   bool
@@ -179,7 +180,8 @@ namespace fuga
     if (way == no_boundary)
       return false;
     const double tau = reached.tau + way;
-    if (tau == reached.tau || std::abs(way) > near * (reached.tau - from.tau) || tau > last_tau)
+    if (tau == reached.tau || reached.tau == last_tau ||
+        std::abs(way) > near * (reached.tau - from.tau) || tau > last_tau)
       return true;
     std::optional<Station> nearer = solve(tau);
     if (nearer && !is_violated(nearer->functions))

@@ -26,6 +26,14 @@ namespace fuga
       length = std::min(length, largest);
     }
 
+    /** Divide a step of length @p part. */
+    void
+    divide(const double part)
+    {
+      rejected_error = 0.;
+      length         = 0.5 * part;
+    }
+
     /** Note that the step has no end. */
     void
     fail()

@@ -5,10 +5,10 @@
 #include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
+#include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/implicit_runge_kutta.h>
 #include <fuga/contact/segments/layer_work.h>
 #include <fuga/contact/segments/step_control.h>
-#include <fuga/contact/segments/turning_segment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,10 +113,10 @@ namespace fuga
   // for a step that begins where the last one began, and is no longer, it is the polynomial through
   // all stages of that one.
   void
-  TurningSegment::predict(const SlipStages &before,
-                          const std::size_t k,
-                          Vector &rates,
-                          std::vector<TangentVector> &directions) const
+  CurvedSegment::predict(const SlipStages &before,
+                         const std::size_t k,
+                         Vector &rates,
+                         std::vector<TangentVector> &directions) const
   {
     const double abscissa = runge_kutta::abscissae[k];
     const double x        = abscissa * before.length / last_stages.length;
@@ -130,10 +130,10 @@ namespace fuga
   // Where the background is linear the forces that belong to them follow from those of the stages
   // before, without a product.
   TurningStage
-  TurningSegment::base_of(const Station &from,
-                          const Vector &first_forces,
-                          const SlipStages &stages,
-                          const std::size_t k) const
+  CurvedSegment::base_of(const Station &from,
+                         const Vector &first_forces,
+                         const SlipStages &stages,
+                         const std::size_t k) const
   {
     namespace rk        = runge_kutta;
     TurningStage result = from.stage;
@@ -153,9 +153,33 @@ namespace fuga
     return result;
   }
 
-  // This is one step of the Runge-Kutta pair. The error is relative to the tolerance.
   bool
-  TurningSegment::step(const Station &from, const double length, Station &to, double &error)
+  CurvedSegment::step(const Station &from, const double length, Station &to)
+  {
+    to.length = length;
+    to.tau    = from.tau + length;
+    if (course.length - to.tau < 4. * std::numeric_limits<double>::epsilon() * course.length)
+      to.tau = course.length;
+    return turns() ? step_of_turns(from, length, to) : step_without_turns(from, to);
+  }
+
+  // On the way forces are computed from those at the beginning, at the end they are not.
+  bool
+  CurvedSegment::step_without_turns(const Station &from, Station &to)
+  {
+    const KnownForces known = known_forces(context, course, from.tau, from.point.state);
+    JointState &state       = to.point.state;
+    state.dislocations =
+      along(from.point.state.dislocations, to.tau - from.tau, from.point.rates.dislocations);
+    if (!settle(to.tau, to.stage, state, &known))
+      return false;
+    const bool is_refined = context.system.refines_forces(state.dislocations, state.forces);
+    return (!is_refined || settle(to.tau, to.stage, state, nullptr)) && find_rates(to);
+  }
+
+  // This is one step of the Runge-Kutta pair.
+  bool
+  CurvedSegment::step_of_turns(const Station &from, const double length, Station &to)
   {
     namespace rk        = runge_kutta;
     const std::size_t n = turning.size();
@@ -167,11 +191,7 @@ namespace fuga
       return sum;
     };
 
-    // Where nothing drives, nothing slips.
-    const double drive = driving_force();
-    const double slip_noise =
-      drive > 0. ? force_noise(from.point.state) * max_abs(from.point.rates.dislocations) / drive
-                 : 0.;
+    const double noise = slip_noise(from.point);
     // On the way forces are computed from the last ones; those of the result are not.
     const KnownForces known =
       linear ? KnownForces() : known_forces(context, course, from.tau, from.point.state);
@@ -179,12 +199,12 @@ namespace fuga
     state             = from.point.state;
     to.stage          = from.stage;
     Vector xi(from.slip_rates.begin(), from.slip_rates.begin() + static_cast<std::ptrdiff_t>(n));
-    SlipStages stages = {from.tau, length, {xi}, {from.stage.directions}, {}};
+    SlipStages stages = {from.tau, length, {xi}, {from.stage.directions}, {}, 0.};
     if (linear)
       stages.lost_forces.push_back(
         solver.resistance(stages.velocity(0), products(xi, dilatancies)));
     const Vector first_forces = linear ? solver.forces_at(from.tau, from.stage) : Vector();
-    double work = length * rk::weights.back()[0] * power(from.stage, stages.velocity(0));
+    stages.work = length * rk::weights.back()[0] * power(from.stage, stages.velocity(0));
     std::vector<Vector> stage_dislocations = {from.point.state.dislocations};
     for (std::size_t k = 1; k < rk::n_stages; ++k)
       {
@@ -202,7 +222,7 @@ namespace fuga
                          from.tau + rk::abscissae[k] * length,
                          length * rk::diagonal,
                          base,
-                         slip_noise,
+                         noise,
                          known,
                          xi,
                          to.stage,
@@ -221,122 +241,33 @@ namespace fuga
               force /= length * rk::diagonal;
           }
         stage_dislocations.push_back(state.dislocations);
-        work += length * rk::weights.back()[k] * power(to.stage, stages.velocity(k));
+        stages.work += length * rk::weights.back()[k] * power(to.stage, stages.velocity(k));
       }
     last_stages = std::move(stages);
-    to.tau      = from.tau + length;
-    if (course.length - to.tau < 4. * std::numeric_limits<double>::epsilon() * course.length)
-      to.tau = course.length;
-    if (!complete(to))
-      return false;
+    return complete(to);
+  }
 
+  // The error of the step that was taken last, relative to the tolerance.
+  double
+  CurvedSegment::error_of_step(const Station &from, Station &to)
+  {
+    if (!turns())
+      return defect_of_cubics(from, to);
+    namespace rk        = runge_kutta;
+    const std::size_t n = turning.size();
     Vector difference(2 * n, 0.), of_rises(n, 0.);
     for (std::size_t k = 0; k < rk::n_stages; ++k)
       {
-        const double weight = length * (rk::weights.back()[k] - rk::embedded[k]);
+        const double weight = to.length * (rk::weights.back()[k] - rk::embedded[k]);
         add_multiple(weight, last_stages.velocity(k), difference);
         add_multiple(weight, products(last_stages.rates[k], dilatancies), of_rises);
       }
-    error = std::max(max_abs(difference) / (step_tolerance * jump_scale + slip_noise),
+    return std::max({max_abs(difference) / (step_tolerance * jump_scale + slip_noise(from.point)),
                      max_abs(solver.resistance(difference, of_rises)) /
-                       (step_tolerance * force_scale + force_noise(to.point.state)));
-    error = std::max({error,
-                      work_defect(from, to, length, work),
-                      turn_defect(from, to, length),
-                      rise_defect(from, to, length)});
-    if (context.scheme.is_nonlinear())
-      {
-        const StepEnergy energy =
-          energy_of_step(context, course, from.point, to.point, length, to.tau, count);
-        to.energy_lost = energy.lost;
-        error          = std::max(error, energy_defect(energy, least_energy_loss, count));
-      }
-    return std::isfinite(error);
-  }
-
-  // A boundary that is a few shortest steps ahead is met where the curve ends: of elements that
-  // reach it together one may be a rounding error after the others. Slips that grow beyond bounds
-  // although something resists them go on after a jump.
-  void
-  TurningSegment::expect_end(const PathPoint &point, const double shortest)
-  {
-    constexpr double just_ahead = 10., bend_at_last = 2. * bend_of_limit;
-    if (is_below_end_of_path(near_enough, near_enough))
-      return;
-    at_limit = !course.yielding && grows_beyond_bounds(near_enough, bend_at_last);
-    at_turning_point =
-      !course.yielding && !at_limit &&
-      rates_diverge(points_of_curve(), 1, near_enough * std::max(1., course.t_end), bend_at_last);
-    if (!at_limit && !at_turning_point &&
-        context.boundary.distance(point.state, point.rates, course.drive) >= just_ahead * shortest)
-      throw PathFailure(fmt::format(
-        "The path cannot be followed beyond load time {}: even the shortest step fails.",
-        point.state.t));
-  }
-
-  double
-  TurningSegment::find_end()
-  {
-    end                   = 0.; // as far as the curve is known, if a step fails
-    const double shortest = 1e-13 * parameter_scale(), short_step = 1e-7 * parameter_scale();
-    // Parts of a stage by which the path may end below a limit, or a maximum of the load, if it can
-    // be followed.
-    constexpr double near_limit = 1e-8, near_maximum = 1e-9;
-    StepControl length(first_step(context, course, start, 1e-6 * course.length));
-    double allowed  = 1.; // error, as far as it is rounding at the present point
-    bool is_known   = course.length <= 2. * shortest;
-    double rejected = no_boundary; // error of a longer step from the present point
-    while (curve.back().tau < course.length)
-      {
-        Station from = curve.back();
-        check_number_of_steps(curve.size(), from.point.state.t);
-        length.limit(course.length - from.tau);
-        if (is_below_end_of_path(near_limit, near_maximum) || loses_control(from))
-          break;
-        if (length() < shortest && course.length - from.tau > shortest)
-          {
-            expect_end(from.point, shortest);
-            break;
-          }
-        Station to;
-        double error = 0.;
-        if (!step(from, length(), to, error))
-          {
-            length.fail();
-            continue;
-          }
-        // An error that a shorter step has left unchanged is rounding.
-        if (error > allowed && !is_known && (length() < short_step || error > 0.5 * rejected))
-          {
-            allowed  = error_of_rounding(from, shortest);
-            is_known = true;
-          }
-        error /= allowed;
-        if (error > 1.)
-          {
-            rejected = error;
-            length.reject(error);
-            continue;
-          }
-        if (first_event(from.functions, to.functions, to.tau - from.tau) <= 1.)
-          if (std::optional<Station> event = locate(from, to))
-            {
-              if (event->tau > from.tau)
-                curve.push_back(std::move(*event));
-              break;
-            }
-        const bool is_event = meet(from, to);
-        curve.push_back(std::move(to));
-        if (is_event)
-          break;
-        allowed  = 1.;
-        is_known = false;
-        rejected = no_boundary;
-        length.accept(error, allowed == 1.);
-      }
-    // An event may come just before the maximum.
-    at_turning_point =
-      at_turning_point || (!course.yielding && !at_limit && turns_back(near_maximum));
-    return end = curve.back().tau;
+                       (step_tolerance * force_scale + force_noise(to.point.state)),
+                     work_defect(from, to),
+                     turn_defect(from, to),
+                     rise_defect(from, to),
+                     defect_of_cubics(from, to)});
   }
 } // namespace fuga

@@ -3,7 +3,7 @@
 
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
-#include <fuga/contact/segments/turning_segment.h>
+#include <fuga/contact/segments/curved_segment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace fuga
 {
   void
-  TurningSegment::take_background()
+  CurvedSegment::take_background()
   {
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
@@ -26,7 +26,7 @@ namespace fuga
   // The strengths are those at @p tau, where @p state contains what a reduction leaves of them; a
   // broken bond gives up what it still carries in proportion to τ.
   void
-  TurningSegment::take_strengths(const double tau, const JointState &state)
+  CurvedSegment::take_strengths(const double tau, const JointState &state)
   {
     std::vector<TurningElement> strengths;
     for (const std::size_t k : turning)
@@ -56,9 +56,7 @@ namespace fuga
   // The response of the background is computed at a state in equilibrium. The return value is false
   // if nothing holds it.
   bool
-  TurningSegment::take_response(const double tau,
-                                const TurningStage &stage,
-                                const JointState &state)
+  CurvedSegment::take_response(const double tau, const TurningStage &stage, const JointState &state)
   {
     const std::size_t n = turning.size();
     std::vector<std::size_t> bars, imposed, rises;
@@ -103,7 +101,7 @@ namespace fuga
   // The rates are those for a unit of the load, which grows by ṫ + κ and falls by κ c with the
   // slips.
   void
-  TurningSegment::yield(const YieldingLoad &load, TurningResponse &response) const
+  CurvedSegment::yield(const YieldingLoad &load, TurningResponse &response) const
   {
     for (std::size_t j = 0; j < turning.size(); ++j)
       for (std::size_t a = 0; a < 2; ++a)
@@ -118,7 +116,7 @@ namespace fuga
 
   // Where the layer is rigid or linear the dislocations are the slip and the rise of the lips.
   void
-  TurningSegment::set_slips(const TurningStage &stage, JointState &state) const
+  CurvedSegment::set_slips(const TurningStage &stage, JointState &state) const
   {
     for (std::size_t i = 0; i < turning.size(); ++i)
       {
@@ -140,10 +138,10 @@ namespace fuga
   // The result is the state of the background with the slips of a stage; the dislocations of
   // @p state are the initial guess.
   bool
-  TurningSegment::settle(const double tau,
-                         const TurningStage &stage,
-                         JointState &state,
-                         const KnownForces *const known)
+  CurvedSegment::settle(const double tau,
+                        const TurningStage &stage,
+                        JointState &state,
+                        const KnownForces *const known)
   {
     const Vector guess = state.dislocations;
     state              = stuck;
@@ -151,13 +149,19 @@ namespace fuga
     release(course.drive, tau, state);
     set_slips(stage, state);
     complete_state(context, course, tau, state, known);
+    // A law is not defined beyond its closure limit, where the prediction may lead.
+    if (!turns() && passes_limit_of_law(context.elements, state))
+      {
+        state.dislocations = start.state.dislocations;
+        complete_state(context, course, tau, state, known);
+      }
     if (linear)
       {
         constexpr double rounding = 1e-14;
         polish(context, course, tau, {{rounding, rounding, rounding, rounding}}, state);
         return true;
       }
-    if (course.share_rate != 0.)
+    if (is_reduction())
       for (std::size_t k = 0; k < context.elements.size(); ++k)
         context.scheme.set_strength(k, state.strengths[k]);
     if (!equilibrium.solve(tau, jump_scale, state, known))
@@ -171,15 +175,15 @@ namespace fuga
   // would not as it has come closer to its end the last time. This is a Newton iteration about the
   // other.
   bool
-  TurningSegment::solve_stage(const TurningStageSolver::Demand demand,
-                              const double tau,
-                              const double advance,
-                              const TurningStage &base,
-                              const double slip_noise,
-                              const KnownForces &known,
-                              Vector &xi,
-                              TurningStage &stage,
-                              JointState &state)
+  CurvedSegment::solve_stage(const TurningStageSolver::Demand demand,
+                             const double tau,
+                             const double advance,
+                             const TurningStage &base,
+                             const double slip_noise,
+                             const KnownForces &known,
+                             Vector &xi,
+                             TurningStage &stage,
+                             JointState &state)
   {
     if (linear)
       {
@@ -221,7 +225,7 @@ namespace fuga
   // State and rates are computed from the slips and the load; the dislocations of the station are
   // an initial guess of those of the background.
   bool
-  TurningSegment::complete(Station &station)
+  CurvedSegment::complete(Station &station)
   {
     JointState state   = stuck;
     state.dislocations = station.point.state.dislocations;
@@ -236,11 +240,30 @@ namespace fuga
   }
 
   bool
-  TurningSegment::find_rates(Station &station)
+  CurvedSegment::find_rates(Station &station)
   {
-    const std::optional<Vector> speeds = solver.slip_rates(station.stage);
-    if (!speeds)
+    std::optional<JointRates> rates =
+      turns() ? rates_of_slips(station) : rates_without_turns(station);
+    if (!rates)
       return false;
+    const JointState &state = station.point.state;
+    for (std::size_t i = turning.size(); i < slipping.size(); ++i)
+      {
+        const std::size_t k = slipping[i];
+        station.slip_rates.push_back(dot(context.scheme.slip_direction_of(k),
+                                         slip_rate(context.elements[k], state, k, *rates)));
+      }
+    station.point.rates = std::move(*rates);
+    note_functions(station);
+    return true;
+  }
+
+  std::optional<JointRates>
+  CurvedSegment::rates_of_slips(Station &station)
+  {
+    std::optional<Vector> speeds = solver.slip_rates(station.stage);
+    if (!speeds)
+      return {};
     const JointState &state = station.point.state;
     Vector imposed(context.system.n_bars(), 0.);
     for (std::size_t i = 0; i < turning.size(); ++i)
@@ -253,23 +276,26 @@ namespace fuga
     if (course.yielding)
       station.point.load_rate = *start.load_rate + course.yielding->stiffness *
                                                      (1. - dot(course.yielding->weights, imposed));
-    const std::optional<JointRates> rates = context.scheme.rates(drive_of(station), imposed);
-    if (!rates)
-      return false;
-    station.point.rates = *rates;
-    station.slip_rates  = *speeds;
-    for (std::size_t i = turning.size(); i < slipping.size(); ++i)
-      {
-        const std::size_t k = slipping[i];
-        station.slip_rates.push_back(dot(context.scheme.slip_direction_of(k),
-                                         slip_rate(context.elements[k], state, k, *rates)));
-      }
-    note_functions(station);
-    return true;
+    station.slip_rates = std::move(*speeds);
+    return context.scheme.rates(drive_of(station), imposed);
+  }
+
+  // On the way from strength to strength the determinant of a scheme passes zero only where its
+  // equations have no solution; beyond that place they have another solution, to which no path
+  // leads.
+  std::optional<JointRates>
+  CurvedSegment::rates_without_turns(Station &station)
+  {
+    station.slip_rates.clear();
+    std::optional<WorkingScheme::FreeMotion> motion = context.scheme.motion(drive_of(station));
+    if (!motion || motion->is_driven ||
+        (is_reduction() && context.scheme.determinant_sign() != determinant_sign))
+      return {};
+    return std::move(motion->rates);
   }
 
   Drive
-  TurningSegment::drive_of(const Station &station) const
+  CurvedSegment::drive_of(const Station &station) const
   {
     if (!course.yielding)
       return drive_at(context.elements, course, station.point.state);
@@ -277,25 +303,5 @@ namespace fuga
     for (double &rate : drive.reactions)
       rate *= *station.point.load_rate;
     return drive;
-  }
-
-  // A load that is an unknown must not leave its range.
-  void
-  TurningSegment::note_functions(Station &station) const
-  {
-    const PathPoint &point = station.point;
-    station.functions =
-      curve.empty() ? reserves.at_start() : reserves.at(station.tau, point, drive_of(station));
-    if (course.yielding)
-      {
-        constexpr double rounding = 1e-14;
-        const YieldingLoad &load  = *course.yielding;
-        const double tolerance    = rounding * std::max(1., load.last_t);
-        station.functions.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
-        station.functions.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
-      }
-    const double slow = slip_rate_tolerance * max_abs(point.rates.dislocations);
-    for (std::size_t i = 0; i < slipping.size(); ++i)
-      station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
   }
 } // namespace fuga
