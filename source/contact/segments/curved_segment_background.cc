@@ -150,9 +150,10 @@ namespace fuga
     set_slips(stage, state);
     complete_state(context, course, tau, state, known);
     // A law is not defined beyond its closure limit, where the prediction may lead.
-    if (!turns() && passes_limit_of_law(context.elements, state))
+    if (passes_limit_of_law(context.elements, state))
       {
         state.dislocations = start.state.dislocations;
+        set_slips(stage, state);
         complete_state(context, course, tau, state, known);
       }
     if (linear)

@@ -21,56 +21,17 @@ namespace fuga
     // be followed.
     constexpr double near_limit = 1e-8, near_maximum = 1e-9;
     StepControl length(first_step(context, course, start, steps.least_first));
-    double allowed  = 1.; // error, as far as it is rounding at the present point
-    bool is_known   = !turns() || course.length <= 2. * steps.shortest;
-    double rejected = no_boundary; // error of a longer step from the present point
     while (curve.back().tau < course.length)
       {
         const Station from = curve.back();
-        const double rest  = course.length - from.tau;
         check_number_of_steps(curve.size(), from.point.state.t);
         if (turns() && (is_below_end_of_path(near_limit, near_maximum) || loses_control(from)))
           break;
-        length.limit(rest);
-        const double taken     = rest < steps.stretch * length() ? rest : length();
-        const bool is_shortest = taken <= steps.shortest;
-        if (turns() && is_shortest && rest > steps.shortest)
-          {
-            expect_end(from.point);
-            break;
-          }
-        Station to;
-        if (!step(from, taken, to))
-          {
-            if (is_shortest)
-              {
-                expect_end(from.point);
-                break;
-              }
-            length.fail();
-            continue;
-          }
-        double error = error_of_step(from, to);
-        if (!is_shortest && (!std::isfinite(error) || slips_back(from.point.state, to.point.state)))
-          {
-            length.fail();
-            continue;
-          }
-        // An error that a shorter step has left unchanged is rounding.
-        if (error > allowed && !is_known && (taken < steps.shortest_part || error > 0.5 * rejected))
-          {
-            allowed  = error_of_rounding(from);
-            is_known = true;
-          }
-        error /= allowed;
-        if (error > 1. && !is_shortest)
-          {
-            rejected = error;
-            length.reject(error);
-            continue;
-          }
-        if (first_event(from.functions, to.functions, to.tau - from.tau) <= 1.)
-          if (std::optional<Station> event = locate(from, to))
+        std::optional<Station> to = take_step(from, length);
+        if (!to)
+          break;
+        if (first_event(from.functions, to->functions, to->tau - from.tau) <= 1.)
+          if (std::optional<Station> event = locate(from, *to))
             {
               const double part = event->tau - from.tau;
               if (!is_resolved(from, *event) && part > steps.shortest_part)
@@ -80,18 +41,15 @@ namespace fuga
                   continue;
                 }
               if (part > 0.)
-                accept(std::move(*event));
+                append(std::move(*event));
               break;
             }
-        const bool is_event = meet(from, from, to);
-        accept(std::move(to));
+        const bool is_event = meet(from, from, *to);
+        if (to->error <= 1.)
+          length.accept(steps.margin * to->error, turns());
+        append(std::move(*to));
         if (is_event)
           break;
-        allowed  = 1.;
-        is_known = !turns();
-        rejected = no_boundary;
-        if (error <= 1.)
-          length.accept(steps.margin * error, turns());
       }
     // An event may come just before the maximum.
     at_turning_point =
@@ -99,8 +57,48 @@ namespace fuga
     return end = curve.back().tau;
   }
 
+  // An error that a shorter step has left unchanged is rounding. Where nothing turns the shortest
+  // step is taken whatever its error.
+  std::optional<CurvedSegment::Station>
+  CurvedSegment::take_step(const Station &from, StepControl &length)
+  {
+    const double rest = course.length - from.tau;
+    double allowed    = 1.; // error, as far as it is rounding
+    bool is_known     = !turns() || course.length <= 2. * steps.shortest;
+    double rejected   = no_boundary; // error of a longer step
+    while (true)
+      {
+        length.limit(rest);
+        const double taken     = rest < steps.stretch * length() ? rest : length();
+        const bool is_shortest = taken <= steps.shortest;
+        const bool is_tried    = !turns() || !is_shortest || rest <= steps.shortest;
+        Station to;
+        const bool is_found = is_tried && step(from, taken, to);
+        if (!is_found && is_shortest)
+          break;
+        const double error = is_found ? error_of_step(from, to) : no_boundary;
+        if (!is_shortest && (!std::isfinite(error) || slips_back(from.point.state, to.point.state)))
+          {
+            length.fail();
+            continue;
+          }
+        if (error > allowed && !is_known && (taken < steps.shortest_part || error > 0.5 * rejected))
+          {
+            allowed  = error_of_rounding(from);
+            is_known = true;
+          }
+        to.error = error / allowed;
+        if (to.error <= 1. || is_shortest)
+          return to;
+        rejected = to.error;
+        length.reject(to.error);
+      }
+    expect_end(from.point);
+    return {};
+  }
+
   void
-  CurvedSegment::accept(Station &&station)
+  CurvedSegment::append(Station &&station)
   {
     const JointState &state = station.point.state;
     if (!turns())

@@ -26,8 +26,7 @@ namespace fuga
         station.functions.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
       }
     const double slow =
-      slip_rate_tolerance * (turns() ? max_abs(point.rates.dislocations)
-                                     : size_of_jumps(point.rates.dislocations, point.rates.forces));
+      slip_rate_tolerance * size_of_jumps(point.rates.dislocations, point.rates.forces);
     for (std::size_t i = 0; i < slipping.size(); ++i)
       station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
   }
@@ -51,7 +50,7 @@ namespace fuga
   {
     return meet_event(from, before, reached, course.length, [&](const double tau) {
       std::optional<Station> nearer = step_from(from, reached, tau);
-      if (!nearer || turns())
+      if (!nearer)
         return nearer;
       const std::vector<std::size_t> met   = elements_on_boundary(reached),
                                      there = elements_on_boundary(*nearer);
@@ -78,25 +77,18 @@ namespace fuga
   std::optional<CurvedSegment::Station>
   CurvedSegment::locate(const Station &from, const Station &passed)
   {
-    const double narrowest                       = turns()
-                                                     ? 2. * std::numeric_limits<double>::epsilon() * parameter_scale()
-                                                     : 1e-14 * course.length;
+    const double narrowest = 2. * std::numeric_limits<double>::epsilon() * course.length;
     std::optional<EventBracket<Station>> bracket = locate_event(
       from, passed, narrowest, [&](const EventBracket<Station> &within, const double tau) {
         return step_from(from, within.before.back(), tau);
       });
     if (!bracket)
       return {};
-    const bool is_beyond = bracket->is_narrow && !bracket->is_open;
-    if (is_beyond && !turns())
+    if (bracket->is_narrow && !bracket->is_open)
       bracket->before.push_back(std::move(bracket->high));
     Station &last = bracket->before.back();
     lost_slip     = slips_at_rest(bracket->last_but_one().functions, last.functions);
-    if (is_beyond && turns())
-      for (const std::size_t k : slips_at_rest(last.functions, bracket->high.functions))
-        if (std::find(lost_slip.begin(), lost_slip.end(), k) == lost_slip.end())
-          lost_slip.push_back(k);
-    meet(from, turns() ? from : bracket->last_but_one(), last);
+    meet(from, bracket->last_but_one(), last);
     return std::move(last);
   }
 } // namespace fuga

@@ -109,8 +109,8 @@ namespace fuga
       /** Rates of slip of the slipping elements along their directions. */
       Vector slip_rates;
       EventFunctions functions;
-      /** Energy lost by the step to this point [MN m]. */
-      double energy_lost = 0.;
+      /** Error of the step, relative to what is allowed, and energy lost by it [MN m]. */
+      double error = 0., energy_lost = 0.;
     };
 
     /** How long the steps are. */
@@ -197,8 +197,12 @@ namespace fuga
     loses_control(const Station &station) const;
     double
     error_of_rounding(const Station &from);
+    /** Return the end of the longest step that is accurate enough, beginning with @p length;
+     * nothing if the curve ends with @p from. */
+    std::optional<Station>
+    take_step(const Station &from, StepControl &length);
     void
-    accept(Station &&station);
+    append(Station &&station);
     bool
     is_resolved(const Station &from, Station &event) const;
     /** Handle a point where even the shortest step fails. @throws PathFailure if the curve does not
