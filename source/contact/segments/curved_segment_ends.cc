@@ -108,11 +108,13 @@ namespace fuga
 
   // Only a part is left of a step that was found to be short enough, without the part beyond the
   // event that compensated for its errors. A slip that goes back and forth within a step, or comes
-  // to rest in it, is seen once an event divides the step.
+  // to rest in it, is seen once an event divides the step. A part may lose twice as much as a step
+  // before its event is located again.
   bool
   CurvedSegment::is_resolved(const Station &from, Station &event) const
   {
-    return defect_of_cubics(from, event) <= 1. && rise_defect(from, event) <= 1. &&
+    constexpr double largest = 2.;
+    return defect_of_cubics(from, event) <= largest && rise_defect(from, event) <= 1. &&
            !slips_back(from.point.state, event.point.state);
   }
 
