@@ -225,7 +225,7 @@ namespace fuga::tests
   } // namespace
 
   // The path of the program against an integrator of somebody else.
-  TEST(TurningSegment, TractrixOnNonlinearLayers)
+  TEST(CurvedSegment, TractrixOnNonlinearLayers)
   {
     for (std::size_t i = 0; i < cases.size(); ++i)
       {
@@ -259,7 +259,7 @@ namespace fuga::tests
   // Without any load law (9) has no curvature to go by, and trial steps are too long. The load that
   // closes the layer by a given w is S w + A σ(w); what friction leaves of the shear slides, and
   // stays where it is while the load does.
-  TEST(TurningSegment, SlidesFromTheApexOnLawNine)
+  TEST(CurvedSegment, SlidesFromTheApexOnLawNine)
   {
     constexpr double stiffness = 2., friction = 0.4, closure = 0.02;
     const double pressing = area * stress(closure), slip = (5. - friction * pressing) / stiffness;
@@ -285,7 +285,7 @@ namespace fuga::tests
   }
 
   // Equal steps, each from where the one before ended, as a level inside a long step is found.
-  TEST(TurningSegment, KeepsItsOrderOnNonlinearLayers)
+  TEST(CurvedSegment, KeepsItsOrderOnNonlinearLayers)
   {
     for (std::size_t i = 0; i < cases.size(); ++i)
       {
