@@ -25,8 +25,7 @@ namespace fuga
         station.functions.push_back({point.state.t - load.first_t, *point.load_rate, tolerance});
         station.functions.push_back({load.last_t - point.state.t, -*point.load_rate, tolerance});
       }
-    const double slow =
-      slip_rate_tolerance * size_of_jumps(point.rates.dislocations, point.rates.forces);
+    const double slow = slip_rate_tolerance * max_abs(point.rates.dislocations);
     for (std::size_t i = 0; i < slipping.size(); ++i)
       station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
   }

@@ -13,7 +13,7 @@
 
 namespace fuga
 {
-  /** Share of the largest rate of a jump below which a speed of slip counts as zero. */
+  /** Share of the largest rate of dislocation below which a speed of slip counts as zero. */
   constexpr double slip_rate_tolerance = 1e-10;
 
   /** A quantity that is positive along a curve until an event: a reserve of the contact conditions,
