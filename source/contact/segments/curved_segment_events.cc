@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/base/numerics/cubic.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
 
@@ -30,17 +31,42 @@ namespace fuga
       station.functions.push_back({station.slip_rates[i], 0., slow, slipping[i]});
   }
 
-  // Where nothing turns a curve has no memory, and the step begins @p near its end.
+  // Where nothing turns a curve has no memory, and the step begins @p near its end. @p guess is that
+  // of the dislocations there, if there is a better one than along the rates.
   std::optional<CurvedSegment::Station>
-  CurvedSegment::step_from(const Station &from, const Station &near, const double tau)
+  CurvedSegment::step_from(const Station &from,
+                           const Station &near,
+                           const double tau,
+                           Vector &&guess)
   {
     const Station &first = turns() ? from : near;
     Station to;
+    to.point.state.dislocations = std::move(guess);
     if (!step(first, tau - first.tau, to))
       return {};
     to.length = tau - from.tau;
     return to;
   }
+
+  namespace
+  {
+    /** Return the dislocations at the share @p x of the way between two points, @p length apart. */
+    Vector
+    dislocations_between(const PathPoint &a,
+                         const PathPoint &b,
+                         const double length,
+                         const double x)
+    {
+      Vector result;
+      for (std::size_t i = 0; i < a.state.dislocations.size(); ++i)
+        result.push_back(CubicOnUnitInterval(a.state.dislocations[i],
+                                             a.rates.dislocations[i] * length,
+                                             b.state.dislocations[i],
+                                             b.rates.dislocations[i] * length)
+                           .value(x));
+      return result;
+    }
+  } // namespace
 
   // The return value tells whether there is an event. Where all forces vanish together nothing is
   // left there to tell which elements are on a boundary, and the station stays where it is.
@@ -48,7 +74,7 @@ namespace fuga
   CurvedSegment::meet(const Station &from, const Station &before, Station &reached)
   {
     return meet_event(from, before, reached, course.length, [&](const double tau) {
-      std::optional<Station> nearer = step_from(from, reached, tau);
+      std::optional<Station> nearer = step_from(from, reached, tau, {});
       if (!nearer)
         return nearer;
       const std::vector<std::size_t> met   = elements_on_boundary(reached),
@@ -79,7 +105,15 @@ namespace fuga
     const double narrowest = 2. * std::numeric_limits<double>::epsilon() * course.length;
     std::optional<EventBracket<Station>> bracket = locate_event(
       from, passed, narrowest, [&](const EventBracket<Station> &within, const double tau) {
-        return step_from(from, within.before.back(), tau);
+        const Station &low  = within.before.back();
+        const double length = within.high.tau - low.tau;
+        return step_from(
+          from,
+          low,
+          tau,
+          turns()
+            ? Vector()
+            : dislocations_between(low.point, within.high.point, length, (tau - low.tau) / length));
       });
     if (!bracket)
       return {};

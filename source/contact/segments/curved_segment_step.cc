@@ -169,8 +169,9 @@ namespace fuga
   {
     const KnownForces known = known_forces(context, course, from.tau, from.point.state);
     JointState &state       = to.point.state;
-    state.dislocations =
-      along(from.point.state.dislocations, to.tau - from.tau, from.point.rates.dislocations);
+    if (state.dislocations.empty())
+      state.dislocations =
+        along(from.point.state.dislocations, to.tau - from.tau, from.point.rates.dislocations);
     if (!settle(to.tau, to.stage, state, &known))
       return false;
     const bool is_refined = context.system.refines_forces(state.dislocations, state.forces);

@@ -244,7 +244,7 @@ namespace fuga
     bool
     grows_beyond_bounds(const double negligible_load, const double bend) const;
     std::optional<Station>
-    step_from(const Station &from, const Station &near, const double tau);
+    step_from(const Station &from, const Station &near, const double tau, Vector &&guess);
     bool
     meet(const Station &from, const Station &before, Station &reached);
     std::vector<std::size_t>
