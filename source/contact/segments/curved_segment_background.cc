@@ -149,18 +149,18 @@ namespace fuga
     release(course.drive, tau, state);
     set_slips(stage, state);
     complete_state(context, course, tau, state, known);
+    if (linear)
+      {
+        constexpr double rounding = 1e-14;
+        polish(context, course, tau, {{rounding, rounding, rounding, rounding}}, state);
+        return true;
+      }
     // A law is not defined beyond its closure limit, where the prediction may lead.
     if (passes_limit_of_law(context.elements, state))
       {
         state.dislocations = start.state.dislocations;
         set_slips(stage, state);
         complete_state(context, course, tau, state, known);
-      }
-    if (linear)
-      {
-        constexpr double rounding = 1e-14;
-        polish(context, course, tau, {{rounding, rounding, rounding, rounding}}, state);
-        return true;
       }
     if (is_reduction())
       for (std::size_t k = 0; k < context.elements.size(); ++k)

@@ -134,7 +134,7 @@ namespace fuga
         const StepEnergy energy =
           energy_of_step(context, course, from.point, to.point, to.length, to.tau, count);
         to.energy_lost = energy.lost;
-        defect         = std::max(defect, energy_defect(energy, least_energy_loss, count));
+        defect         = energy_defect(energy, least_energy_loss, count);
       }
     return is_reduction() && !turns() ? std::max(defect, reduction_defect(from, to)) : defect;
   }

@@ -23,7 +23,7 @@ namespace fuga
     StepControl length(first_step(context, course, start, steps.least_first));
     while (curve.back().tau < course.length)
       {
-        const Station from = curve.back();
+        const Station &from = curve.back();
         check_number_of_steps(curve.size(), from.point.state.t);
         if (turns() && (is_below_end_of_path(near_limit, near_maximum) || loses_control(from)))
           break;
@@ -162,7 +162,6 @@ namespace fuga
     at_turning_point = !course.yielding && !at_limit && turns_back(near_maximum);
     return at_limit || at_turning_point;
   }
-
 
   // A boundary that is a few shortest steps ahead is met where the curve ends: of elements that
   // reach it together one may be a rounding error after the others. Slips that grow beyond bounds
