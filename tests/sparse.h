@@ -15,19 +15,19 @@ namespace fuga::tests
     if (B.empty())
       return {};
     std::vector<SparseOperator::Entry> entries;
-    for (unsigned int i = 0; i < B.n_rows(); ++i)
-      for (unsigned int j = 0; j < B.n_columns(); ++j)
+    for (unsigned int i = 0; i < B.rows(); ++i)
+      for (unsigned int j = 0; j < B.cols(); ++j)
         if (B(i, j) != 0.)
           entries.push_back({i, j, B(i, j)});
-    return {B.n_rows(), B.n_columns(), entries};
+    return {B.rows(), B.cols(), entries};
   }
 
   /** The opposite. */
   inline DenseMatrix
   dense(const SparseOperator &B)
   {
-    DenseMatrix result(B.n_rows(), B.n_columns());
-    for (std::size_t i = 0; i < B.n_rows(); ++i)
+    DenseMatrix result(B.rows(), B.cols());
+    for (Eigen::Index i = 0; i < B.rows(); ++i)
       B.for_each_in_row(i,
                         [&](const std::size_t j, const double factor) { result(i, j) = factor; });
     return result;

@@ -119,7 +119,7 @@ namespace fuga
     {
       const CondensedSystem<dim> &bodies = run.model().bodies;
       const double rigid                 = nearly_rigid * largest_diagonal(bodies.stiffness());
-      Vector result(bodies.rigid_motions().n_rows(), 0.);
+      Vector result(bodies.rigid_motions().rows(), 0.);
       const auto close = [&](const unsigned int bar) {
         result[bar] = run.compliance(bar) > 0. ? std::min(rigid, 1. / run.compliance(bar)) : rigid;
       };
@@ -148,7 +148,7 @@ namespace fuga
       const Model<dim> &model      = run.model();
       const AccuracyTarget &target = model.parameters.accuracy;
       const auto &elements         = model.bodies.elements();
-      const std::size_t n_bars     = model.bodies.rigid_motions().n_rows();
+      const std::size_t n_bars     = model.bodies.rigid_motions().rows();
       std::vector<Cause> result;
       if (target.quantity == Quantity::pressure)
         {
@@ -188,7 +188,7 @@ namespace fuga
     const SparseOperator &B            = bodies.jump_operator();
     const Vector C                     = bar_stiffnesses(run, level);
     DenseMatrix K                      = bodies.stiffness();
-    const std::size_t n                = K.n_rows();
+    const std::size_t n                = K.rows();
     const double least                 = nearly_free * largest_diagonal(K);
     add_congruent(B, C, K);
     for (std::size_t i = 0; i < n; ++i)
@@ -206,7 +206,7 @@ namespace fuga
             for (std::size_t i = 0; i < condensed.size(); ++i)
               right[i] += condensed[i];
           }
-        std::copy(right.begin(), right.end(), x.column(c));
+        x.col(c) = view(right);
       }
     if (n > 0 && !solve_positive_definite(K, x))
       throw NumericalFailure(
@@ -214,7 +214,8 @@ namespace fuga
         "not positive definite.");
     std::vector<dealii::Vector<double>> fields;
     for (std::size_t c = 0; c < all.size(); ++c)
-      fields.push_back(bodies.bonded_field(all[c].force, Vector(x.column(c), x.column(c) + n)));
+      fields.push_back(
+        bodies.bonded_field(all[c].force, Vector(x.col(c).data(), x.col(c).data() + n)));
     return fields;
   }
 

@@ -87,7 +87,7 @@ TEST_P(Axisymmetric, pressure_across_a_horizontal_joint)
       area += element.area;
     }
   EXPECT_NEAR(area, M_PI * 4., 1e-12);
-  EXPECT_EQ(system.rigid_motions().n_columns(), 1u);
+  EXPECT_EQ(system.rigid_motions().cols(), 1u);
   const auto u      = system.recover({1.}, solution.x);
   const auto &space = system.discretization();
   for (unsigned int node = 0; node < space.n_nodes(); ++node)

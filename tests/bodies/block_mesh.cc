@@ -28,8 +28,8 @@ namespace fuga::test
   solve_linear(const CondensedSystem<2> &system, const double rho_n, const double rho_t)
   {
     DenseMatrix K       = system.stiffness();
-    const std::size_t m = K.n_rows();
-    Vector C(system.rigid_motions().n_rows());
+    const std::size_t m = K.rows();
+    Vector C(system.rigid_motions().rows());
     for (const auto &element : system.elements())
       {
         C[element.normal_bar] = element.area / rho_n;
@@ -39,7 +39,7 @@ namespace fuga::test
     add_congruent(system.jump_operator(), C, K);
     DenseMatrix x(m, 1);
     for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < system.load_patterns().n_columns(); ++j)
+      for (Eigen::Index j = 0; j < system.load_patterns().cols(); ++j)
         x(i, 0) += system.load_patterns()(i, j);
     if (!solve_positive_definite(K, x))
       throw std::runtime_error("not positive definite");

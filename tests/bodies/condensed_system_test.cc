@@ -41,20 +41,20 @@ TEST(CondensedSystem, stiffness_of_a_floating_body)
   const CondensedSystem<2> system(mesh.mesh, model, {false});
   DenseMatrix S = system.stiffness();
   double size   = 0.;
-  for (std::size_t i = 0; i < S.n_rows(); ++i)
-    for (std::size_t j = 0; j < S.n_rows(); ++j)
+  for (Eigen::Index i = 0; i < S.rows(); ++i)
+    for (Eigen::Index j = 0; j < S.rows(); ++j)
       {
         EXPECT_EQ(S(i, j), S(j, i));
         size = std::max(size, std::abs(S(i, j)));
       }
-  ASSERT_EQ(system.rigid_motions().n_columns(), 3U);
+  ASSERT_EQ(system.rigid_motions().cols(), 3U);
   const DenseMatrix forces = multiply(S, system.rigid_motions());
-  for (std::size_t i = 0; i < S.n_rows(); ++i)
+  for (Eigen::Index i = 0; i < S.rows(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(forces(i, k), 0., 1e-12 * size);
 
-  Vector values(S.n_rows());
-  const int n = static_cast<int>(S.n_rows());
+  Vector values(S.rows());
+  const int n = static_cast<int>(S.rows());
   LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'U', n, S.data(), n, values.data());
   EXPECT_GT(values[0], -1e-12 * size);
   EXPECT_LT(values[2], 1e-12 * size);
@@ -103,8 +103,8 @@ TEST(CondensedSystem, rigid_part_keeps_the_digits_of_the_deformation)
   CondensedSystem<2> system(mesh.mesh, model, {false});
   set_all_loads(system, model);
   const DenseMatrix &motions = system.rigid_motions();
-  ASSERT_EQ(motions.n_columns(), 3U);
-  Vector x(motions.n_rows(), 0.);
+  ASSERT_EQ(motions.cols(), 3U);
+  Vector x(motions.rows(), 0.);
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = 2. * motions(i, 0) - 3. * motions(i, 1) + 0.5 * motions(i, 2);
   const auto rigid = system.rigid_part(x);
@@ -133,8 +133,8 @@ TEST(CondensedSystem, crossing)
   // Per joint 3 elements of 2 bars, but the lowest pair is held by the base; at the crossing there
   // are 4 pairs with only 3 independent offsets.
   ASSERT_EQ(system.elements().size(), 11U);
-  ASSERT_EQ(system.jump_operator().n_rows(), 22U);
-  ASSERT_EQ(system.jump_operator().n_columns(), 20U);
+  ASSERT_EQ(system.jump_operator().rows(), 22U);
+  ASSERT_EQ(system.jump_operator().cols(), 20U);
   const Solution solution = solve_linear(system, 1e-3, 2e-3);
   const auto u            = system.recover({1.}, solution.x);
   const Vector jumps      = system.jumps(u);
@@ -143,7 +143,7 @@ TEST(CondensedSystem, crossing)
   const auto error = system.equilibrium_error(u, solution.p, {1.});
   EXPECT_LT(error.residual, 1e-12);
   EXPECT_LT(error.resultant, 1e-12);
-  EXPECT_EQ(system.rigid_motions().n_columns(), 6U); // the upper two float
+  EXPECT_EQ(system.rigid_motions().cols(), 6U); // the upper two float
 
   double N = 0.; // vertical force through the horizontal joints: 2 x 1
   for (const auto &element : system.elements())
@@ -345,7 +345,7 @@ TEST(CondensedSystem, tip_inside_a_body)
   EXPECT_DOUBLE_EQ(system.elements()[0].area, 0.5);
   EXPECT_DOUBLE_EQ(system.normal(0)[1], 1.);
   EXPECT_TRUE(system.joint_faces()[0].shares[1].empty());
-  EXPECT_EQ(system.rigid_motions().n_columns(), 0U);
+  EXPECT_EQ(system.rigid_motions().cols(), 0U);
   const Solution solution = solve_linear(system, 1e-3, 1e-3);
   const auto u            = system.recover({1.}, solution.x);
   EXPECT_LT(system.equilibrium_error(u, solution.p, {1.}).residual, 1e-12);
@@ -370,7 +370,7 @@ TEST(CondensedSystem, joint_in_two_parts)
   CondensedSystem<2> system(mesh.mesh, model, {false, false});
   set_all_loads(system, model);
   ASSERT_EQ(system.elements().size(), 8U);
-  EXPECT_EQ(system.jump_operator().n_columns() + 2, system.jump_operator().n_rows());
+  EXPECT_EQ(system.jump_operator().cols() + 2, system.jump_operator().rows());
   const Solution solution = solve_linear(system, 1e-3, 1e-3);
   for (const auto &element : system.elements())
     EXPECT_NEAR(solution.p[element.normal_bar], -2. * element.area, 1e-11);
@@ -395,9 +395,9 @@ TEST(CondensedSystem, iterative_elimination_at_a_crossing)
       F.push_back(system.load_patterns());
     }
   const double stiffness = S[0](0, 0), load = 1.;
-  for (std::size_t j = 0; j < S[0].n_columns(); ++j)
-    for (std::size_t i = 0; i < S[0].n_rows(); ++i)
+  for (Eigen::Index j = 0; j < S[0].cols(); ++j)
+    for (Eigen::Index i = 0; i < S[0].rows(); ++i)
       EXPECT_NEAR(S[1](i, j), S[0](i, j), 1e-10 * stiffness);
-  for (std::size_t i = 0; i < F[0].n_rows(); ++i)
+  for (Eigen::Index i = 0; i < F[0].rows(); ++i)
     EXPECT_NEAR(F[1](i, 0), F[0](i, 0), 1e-12 * load);
 }

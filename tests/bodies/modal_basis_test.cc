@@ -36,7 +36,7 @@ namespace fuga::test
           Vector unit(n, 0.);
           unit[j]            = 1.;
           const Vector image = product(unit);
-          std::copy(image.begin(), image.end(), A.column(j));
+          A.col(j)           = view(image);
         }
       const Eigenpairs all = eigenpairs(A);
       ASSERT_EQ(some.values.size(), 10U);
@@ -49,7 +49,7 @@ namespace fuga::test
       for (std::size_t k = 0; k < 10; ++k)
         {
           EXPECT_NEAR(some.values[k], all.values[k], 1e-13);
-          const Vector x(some.vectors.column(k), some.vectors.column(k) + n);
+          const Vector x(some.vectors.col(k).data(), some.vectors.col(k).data() + n);
           Vector rest = product(x);
           add_multiple(-some.values[k], x, rest);
           EXPECT_LT(max_abs(rest), 1e-12);
@@ -129,8 +129,8 @@ namespace fuga::test
       for (const double value : basis.squares)
         EXPECT_LT(value, limit);
       // A motion of a joint moves the bar as a rigid body, the mass of which is in L and R.
-      const Vector x(system.rigid_coordinates().column(0),
-                     system.rigid_coordinates().column(0) + system.n_coordinates());
+      const Vector x(system.rigid_coordinates().col(0).data(),
+                     system.rigid_coordinates().col(0).data() + system.n_coordinates());
       const Vector momenta = multiply(basis.coupling, x);
       const double sum     = dot(momenta, momenta) + dot(x, multiply(basis.residual_mass, x));
       double expected      = 0.;

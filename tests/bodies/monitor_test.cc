@@ -50,7 +50,7 @@ namespace
   {
     CondensedSystem<2> system(mesh, model, std::vector<bool>(n_joints, false));
     set_all_loads(system, model);
-    const Vector x    = random_vector(system.stiffness().n_rows(), 1);
+    const Vector x    = random_vector(system.stiffness().rows(), 1);
     const Vector a    = random_vector(model.loads.size(), 2);
     const auto u      = system.recover(a, x);
     const auto &space = system.discretization();

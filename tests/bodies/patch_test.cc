@@ -183,7 +183,7 @@ TEST_P(Patch, frictionless)
   add_load(model, LoadKind::pressure, {"top"}, {"2.5"});
   CondensedSystem<2> system(mesh.mesh, model, {true});
   set_all_loads(system, model);
-  EXPECT_EQ(system.stiffness().n_rows(), system.elements().size());
+  EXPECT_EQ(system.stiffness().rows(), system.elements().size());
   const Solution solution = solve_linear(system, 1e-3, 1.);
   for (const auto &element : system.elements())
     {

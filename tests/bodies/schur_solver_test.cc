@@ -109,7 +109,7 @@ TEST(SchurSolver, FactorOnDisk)
       results[on_disk].push_back(solver.eliminate(matrix, kept));
       EXPECT_EQ(std::filesystem::is_empty(folder), !on_disk);
       DenseMatrix loads(std::size_t(m) * m, 3);
-      for (std::size_t i = 0; i < loads.n_rows() - kept; ++i)
+      for (std::size_t i = 0; i < loads.rows() - kept; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           loads(i, j) = double(i % (7 + j));
       DenseMatrix again = loads;
@@ -118,8 +118,8 @@ TEST(SchurSolver, FactorOnDisk)
       results[on_disk].push_back(again);
     }
   for (std::size_t r = 0; r < results[0].size(); ++r)
-    for (std::size_t j = 0; j < results[0][r].n_columns(); ++j)
-      for (std::size_t i = 0; i < results[0][r].n_rows(); ++i)
+    for (Eigen::Index j = 0; j < results[0][r].cols(); ++j)
+      for (Eigen::Index i = 0; i < results[0][r].rows(); ++i)
         ASSERT_NEAR(results[0][r](i, j), results[1][r](i, j), r == 0 ? 0. : 5e-14)
           << r << ' ' << i << ' ' << j;
   EXPECT_TRUE(std::filesystem::is_empty(folder));

@@ -171,9 +171,9 @@ TEST_P(Spatial, FloatingBody)
     hold(model, side, "");
   const CondensedSystem<3> system(mesh, model, {false});
   DenseMatrix S = system.stiffness();
-  ASSERT_EQ(system.rigid_motions().n_columns(), 6U);
-  Vector values(S.n_rows());
-  const int n = static_cast<int>(S.n_rows());
+  ASSERT_EQ(system.rigid_motions().cols(), 6U);
+  Vector values(S.rows());
+  const int n = static_cast<int>(S.rows());
   LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'U', n, S.data(), n, values.data());
   EXPECT_LT(std::max(-values[0], values[5]), 1e-12 * values.back());
   EXPECT_GT(values[6], 1e-6 * values.back());

@@ -157,7 +157,7 @@ TEST(CriticalFrictionInSpace, TwoContinuationsOfANodeThatTurns)
 TEST(CriticalFrictionInSpace, WhatIsCertainAtTheApexIsTrue)
 {
   const auto is_certain = [](const ToySystem &system, const double f, std::mt19937 &generator) {
-    const std::size_t n = system.S.n_rows() / 3;
+    const std::size_t n = system.S.rows() / 3;
     const ConeJoint joint(n, 1., make_rigid_law(), make_rigid_law(), f);
     const LayeredSystem layered(system, joint.elements);
     WorkingScheme scheme(joint.elements, layered);
@@ -168,7 +168,7 @@ TEST(CriticalFrictionInSpace, WhatIsCertainAtTheApexIsTrue)
       set.push_back({k, true, ShearPosition::at_apex});
     std::uniform_real_distribution<double> any(-1., 1.);
     Vector factors;
-    for (std::size_t j = 0; j < system.F.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < system.F.cols(); ++j)
       factors.push_back(any(generator));
     const Drive drive        = {multiply(layered.reactions(), factors), {}, {}};
     const Continuation found = problem.solve(state, set, drive);

@@ -21,7 +21,7 @@ namespace
   diagonal_of(const DenseMatrix &W)
   {
     Vector result;
-    for (std::size_t i = 0; i < W.n_rows(); ++i)
+    for (Eigen::Index i = 0; i < W.rows(); ++i)
       result.push_back(W(i, i));
     return result;
   }

@@ -13,9 +13,9 @@ namespace fuga::tests
     DenseMatrix
     with_empty_rows(const DenseMatrix &A, const std::size_t others)
     {
-      DenseMatrix result(A.n_rows() + others, A.n_columns());
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        std::copy_n(A.column(j), A.n_rows(), result.column(j));
+      DenseMatrix result(A.rows() + others, A.cols());
+      for (Eigen::Index j = 0; j < A.cols(); ++j)
+        std::copy_n(A.col(j).data(), A.rows(), result.col(j).data());
       return result;
     }
 
@@ -23,13 +23,13 @@ namespace fuga::tests
     ToySystem
     beside_open_element(const ToySystem &system)
     {
-      const std::size_t n = system.S.n_rows();
+      const std::size_t n = system.S.rows();
       ToySystem result;
       result.S = DenseMatrix(n + 3, n + 3);
       result.F = with_empty_rows(system.F, 3);
       for (std::size_t j = 0; j < n + 3; ++j)
         if (j < n)
-          std::copy_n(system.S.column(j), n, result.S.column(j));
+          std::copy_n(system.S.col(j).data(), n, result.S.col(j).data());
         else
           result.S(j, j) = 1.;
       return result;

@@ -34,9 +34,9 @@ namespace
           for (std::size_t i = 0; i < n; ++i)
             basis(i, j) = (chosen >> j) % 2 == 1 ? -M(i, j) : i == j ? 1. : 0.;
         const judges::LinearSolution x = judges::solve_linear(basis, q);
-        if (x.regular && std::all_of(x.X.column(0), x.X.column(0) + n, [](const double value) {
-              return value >= 0.;
-            }))
+        if (x.regular && std::all_of(x.X.col(0).data(),
+                                     x.X.col(0).data() + n,
+                                     [](const double value) { return value >= 0.; }))
           return true;
       }
     return false;

@@ -13,11 +13,11 @@ namespace fuga::tests
     DenseMatrix
     lift_rows(const DenseMatrix &A, const std::size_t n_more)
     {
-      DenseMatrix result(A.n_rows() / 2 * 3, A.n_columns() + n_more);
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
+      DenseMatrix result(A.rows() / 2 * 3, A.cols() + n_more);
+      for (Eigen::Index j = 0; j < A.cols(); ++j)
         {
-          const Vector lifted = LiftedProblem::lift(Vector(A.column(j), A.column(j) + A.n_rows()));
-          std::copy(lifted.begin(), lifted.end(), result.column(j));
+          const Vector lifted = LiftedProblem::lift(to_vector(A.col(j)));
+          result.col(j)       = view(lifted);
         }
       return result;
     }
@@ -36,14 +36,14 @@ namespace fuga::tests
                                const std::vector<ContactElement> &plane_elements)
     : elements(plane_elements)
   {
-    const std::size_t n = elements.size(), m = plane.S.n_rows();
+    const std::size_t n = elements.size(), m = plane.S.rows();
     system.S = DenseMatrix(m + n, m + n);
-    system.F = DenseMatrix(m + n, plane.F.n_columns());
+    system.F = DenseMatrix(m + n, plane.F.cols());
     for (std::size_t i = 0; i < m; ++i)
       {
         for (std::size_t j = 0; j < m; ++j)
           system.S(i, j) = plane.S(i, j);
-        for (std::size_t j = 0; j < plane.F.n_columns(); ++j)
+        for (Eigen::Index j = 0; j < plane.F.cols(); ++j)
           system.F(i, j) = plane.F(i, j);
       }
     system.B = lift_rows(plane.B.empty() ? identity(m) : plane.B, n);

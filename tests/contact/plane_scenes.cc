@@ -148,11 +148,11 @@ namespace fuga::tests
                      {}};
     scene.system.S      = random_stiffness(2 * n, generator);
     const DenseMatrix F = random_loads(n, generator);
-    scene.system.F      = DenseMatrix(2 * n, F.n_columns());
+    scene.system.F      = DenseMatrix(2 * n, F.cols());
     for (std::size_t k = 0; k < n; ++k)
       {
         for (std::size_t i = 0; i < 2; ++i)
-          for (std::size_t j = 0; j < F.n_columns(); ++j)
+          for (Eigen::Index j = 0; j < F.cols(); ++j)
             scene.system.F(2 * k + i, j) = F(3 * k + i, j);
         ContactElement &element      = scene.elements[k];
         element.normal_bar           = static_cast<unsigned int>(2 * k);

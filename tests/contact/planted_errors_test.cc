@@ -383,7 +383,7 @@ TEST(Accurate, ProductsKeepWhatDoubleLoses)
 {
   DenseMatrix A(9, 3);
   const double large = std::pow(2., 60);
-  for (std::size_t i = 0; i < A.n_rows(); ++i)
+  for (Eigen::Index i = 0; i < A.rows(); ++i)
     {
       A(i, 0) = large;
       A(i, 1) = 1. + static_cast<double>(i);

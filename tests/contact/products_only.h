@@ -27,10 +27,10 @@ namespace fuga::tests
     {
       const DenseMatrix jumps = all_jumps();
       Vector result;
-      for (std::size_t bar = 0; bar < jumps.n_rows(); ++bar)
+      for (Eigen::Index bar = 0; bar < jumps.rows(); ++bar)
         {
           double work = 0., square = 0.;
-          for (std::size_t i = 0; i < S.n_rows(); ++i)
+          for (Eigen::Index i = 0; i < S.rows(); ++i)
             {
               work += jumps(bar, i) * jumps(bar, i) * S(i, i);
               square += jumps(bar, i) * jumps(bar, i);
@@ -59,14 +59,14 @@ namespace fuga::tests
                     const double) const override
     {
       const DenseMatrix jumps     = all_jumps();
-      const std::size_t n_of_each = jumps.n_rows() / bars.size();
-      DenseMatrix C(jumps.n_rows(), jumps.n_rows());
+      const std::size_t n_of_each = jumps.rows() / bars.size();
+      DenseMatrix C(jumps.rows(), jumps.rows());
       for (std::size_t k = 0; k < bars.size(); ++k)
         for (std::size_t i = 0; i < n_of_each; ++i)
           for (std::size_t j = 0; j < n_of_each; ++j)
             C(k * n_of_each + i, k * n_of_each + j) = bars[k][i][j];
       DenseMatrix K = multiply_transposed(jumps, multiply(C, jumps));
-      for (std::size_t i = 0; i < S.n_rows() * S.n_rows(); ++i)
+      for (std::size_t i = 0; i < S.rows() * S.rows(); ++i)
         K.data()[i] += S.data()[i];
       Solution solution{r, {}, {}};
       LuFactors(std::move(K)).solve(solution.x);
@@ -80,8 +80,8 @@ namespace fuga::tests
     {
       if (!B.empty())
         return B;
-      DenseMatrix identity(S.n_rows(), S.n_rows());
-      for (std::size_t i = 0; i < S.n_rows(); ++i)
+      DenseMatrix identity(S.rows(), S.rows());
+      for (Eigen::Index i = 0; i < S.rows(); ++i)
         identity(i, i) = 1.;
       return identity;
     }

@@ -71,7 +71,7 @@ namespace fuga::tests
   public:
     explicit ToyWater(DenseMatrix forces_of_open) : Q(std::move(forces_of_open))
     {
-      const std::size_t n = Q.n_rows() / 2;
+      const std::size_t n = Q.rows() / 2;
       its_network.neighbours.resize(n);
       its_network.upstream = its_network.wet = std::vector<bool>(n, true);
       its_network.downstream                 = std::vector<bool>(n, false);

@@ -49,10 +49,10 @@ namespace fuga::tests
   {
     const double length = springs.length_of(rung);
     DenseMatrix S       = springs.stiffness;
-    for (std::size_t i = 0; i < S.n_rows(); ++i)
+    for (Eigen::Index i = 0; i < S.rows(); ++i)
       {
         S(i, i) += integration.mass_factor(length) * springs.masses[i];
-        for (std::size_t j = 0; j < S.n_rows() && !springs.damping.empty(); ++j)
+        for (std::size_t j = 0; j < S.rows() && !springs.damping.empty(); ++j)
           S(i, j) += integration.damping_factor(length) * springs.damping(i, j);
       }
     return S;

@@ -41,8 +41,8 @@ namespace fuga::judges
     columns_of(const DenseMatrix &matrix)
     {
       std::vector<Vector> result;
-      for (std::size_t j = 0; j < matrix.n_columns(); ++j)
-        result.emplace_back(matrix.column(j), matrix.column(j) + matrix.n_rows());
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        result.emplace_back(matrix.col(j).data(), matrix.col(j).data() + matrix.rows());
       return result;
     }
   } // namespace
@@ -226,7 +226,7 @@ namespace fuga::judges
                                               std::min<std::size_t>(history.size(), window)),
                             history.end());
         Vector candidate(y.size());
-        const Vector change(direction.X.column(0), direction.X.column(0) + y.size());
+        const Vector change(direction.X.col(0).data(), direction.X.col(0).data() + y.size());
         double part      = permitted_part(y, change);
         double new_merit = 0.;
         for (unsigned int halving = 0; halving < max_halvings; ++halving, part *= .5)

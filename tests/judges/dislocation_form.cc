@@ -20,7 +20,7 @@ namespace fuga::judges
     for (std::size_t bar = 0; bar < n_b; ++bar)
       rhs(n_x + bar, bar) = 1.;
     for (std::size_t l = 0; l < loads.size(); ++l)
-      std::copy(loads[l].begin(), loads[l].end(), rhs.column(n_b + l));
+      rhs.col(n_b + l) = view(loads[l]);
 
     const std::vector<ContactState> all_stick(problem.elements.size(), ContactState::stick);
     const LinearSolution linear =
@@ -34,11 +34,11 @@ namespace fuga::judges
       {
         for (std::size_t i = 0; i < n_b; ++i)
           form.W(i, j) = -.5 * (linear.X(n_x + i, j) + linear.X(n_x + j, i));
-        std::copy_n(linear.X.column(j), n_x, form.X.column(j));
+        std::copy_n(linear.X.col(j).data(), n_x, form.X.col(j).data());
       }
     for (std::size_t l = 0; l < loads.size(); ++l)
       {
-        const double *const column = linear.X.column(n_b + l);
+        const double *const column = linear.X.col(n_b + l).data();
         form.x_R.emplace_back(column, column + n_x);
         form.R.emplace_back(column + n_x, column + n_x + n_b);
       }
@@ -80,7 +80,7 @@ namespace fuga::judges
   Vector
   stiffness_scales(const DenseMatrix &W)
   {
-    Vector result(W.n_rows());
+    Vector result(W.rows());
     double largest = 0.;
     for (std::size_t i = 0; i < result.size(); ++i)
       {

@@ -66,7 +66,7 @@ namespace fuga::judges
   judge_load(const ContactSystem &system, const Vector &factors)
   {
     const DenseMatrix &F = system.load_patterns();
-    Vector load(F.n_rows(), 0.);
+    Vector load(F.rows(), 0.);
     for (std::size_t j = 0; j < factors.size(); ++j)
       for (std::size_t i = 0; i < load.size(); ++i)
         load[i] += F(i, j) * factors[j];

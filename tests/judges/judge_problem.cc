@@ -49,7 +49,7 @@ namespace fuga::judges
       // deformation that the largest force causes, of which they are the rounding.
       constexpr double least_share = 1e-4;
       double stiffest              = 0.;
-      for (std::size_t i = 0; i < problem.S.n_rows(); ++i)
+      for (Eigen::Index i = 0; i < problem.S.rows(); ++i)
         stiffest = std::max(stiffest, problem.S(i, i));
       const double unmoved = stiffest > 0. ? least_share * scales.force / stiffest : 0.;
       scales.length        = std::max({largest(jumps),
@@ -119,7 +119,7 @@ namespace fuga::judges
   {
     if (B.empty())
       return x;
-    Vector delta(B.n_rows(), 0.);
+    Vector delta(B.rows(), 0.);
     for (std::size_t j = 0; j < x.size(); ++j)
       for (std::size_t i = 0; i < delta.size(); ++i)
         delta[i] += B(i, j) * x[j];
@@ -129,8 +129,8 @@ namespace fuga::judges
   void
   validate(const JudgeProblem &problem)
   {
-    require(problem.S.n_rows() == problem.S.n_columns(), "S is not square");
-    require(problem.B.empty() || problem.B.n_columns() == problem.S.n_rows(), "B does not fit S");
+    require(problem.S.rows() == problem.S.cols(), "S is not square");
+    require(problem.B.empty() || problem.B.cols() == problem.S.rows(), "B does not fit S");
     std::vector<unsigned int> owners(problem.n_bars(), 0u);
     for (const JudgeElement &element : problem.elements)
       {

@@ -67,13 +67,13 @@ namespace fuga::judges
     std::size_t
     n_coordinates() const
     {
-      return S.n_rows();
+      return S.rows();
     }
 
     std::size_t
     n_bars() const
     {
-      return B.empty() ? S.n_rows() : B.n_rows();
+      return B.empty() ? S.rows() : B.rows();
     }
 
     double

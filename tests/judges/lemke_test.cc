@@ -35,7 +35,7 @@ namespace
   expect_ray(const LemkeResult &result, const DenseMatrix &M)
   {
     ASSERT_EQ(result.status, LemkeStatus::ray);
-    const std::size_t n = M.n_rows();
+    const std::size_t n = M.rows();
     double size         = result.ray_z0;
     for (std::size_t i = 0; i < n; ++i)
       {

@@ -19,7 +19,7 @@ namespace fuga::judges
     Vector
     equilibrate(DenseMatrix &A, DenseMatrix &B)
     {
-      const std::size_t n = A.n_rows();
+      const std::size_t n = A.rows();
       for (std::size_t i = 0; i < n; ++i)
         {
           double size = 0.;
@@ -29,7 +29,7 @@ namespace fuga::judges
             continue;
           for (std::size_t j = 0; j < n; ++j)
             A(i, j) /= size;
-          for (std::size_t j = 0; j < B.n_columns(); ++j)
+          for (Eigen::Index j = 0; j < B.cols(); ++j)
             B(i, j) /= size;
         }
       Vector factors(n, 1.);
@@ -50,14 +50,14 @@ namespace fuga::judges
     bool
     solves(const DenseMatrix &A, const DenseMatrix &X, const DenseMatrix &B)
     {
-      for (std::size_t column = 0; column < B.n_columns(); ++column)
+      for (Eigen::Index column = 0; column < B.cols(); ++column)
         {
           double scale = 0., error = 0.;
-          for (std::size_t i = 0; i < A.n_rows(); ++i)
+          for (Eigen::Index i = 0; i < A.rows(); ++i)
             {
               double sum = -B(i, column);
               scale      = std::max(scale, std::abs(sum));
-              for (std::size_t j = 0; j < A.n_columns(); ++j)
+              for (Eigen::Index j = 0; j < A.cols(); ++j)
                 {
                   sum += A(i, j) * X(j, column);
                   scale = std::max(scale, std::abs(A(i, j) * X(j, column)));
@@ -77,14 +77,14 @@ namespace fuga::judges
   {
     LinearSolution result;
     const Vector factors       = equilibrate(A, B);
-    const lapack_int n         = static_cast<lapack_int>(A.n_rows());
-    const lapack_int n_columns = static_cast<lapack_int>(B.n_columns());
-    result.X                   = DenseMatrix(A.n_rows(), B.n_columns());
+    const lapack_int n         = static_cast<lapack_int>(A.rows());
+    const lapack_int n_columns = static_cast<lapack_int>(B.cols());
+    result.X                   = DenseMatrix(A.rows(), B.cols());
 
-    DenseMatrix A_copy = A, B_copy = B, factorised(A.n_rows(), A.n_rows());
-    std::vector<lapack_int> pivots(A.n_rows());
-    Vector row_scales(A.n_rows(), 1.), column_scales(A.n_rows(), 1.);
-    Vector forward_error(B.n_columns()), backward_error(B.n_columns());
+    DenseMatrix A_copy = A, B_copy = B, factorised(A.rows(), A.rows());
+    std::vector<lapack_int> pivots(A.rows());
+    Vector row_scales(A.rows(), 1.), column_scales(A.rows(), 1.);
+    Vector forward_error(B.cols()), backward_error(B.cols());
     char equilibration    = 'N';
     double pivot_growth   = 0.;
     const lapack_int info = LAPACKE_dgesvx(LAPACK_COL_MAJOR,
@@ -115,7 +115,7 @@ namespace fuga::judges
         A_copy          = A;
         result.X        = B;
         lapack_int rank = 0;
-        Vector singular_values(A.n_rows());
+        Vector singular_values(A.rows());
         result.consistent = LAPACKE_dgelsd(LAPACK_COL_MAJOR,
                                            n,
                                            n,
@@ -129,7 +129,7 @@ namespace fuga::judges
                                            &rank) == 0 &&
                             solves(A, result.X, B);
       }
-    for (std::size_t column = 0; column < B.n_columns(); ++column)
+    for (Eigen::Index column = 0; column < B.cols(); ++column)
       for (std::size_t i = 0; i < factors.size(); ++i)
         result.X(i, column) *= factors[i];
     return result;
@@ -139,7 +139,7 @@ namespace fuga::judges
   solve_linear(DenseMatrix A, const Vector &b, const bool allow_singular)
   {
     DenseMatrix B(b.size(), 1);
-    std::copy(b.begin(), b.end(), B.column(0));
+    B.col(0) = view(b);
     return solve_linear(std::move(A), std::move(B), allow_singular);
   }
 } // namespace fuga::judges

@@ -130,7 +130,7 @@ namespace fuga::judges
         if (linear.regular || linear.consistent)
           {
             RateSolution rates;
-            const double *const values = linear.X.column(0);
+            const double *const values = linear.X.col(0).data();
             rates.x.assign(values, values + n_x);
             rates.forces.assign(values + n_x, values + rhs.size());
             rates.jumps   = problem.jumps(rates.x);

@@ -93,7 +93,7 @@ namespace fuga::judges
       return result;
 
     StepSolution &solution     = result.solution;
-    const double *const values = linear.X.column(0);
+    const double *const values = linear.X.col(0).data();
     solution.x.assign(values, values + n_x);
     solution.forces.assign(values + n_x, values + rhs.size());
     solution.states     = states;

@@ -47,7 +47,7 @@ namespace fuga::judges
           LinearSolution step = solve_linear(std::move(jacobian), F, true);
           // A singular Jacobian: its least-squares step of least norm (Gauss-Newton) still
           // descends.
-          Vector dy(step.X.column(0), step.X.column(0) + y.size());
+          Vector dy(step.X.col(0).data(), step.X.col(0).data() + y.size());
           double part = equations.permitted_part(y, dy);
 
           const std::size_t window = std::min<std::size_t>(history.size(), 6);

@@ -170,7 +170,7 @@ TEST(Skip, WhatNeverLeavesItsFirstState)
   const Parameters parameters = parameters_of("scene_g_f02.prm", {});
   const Model<2> model(parameters);
   EXPECT_EQ(model.bodies.discretization().n_dofs(), 5036u);
-  EXPECT_EQ(model.bodies.stiffness().n_rows(), 66u);
+  EXPECT_EQ(model.bodies.stiffness().rows(), 66u);
 
   const JointModel joint =
     make_joint_model<2>(model.bodies, parameters.joints, parameters.model.constants);

@@ -108,7 +108,7 @@ namespace fuga::stress
       const judges::LinearSolution solution = judges::solve_linear(at.S, load);
       if (!solution.regular)
         return {};
-      return Vector(solution.X.column(0), solution.X.column(0) + load.size());
+      return Vector(solution.X.col(0).data(), solution.X.col(0).data() + load.size());
     }
 
     /** Nothing if x has no digits. */

@@ -263,9 +263,9 @@ namespace fuga::stress
   {
     const DenseMatrix &motions = model.bodies.rigid_coordinates();
     double error               = 0.;
-    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
       {
-        const Vector motion(motions.column(k), motions.column(k) + motions.n_rows());
+        const Vector motion(motions.col(k).data(), motions.col(k).data() + motions.rows());
         if (const double size = max_abs(motion); size > 0.)
           error = std::max(error, max_abs(multiply(problem.S, motion)) / size);
       }

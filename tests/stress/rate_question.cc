@@ -83,7 +83,7 @@ namespace fuga::stress
             forces[i] -= problem.M(i, j) * rates[j];
         }
       const double noise = tolerance * std::max(size, largest_rate);
-      for (std::size_t a = 0; a < problem.follow.n_rows(); ++a)
+      for (Eigen::Index a = 0; a < problem.follow.rows(); ++a)
         {
           double rate = problem.follow(a, n);
           for (std::size_t j = 0; j < n; ++j)

@@ -103,7 +103,7 @@ namespace fuga::stress
     reduced.regular   = true;
     // W is a difference of numbers S D times as large; a hundredth of what that leaves is trusted.
     double stiffest = 0., softest = 0.;
-    for (std::size_t i = 0; i < problem.S.n_rows(); ++i)
+    for (Eigen::Index i = 0; i < problem.S.rows(); ++i)
       stiffest = std::max(stiffest, problem.S(i, i));
     for (const JudgeElement &element : problem.elements)
       softest = std::max({softest,

@@ -59,23 +59,23 @@ namespace fuga
   void
   add_product(const long double sign, const DenseMatrix &A, const Accurate &x, Accurate &y)
   {
-    work::now().accurate_operations += A.n_rows() * A.n_columns();
+    work::now().accurate_operations += A.rows() * A.cols();
     static const bool fused = is_fused();
     if (!fused)
       {
-        for (std::size_t j = 0; j < A.n_columns(); ++j)
-          add_scaled(A.n_rows(), sign * x[j], A.column(j), y.data());
+        for (Eigen::Index j = 0; j < A.cols(); ++j)
+          add_scaled(A.rows(), sign * x[j], A.col(j).data(), y.data());
         return;
       }
-    Vector high(A.n_rows(), 0.), low(A.n_rows(), 0.);
-    for (std::size_t j = 0; j < A.n_columns(); ++j)
+    Vector high(A.rows(), 0.), low(A.rows(), 0.);
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
       {
         const long double a     = sign * x[j];
         const double a_high     = static_cast<double>(a);
         const long double a_low = a - a_high;
         if (a != 0.L)
           add_scaled_in_pairs(
-            A.n_rows(), a_high, static_cast<double>(a_low), A.column(j), high.data(), low.data());
+            A.rows(), a_high, static_cast<double>(a_low), A.col(j).data(), high.data(), low.data());
       }
     for (std::size_t i = 0; i < high.size(); ++i)
       y[i] += static_cast<long double>(high[i]) + low[i];

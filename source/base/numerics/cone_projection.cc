@@ -1,44 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/base/numerics/cone_projection.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
-#include <lapacke.h>
 
 namespace fuga
 {
   RightSingularVectors::RightSingularVectors(const DenseMatrix &A)
-    : values(A.n_columns()), V(A.n_columns(), A.n_columns())
+    : values(A.cols()), V(A.cols(), A.cols())
   {
-    const std::size_t n = A.n_columns(), m = std::max(A.n_rows(), n);
-    if (n == 0)
+    if (A.cols() == 0)
       return;
-    DenseMatrix padded(m, n), transposed(n, n);
-    for (std::size_t j = 0; j < n; ++j)
-      std::copy_n(A.column(j), A.n_rows(), padded.column(j));
-    Vector unconverged(n);
-    double no_left_vectors = 0.;
-    if (LAPACKE_dgesvd(LAPACK_COL_MAJOR,
-                       'N',
-                       'A',
-                       blas::to_int(m),
-                       blas::to_int(n),
-                       padded.data(),
-                       blas::to_int(m),
-                       values.data(),
-                       &no_left_vectors,
-                       1,
-                       transposed.data(),
-                       blas::to_int(n),
-                       unconverged.data()) != 0)
-      throw NumericalFailure("The singular values of a matrix were not found.");
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        V(i, j) = transposed(j, i);
+    DenseMatrix padded(std::max(A.rows(), A.cols()), A.cols());
+    padded.topRows(A.rows()) = A;
+    const Eigen::BDCSVD<DenseMatrix> svd(padded, Eigen::ComputeFullV);
+    values = to_vector(svd.singularValues());
+    V      = svd.matrixV();
   }
 
   namespace
@@ -53,10 +35,7 @@ namespace fuga
       const std::size_t rank = std::count_if(svd.values.begin(),
                                              svd.values.end(),
                                              [](const double value) { return value > negligible; });
-      DenseMatrix result(E.n_columns(), E.n_columns() - rank);
-      for (std::size_t j = 0; j < result.n_columns(); ++j)
-        std::copy_n(svd.V.column(rank + j), result.n_rows(), result.column(j));
-      return result;
+      return svd.V.rightCols(E.cols() - rank);
     }
 
     /** Return the rows of C, scaled to size one and without those that are zero, as columns. */
@@ -64,21 +43,15 @@ namespace fuga
     unit_normals(const DenseMatrix &C)
     {
       std::vector<Vector> normals;
-      for (std::size_t i = 0; i < C.n_rows(); ++i)
+      for (Eigen::Index i = 0; i < C.rows(); ++i)
         {
-          Vector row(C.n_columns());
-          for (std::size_t j = 0; j < row.size(); ++j)
-            row[j] = C(i, j);
-          const double size = std::sqrt(dot(row, row));
-          if (size <= negligible)
-            continue;
-          for (double &value : row)
-            value /= size;
-          normals.push_back(row);
+          const double size = C.row(i).norm();
+          if (size > negligible)
+            normals.push_back(to_vector(C.row(i).transpose() / size));
         }
-      DenseMatrix result(C.n_columns(), normals.size());
+      DenseMatrix result(C.cols(), normals.size());
       for (std::size_t j = 0; j < normals.size(); ++j)
-        std::copy(normals[j].begin(), normals[j].end(), result.column(j));
+        result.col(j) = view(normals[j]);
       return result;
     }
 
@@ -88,28 +61,10 @@ namespace fuga
                   const std::vector<std::size_t> &active,
                   const Vector &q)
     {
-      const std::size_t n = q.size(), m = active.size(), n_rhs = std::max(n, m);
-      DenseMatrix A(n, m);
-      for (std::size_t j = 0; j < m; ++j)
-        std::copy_n(normals.column(active[j]), n, A.column(j));
-      Vector s(n_rhs, 0.);
-      for (std::size_t i = 0; i < n; ++i)
-        s[i] = -q[i];
-      std::vector<int> pivots(m, 0);
-      int rank = 0;
-      LAPACKE_dgelsy(LAPACK_COL_MAJOR,
-                     blas::to_int(n),
-                     blas::to_int(m),
-                     1,
-                     A.data(),
-                     blas::to_int(n),
-                     s.data(),
-                     blas::to_int(n_rhs),
-                     pivots.data(),
-                     1e-12,
-                     &rank);
-      s.resize(m);
-      return s;
+      Eigen::CompleteOrthogonalDecomposition<DenseMatrix> factors;
+      factors.setThreshold(1e-12);
+      factors.compute(normals(Eigen::all, active));
+      return to_vector(factors.solve(-view(q)));
     }
 
     /** Project q by Lawson and Hanson's method for the multipliers of the faces of the cone: μ ≥ 0,
@@ -120,9 +75,9 @@ namespace fuga
       const double none = 1e-12 * std::sqrt(dot(q, q));
       std::vector<std::size_t> active;
       Vector multipliers, x = q;
-      for (std::size_t count = 0; count < 10 * (normals.n_columns() + 1); ++count)
+      for (Eigen::Index count = 0; count < 10 * (normals.cols() + 1); ++count)
         {
-          const Vector distances = normals.empty() ? Vector() : multiply_transposed(normals, x);
+          const Vector distances = normals.size() == 0 ? Vector() : multiply_transposed(normals, x);
           const auto worst       = std::min_element(distances.begin(), distances.end());
           if (worst == distances.end() || *worst >= -none)
             break;
@@ -154,7 +109,7 @@ namespace fuga
           multipliers = active.empty() ? Vector() : wanted;
           x           = q;
           for (std::size_t i = 0; i < active.size(); ++i)
-            blas::axpy(x.size(), multipliers[i], normals.column(active[i]), x.data());
+            view(x) += multipliers[i] * normals.col(active[i]);
         }
       return x;
     }
@@ -164,10 +119,10 @@ namespace fuga
   nearest_in_cone(const DenseMatrix &E, const DenseMatrix &C, const Vector &q)
   {
     const DenseMatrix Z = null_space(E);
-    if (Z.empty())
+    if (Z.size() == 0)
       return Vector(q.size(), 0.);
     const Vector in_null_space = multiply_transposed(Z, q);
     return multiply(
-      Z, C.empty() ? in_null_space : project(unit_normals(multiply(C, Z)), in_null_space));
+      Z, C.size() == 0 ? in_null_space : project(unit_normals(multiply(C, Z)), in_null_space));
   }
 } // namespace fuga

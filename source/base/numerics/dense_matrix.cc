@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/base/numerics/dense_matrix.h>
+#include <fuga/base/work_counter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,30 @@ namespace fuga
 {
   namespace
   {
-    using blas::to_int;
+    int
+    to_int(const Eigen::Index n)
+    {
+      return static_cast<int>(n);
+    }
 
-    // BLAS requires a leading dimension of at least one, also for empty matrices.
+    // LAPACK requires a leading dimension of at least one, also for empty matrices.
     int
     leading(const DenseMatrix &A)
     {
-      return std::max(1, to_int(A.n_rows()));
+      return std::max(1, to_int(A.rows()));
     }
 
     /** n³ */
     std::size_t
     cube(const DenseMatrix &A)
     {
-      return A.n_rows() * A.n_rows() * A.n_rows();
+      return static_cast<std::size_t>(A.rows() * A.rows() * A.rows());
+    }
+
+    void
+    count_product(const Eigen::Index n_operations)
+    {
+      work::now().dense_operations += static_cast<std::size_t>(n_operations);
     }
 
     void
@@ -41,7 +51,7 @@ namespace fuga
     count_solution(const DenseMatrix &A, const std::size_t n_columns)
     {
       work::now().dense_solutions += n_columns;
-      work::now().dense_operations += A.n_rows() * A.n_rows() * n_columns;
+      work::now().dense_operations += A.rows() * A.rows() * n_columns;
     }
 
     void
@@ -53,63 +63,48 @@ namespace fuga
     }
   } // namespace
 
+  // BLAS is called for products, as EIGEN_USE_BLAS tells Eigen to do.
   Vector
-  multiply(const DenseMatrix &A, const Vector &x)
+  multiply(const ConstMatrixView &A, const Vector &x)
   {
-    Vector y(A.n_rows(), 0.);
-    if (!A.empty())
-      blas::gemv('N', A.n_rows(), A.n_columns(), A.data(), A.n_rows(), x.data(), y.data());
+    count_product(A.size());
+    Vector y(A.rows(), 0.);
+    view(y).noalias() += A * view(x);
+    return y;
+  }
+
+  // With the lower triangle OpenBLAS's kernels for old processors read 16 bytes past the end of y,
+  // also in LAPACK's eigenvalue solvers (version 0.3.21).
+  Vector
+  multiply_symmetric(const DenseMatrix &A, const Vector &x)
+  {
+    count_product(A.size());
+    Vector y(A.rows(), 0.);
+    view(y).noalias() += A.selfadjointView<Eigen::Upper>() * view(x);
     return y;
   }
 
   Vector
-  multiply_transposed(const DenseMatrix &A, const Vector &x)
+  multiply_transposed(const ConstMatrixView &A, const Vector &x)
   {
-    Vector y(A.n_columns(), 0.);
-    if (!A.empty())
-      blas::gemv('T', A.n_rows(), A.n_columns(), A.data(), A.n_rows(), x.data(), y.data());
+    count_product(A.size());
+    Vector y(A.cols(), 0.);
+    view(y).noalias() += A.transpose() * view(x);
     return y;
   }
 
-  namespace
-  {
-    DenseMatrix
-    product(const char op, const DenseMatrix &A, const DenseMatrix &B)
-    {
-      const std::size_t rows  = op == 'N' ? A.n_rows() : A.n_columns();
-      const std::size_t inner = op == 'N' ? A.n_columns() : A.n_rows();
-      DenseMatrix C(rows, B.n_columns());
-      if (!C.empty() && inner > 0)
-        blas::gemm(op,
-                   rows,
-                   B.n_columns(),
-                   inner,
-                   A.data(),
-                   A.n_rows(),
-                   B.data(),
-                   B.n_rows(),
-                   C.data(),
-                   rows);
-      return C;
-    }
-  } // namespace
-
   DenseMatrix
-  multiply(const DenseMatrix &A, const DenseMatrix &B)
+  multiply(const ConstMatrixView &A, const DenseMatrix &B)
   {
-    return product('N', A, B);
+    count_product(A.size() * B.cols());
+    return A * B;
   }
 
   DenseMatrix
-  multiply_transposed(const DenseMatrix &A, const DenseMatrix &B)
+  multiply_transposed(const ConstMatrixView &A, const DenseMatrix &B)
   {
-    return product('T', A, B);
-  }
-
-  double
-  dot(const Vector &x, const Vector &y)
-  {
-    return blas::dot(x.size(), x.data(), y.data());
+    count_product(A.size() * B.cols());
+    return A.transpose() * B;
   }
 
   void
@@ -126,50 +121,23 @@ namespace fuga
     return origin;
   }
 
-  namespace
-  {
-    double
-    largest_of(const double *begin, const std::size_t n)
-    {
-      double largest = 0.;
-      for (std::size_t i = 0; i < n; ++i)
-        largest = std::max(largest, std::abs(begin[i]));
-      return largest;
-    }
-  } // namespace
-
   double
   max_abs(const Vector &x)
   {
-    return largest_of(x.data(), x.size());
-  }
-
-  double
-  max_abs(const DenseMatrix &A)
-  {
-    return largest_of(A.data(), A.n_rows() * A.n_columns());
-  }
-
-  double
-  largest_diagonal(const DenseMatrix &A)
-  {
-    double largest = 0.;
-    for (std::size_t i = 0; i < A.n_rows(); ++i)
-      largest = std::max(largest, A(i, i));
-    return largest;
+    return max_abs(view(x));
   }
 
   bool
   solve_positive_definite(DenseMatrix &A, DenseMatrix &B)
   {
-    if (A.empty())
+    if (A.size() == 0)
       return true;
     count_factorisation(cube(A) / 6);
-    count_solution(A, B.n_columns());
+    count_solution(A, B.cols());
     const lapack_int info = LAPACKE_dposv(LAPACK_COL_MAJOR,
                                           'L',
-                                          to_int(A.n_rows()),
-                                          to_int(B.n_columns()),
+                                          to_int(A.rows()),
+                                          to_int(B.cols()),
                                           A.data(),
                                           leading(A),
                                           B.data(),
@@ -181,28 +149,28 @@ namespace fuga
   bool
   invert_positive_definite(DenseMatrix &A)
   {
-    if (A.empty())
+    if (A.size() == 0)
       return true;
     count_factorisation(cube(A) / 2); // a sixth for the factors
-    const int n     = to_int(A.n_rows());
+    const int n     = to_int(A.rows());
     lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, A.data(), n);
     expect_success(info, "dpotrf");
     if (info == 0)
       info = LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, A.data(), n);
     expect_success(info, "dpotri");
-    for (std::size_t j = 0; j < A.n_columns(); ++j)
-      for (std::size_t i = 0; i < j; ++i)
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+      for (Eigen::Index i = 0; i < j; ++i)
         A(i, j) = A(j, i);
     return info == 0;
   }
 
   LuFactors::LuFactors(DenseMatrix &&matrix, const Scaling scaling)
     : factors(std::move(matrix))
-    , row_scale(factors.n_rows(), 1.)
-    , column_scale(factors.n_rows(), 1.)
-    , pivots(factors.n_rows())
+    , row_scale(factors.rows(), 1.)
+    , column_scale(factors.rows(), 1.)
+    , pivots(factors.rows())
   {
-    if (factors.empty())
+    if (factors.size() == 0)
       {
         rcond = 1.;
         return;
@@ -210,7 +178,7 @@ namespace fuga
     if (scaling == Scaling::equilibrated)
       equilibrate();
     count_factorisation(cube(factors) / 3);
-    const int n = to_int(factors.n_rows());
+    const int n = to_int(factors.rows());
     const double norm =
       LAPACKE_dlange(LAPACK_COL_MAJOR, '1', n, n, factors.data(), leading(factors));
     const lapack_int info =
@@ -224,9 +192,9 @@ namespace fuga
   void
   LuFactors::equilibrate()
   {
-    const int n      = to_int(factors.n_rows());
+    const int n      = to_int(factors.rows());
     double row_ratio = 0., column_ratio = 0., largest = 0.;
-    Vector rows(factors.n_rows()), columns(factors.n_rows());
+    Vector rows(factors.rows()), columns(factors.rows());
     const lapack_int info = LAPACKE_dgeequb(LAPACK_COL_MAJOR,
                                             n,
                                             n,
@@ -242,8 +210,8 @@ namespace fuga
       return;
     row_scale    = std::move(rows);
     column_scale = std::move(columns);
-    for (std::size_t j = 0; j < factors.n_columns(); ++j)
-      for (std::size_t i = 0; i < factors.n_rows(); ++i)
+    for (Eigen::Index j = 0; j < factors.cols(); ++j)
+      for (Eigen::Index i = 0; i < factors.rows(); ++i)
         factors(i, j) *= row_scale[i] * column_scale[j];
   }
 
@@ -251,7 +219,7 @@ namespace fuga
   LuFactors::determinant_sign() const
   {
     int sign = 1;
-    for (std::size_t i = 0; i < factors.n_rows(); ++i)
+    for (Eigen::Index i = 0; i < factors.rows(); ++i)
       {
         if (factors(i, i) == 0.)
           return 0;
@@ -266,50 +234,50 @@ namespace fuga
   LuFactors::solve(Vector &b) const
   {
     DenseMatrix columns(b.size(), 1);
-    std::copy(b.begin(), b.end(), columns.column(0));
+    columns.col(0) = view(b);
     solve(columns);
-    std::copy_n(columns.column(0), b.size(), b.begin());
+    std::copy_n(columns.col(0).data(), b.size(), b.begin());
   }
 
   void
   LuFactors::solve(DenseMatrix &B) const
   {
-    if (factors.empty() || B.empty())
+    if (factors.size() == 0 || B.size() == 0)
       return;
-    for (std::size_t j = 0; j < B.n_columns(); ++j)
-      for (std::size_t i = 0; i < B.n_rows(); ++i)
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+      for (Eigen::Index i = 0; i < B.rows(); ++i)
         B(i, j) *= row_scale[i];
-    count_solution(factors, B.n_columns());
+    count_solution(factors, B.cols());
     // The variant that first looks through all factors for NaN is avoided, because it would cost
     // half a solution.
     expect_success(LAPACKE_dgetrs_work(LAPACK_COL_MAJOR,
                                        'N',
-                                       to_int(factors.n_rows()),
-                                       to_int(B.n_columns()),
+                                       to_int(factors.rows()),
+                                       to_int(B.cols()),
                                        factors.data(),
                                        leading(factors),
                                        pivots.data(),
                                        B.data(),
                                        leading(B)),
                    "dgetrs");
-    for (std::size_t j = 0; j < B.n_columns(); ++j)
-      for (std::size_t i = 0; i < B.n_rows(); ++i)
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+      for (Eigen::Index i = 0; i < B.rows(); ++i)
         B(i, j) *= column_scale[i];
   }
 
   DenseMatrix
   LuFactors::release_inverse()
   {
-    count_solution(factors, factors.n_rows());
-    if (!factors.empty())
+    count_solution(factors, factors.rows());
+    if (factors.size() > 0)
       expect_success(LAPACKE_dgetri(LAPACK_COL_MAJOR,
-                                    to_int(factors.n_rows()),
+                                    to_int(factors.rows()),
                                     factors.data(),
                                     leading(factors),
                                     pivots.data()),
                      "dgetri");
-    for (std::size_t j = 0; j < factors.n_columns(); ++j)
-      for (std::size_t i = 0; i < factors.n_rows(); ++i)
+    for (Eigen::Index j = 0; j < factors.cols(); ++j)
+      for (Eigen::Index i = 0; i < factors.rows(); ++i)
         factors(i, j) *= column_scale[i] * row_scale[j];
     return std::move(factors);
   }
@@ -317,7 +285,7 @@ namespace fuga
   Vector
   null_vector(DenseMatrix &&shifted)
   {
-    Vector x(shifted.n_rows(), 1.);
+    Vector x(shifted.rows(), 1.);
     const LuFactors factors(std::move(shifted));
     for (int step = 0; step < 3 && factors.reciprocal_condition() > 0.; ++step)
       {

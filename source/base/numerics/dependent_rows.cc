@@ -15,9 +15,9 @@ namespace fuga
     constexpr double zero = 1e-10, none = 1e-8;
     const RightSingularVectors svd(A);
     const DenseMatrix U_sigma = multiply(A, svd.V);
-    Vector shares(A.n_rows(), 1.);
+    Vector shares(A.rows(), 1.);
     for (std::size_t j = 0; j < svd.values.size() && svd.values[j] > zero * svd.values[0]; ++j)
-      for (std::size_t i = 0; i < A.n_rows(); ++i)
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
         {
           const double u = U_sigma(i, j) / svd.values[j];
           shares[i] -= u * u;

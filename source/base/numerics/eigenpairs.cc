@@ -62,12 +62,8 @@ namespace fuga
     void
     put_largest_first(Eigenpairs &pairs)
     {
-      const std::size_t n = pairs.values.size();
       std::reverse(pairs.values.begin(), pairs.values.end());
-      for (std::size_t k = 0; k < n / 2; ++k)
-        std::swap_ranges(pairs.vectors.column(k),
-                         pairs.vectors.column(k) + pairs.vectors.n_rows(),
-                         pairs.vectors.column(n - 1 - k));
+      pairs.vectors = pairs.vectors.rowwise().reverse().eval();
     }
 
     /** Return a vector that is orthogonal to no eigenvector: the fractional parts of multiples of
@@ -87,8 +83,8 @@ namespace fuga
   eigenpairs(DenseMatrix A)
   {
     Eigenpairs result;
-    const auto n = static_cast<lapack_int>(A.n_rows());
-    result.values.resize(A.n_rows());
+    const auto n = static_cast<lapack_int>(A.rows());
+    result.values.resize(A.rows());
     if (n > 0 &&
         LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'U', n, A.data(), n, result.values.data()) != 0)
       throw NumericalFailure("The eigenvalues of a symmetric matrix were not found (LAPACK).");

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/interruption.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/base/numerics/lcp_search.h>
 
 #include <algorithm>
@@ -64,10 +63,10 @@ namespace fuga
           {
             basic[j] = j;
             other[j] = n + j;
-            std::copy(M.column(j), M.column(j) + n, table.column(j));
           }
-        std::copy(q.begin(), q.end(), table.column(n));
-        is_fresh = true;
+        table.leftCols(n) = M;
+        table.col(n)      = view(q);
+        is_fresh          = true;
       }
 
       /** Search the part that is given by the variables held at zero. */
@@ -180,18 +179,17 @@ namespace fuga
       void
       pivot(const std::size_t row, const std::size_t column)
       {
-        const double entry = table(row, column);
-        Vector entering_column(table.column(column), table.column(column) + n);
-        entering_column[row] = 0.;
+        const double entry       = table(row, column);
+        Eigen::VectorXd entering = table.col(column);
+        entering(row)            = 0.;
         for (std::size_t j = 0; j <= n; ++j)
           if (j != column)
             {
               const double share = -table(row, j) / entry;
               table(row, j)      = share;
-              blas::axpy(n, share, entering_column.data(), table.column(j));
+              table.col(j) += share * entering;
             }
-        for (std::size_t i = 0; i < n; ++i)
-          table(i, column) = entering_column[i] / entry;
+        table.col(column)  = entering / entry;
         table(row, column) = 1. / entry;
         std::swap(basic[row], other[column]);
         is_fresh = false;
@@ -204,7 +202,7 @@ namespace fuga
       {
         DenseMatrix basis(n, n);
         for (std::size_t i = 0; i < n; ++i)
-          take_column(basic[i], basis.column(i));
+          take_column(basic[i], basis.col(i).data());
         result.n_pivots += n;
         const LuFactors factors(std::move(basis));
         if (!(factors.reciprocal_condition() > singular))
@@ -272,7 +270,7 @@ namespace fuga
         for (std::size_t j = 0; j < n; ++j)
           if (other[j] < n)
             {
-              const double sum = -blas::dot(n, of_rows.data(), table.column(j));
+              const double sum = -view(of_rows).dot(table.col(j));
               y[other[j]]      = is_zero[other[j]] ? sum : std::max(0., sum);
             }
         return y;

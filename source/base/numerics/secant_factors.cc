@@ -10,19 +10,10 @@ namespace fuga
   {
     for (std::size_t i = 0; i < is_weak.size(); ++i)
       (is_weak[i] ? weak : strong).push_back(i);
-    DenseMatrix of_strong(strong.size(), strong.size());
-    rows = DenseMatrix(weak.size(), strong.size());
-    for (std::size_t j = 0; j < strong.size(); ++j)
-      {
-        const double *const column = jacobian.column(strong[j]);
-        for (std::size_t i = 0; i < strong.size(); ++i)
-          of_strong(i, j) = column[strong[i]];
-        for (std::size_t i = 0; i < weak.size(); ++i)
-          rows(i, j) = column[weak[i]];
-      }
+    rows = jacobian(weak, strong);
     for (const std::size_t i : weak)
       diagonal.push_back(jacobian(i, i));
-    factors.emplace(std::move(of_strong));
+    factors.emplace(jacobian(strong, strong));
   }
 
   Vector

@@ -6,8 +6,9 @@
 #include <fuga/base/numerics/sparse_operator.h>
 #include <fuga/base/work_counter.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
-#include <lapacke.h>
 
 namespace fuga
 {
@@ -143,28 +144,14 @@ namespace fuga
   {
     /** Return (w A)⁺ w of a dense block. */
     DenseMatrix
-    weighted_inverse(DenseMatrix A, const Vector &weights)
+    weighted_inverse(const DenseMatrix &A, const Vector &weights)
     {
-      const int n_rows = static_cast<int>(A.n_rows()), n_columns = static_cast<int>(A.n_columns());
-      DenseMatrix rhs(A.n_rows(), A.n_rows());
-      for (std::size_t i = 0; i < A.n_rows(); ++i)
-        {
-          rhs(i, i) = weights[i];
-          for (std::size_t j = 0; j < A.n_columns(); ++j)
-            A(i, j) *= weights[i];
-        }
-      if (LAPACKE_dgels(LAPACK_COL_MAJOR,
-                        'N',
-                        n_rows,
-                        n_columns,
-                        n_rows,
-                        A.data(),
-                        n_rows,
-                        rhs.data(),
-                        n_rows) != 0)
+      const auto w = view(weights).asDiagonal();
+      const Eigen::ColPivHouseholderQR<DenseMatrix> factors(w * A);
+      if (factors.rank() < A.cols())
         throw NumericalFailure(
           "The jumps of the joints do not determine the motion of the bodies.");
-      return rhs; // its first rows
+      return factors.solve(DenseMatrix(w));
     }
   } // namespace
 

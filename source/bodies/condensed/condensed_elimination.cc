@@ -175,7 +175,7 @@ namespace fuga
         x(i, 0) = (draws() % 2 == 0 ? 1. : -1.) / units.back();
       }
     const DenseMatrix right = resistance_of_bodies(x);
-    const Vector taken      = multiply(S, Vector(x.column(0), x.column(0) + x.n_rows()));
+    const Vector taken      = multiply(S, to_vector(x.col(0)));
     double error            = 0.;
     for (std::size_t i = 0; i < lips.size(); ++i)
       error = std::max(error, std::abs(taken[i] - right(i, 0)) / units[i]);
@@ -213,10 +213,10 @@ namespace fuga
     for (std::size_t first = 0; first < n; first += at_once)
       {
         DenseMatrix x(n, std::min(at_once, n - first));
-        for (std::size_t j = 0; j < x.n_columns(); ++j)
+        for (Eigen::Index j = 0; j < x.cols(); ++j)
           x(first + j, j) = 1.;
         const DenseMatrix forces = resistance_of_bodies(x);
-        std::copy_n(forces.data(), n * x.n_columns(), result.column(first));
+        std::copy_n(forces.data(), n * x.cols(), result.col(first).data());
       }
     return result;
   }

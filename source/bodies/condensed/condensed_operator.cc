@@ -34,19 +34,18 @@ namespace fuga
     const auto &coordinates = model.interface_coordinates();
     motions =
       DenseMatrix(model.contact_bars().bars().size(), model.rigid_pieces().n_free_motions());
-    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
       {
         const Vector jump = model.contact_bars().jumps(model.rigid_pieces().free_motion(k));
-        std::copy(jump.begin(), jump.end(), motions.column(k));
+        motions.col(k)    = view(jump);
       }
     dual = dual_of(coordinates.jump_operator());
     // Jumps of a motion of the bodies are compatible: B x = jumps has a solution.
-    motion_coordinates = DenseMatrix(coordinates.n_interface(), motions.n_columns());
-    for (std::size_t k = 0; k < motions.n_columns(); ++k)
+    motion_coordinates = DenseMatrix(coordinates.n_interface(), motions.cols());
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
       {
-        const Vector x = multiply_transposed(
-          dual, Vector(motions.column(k), motions.column(k) + motions.n_rows()));
-        std::copy(x.begin(), x.end(), motion_coordinates.column(k));
+        const Vector x            = multiply_transposed(dual, to_vector(motions.col(k)));
+        motion_coordinates.col(k) = view(x);
       }
     projection = std::make_unique<RigidProjection>(motion_coordinates);
     if (!matrix_free_solver)
@@ -99,7 +98,7 @@ namespace fuga
         for (std::size_t j = 0; j < n; ++j)
           {
             const Vector residual = model.out_of_balance(loads[j], u[j]);
-            std::copy(residual.begin(), residual.end(), result.column(first + j));
+            result.col(first + j) = view(residual);
           }
       }
     return result;
@@ -111,22 +110,22 @@ namespace fuga
   CondensedOperator<dim>::resistance_of_bodies(const DenseMatrix &x) const
   {
     const auto &coordinates = model.interface_coordinates();
-    const std::vector<Vector> no_loads(x.n_columns(), Vector(model.discretization().n_dofs(), 0.));
+    const std::vector<Vector> no_loads(x.cols(), Vector(model.discretization().n_dofs(), 0.));
     std::vector<Vector> u;
-    for (std::size_t j = 0; j < x.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
       {
         Vector y(coordinates.size(), 0.);
-        std::copy_n(x.column(j), x.n_rows(), y.data() + y.size() - x.n_rows());
+        std::copy_n(x.col(j).data(), x.rows(), y.data() + y.size() - x.rows());
         u.push_back(coordinates.distribute(y.data(), {}));
       }
     solve_to_rounding(no_loads, u);
-    DenseMatrix result(x.n_rows(), x.n_columns());
-    for (std::size_t j = 0; j < x.n_columns(); ++j)
+    DenseMatrix result(x.rows(), x.cols());
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
       {
         const Vector held = model.out_of_balance(no_loads[j], u[j]);
-        std::transform(held.end() - static_cast<std::ptrdiff_t>(x.n_rows()),
+        std::transform(held.end() - static_cast<std::ptrdiff_t>(x.rows()),
                        held.end(),
-                       result.column(j),
+                       result.col(j).data(),
                        std::negate<>());
       }
     return result;
@@ -168,11 +167,11 @@ namespace fuga
     for (std::size_t j = 0; j < u.size(); ++j)
       {
         const Vector load = model.out_of_balance(loads[j], u[j]);
-        std::copy(load.begin(), load.end(), y.column(j));
+        y.col(j)          = view(load);
       }
     solver->solve(y, digits);
     for (std::size_t j = 0; j < u.size(); ++j)
-      u[j] = coordinates.distribute(y.column(j), u[j]);
+      u[j] = coordinates.distribute(y.col(j).data(), u[j]);
   }
 
 
@@ -181,18 +180,17 @@ namespace fuga
   CondensedOperator<dim>::solve_bonded(DenseMatrix &columns) const
   {
     const auto &coordinates = model.interface_coordinates();
-    DenseMatrix y(coordinates.size(), columns.n_columns());
-    for (std::size_t j = 0; j < columns.n_columns(); ++j)
+    DenseMatrix y(coordinates.size(), columns.cols());
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
       {
-        const Vector load =
-          coordinates.gather({columns.column(j), columns.column(j) + columns.n_rows()});
-        std::copy(load.begin(), load.end(), y.column(j));
+        const Vector load = coordinates.gather(to_vector(columns.col(j)));
+        y.col(j)          = view(load);
       }
     solver->solve(y, InteriorSolver::Digits::first);
-    for (std::size_t j = 0; j < columns.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
       {
-        const Vector u = coordinates.distribute(y.column(j), {});
-        std::copy(u.begin(), u.end(), columns.column(j));
+        const Vector u = coordinates.distribute(y.col(j).data(), {});
+        columns.col(j) = view(u);
       }
   }
 
@@ -268,7 +266,7 @@ namespace fuga
   Vector
   CondensedOperator<dim>::coordinates_under(Vector f) const
   {
-    if (!has_stiffness() || S.empty())
+    if (!has_stiffness() || S.size() == 0)
       return {};
     projection->take_out_work(f);
     const LuFactors factors(projection->held(S, largest_diagonal(S)));

@@ -27,7 +27,7 @@ namespace fuga
         return {};
       DenseMatrix matrix(n_rows, patterns.size());
       for (std::size_t j = 0; j < patterns.size(); ++j)
-        std::copy((patterns[j].*part).begin(), (patterns[j].*part).end(), matrix.column(j));
+        matrix.col(j).head((patterns[j].*part).size()) = view(patterns[j].*part);
       return matrix;
     }
   } // namespace
@@ -93,7 +93,7 @@ namespace fuga
       if (!pattern.prescribed.empty())
         this->interface_coordinates().extend_prescribed(pattern.prescribed);
     motion_loads = DenseMatrix(this->rigid_pieces().n_free_motions(), patterns.size());
-    for (std::size_t k = 0; k < motion_loads.n_rows(); ++k)
+    for (Eigen::Index k = 0; k < motion_loads.rows(); ++k)
       {
         const Vector motion = this->rigid_pieces().free_motion(k);
         for (std::size_t j = 0; j < patterns.size(); ++j)
@@ -118,10 +118,10 @@ namespace fuga
   void
   CondensedSystem<dim>::set_carried_load(const std::size_t number, const Vector &jumps)
   {
-    carried.assign(F.column(number), F.column(number) + F.n_rows());
-    if (E.empty())
+    carried = to_vector(F.col(number));
+    if (E.size() == 0)
       E = DenseMatrix(this->contact_bars().bars().size(), patterns.size());
-    std::copy(jumps.begin(), jumps.end(), E.column(number));
+    E.col(number) = view(jumps);
   }
 
 
@@ -223,10 +223,10 @@ namespace fuga
         const Vector residual = this->out_of_balance(force, w);
         DenseMatrix column(residual.size(), 1), work(this->rigid_pieces().n_free_motions(), 1);
         std::copy(residual.begin(), residual.end(), column.data());
-        for (std::size_t k = 0; k < work.n_rows(); ++k)
+        for (Eigen::Index k = 0; k < work.rows(); ++k)
           work(k, 0) = dot(this->rigid_pieces().free_motion(k), force);
         const DenseMatrix forces = condensed.condense(column, work);
-        result.coordinates.assign(forces.data(), forces.data() + forces.n_rows());
+        result.coordinates.assign(forces.data(), forces.data() + forces.rows());
       }
     this->phases().finish("monitors");
     return result;
@@ -239,7 +239,7 @@ namespace fuga
   {
     RigidPart result;
     result.remainder = x;
-    if (rigid_coordinates().empty())
+    if (rigid_coordinates().size() == 0)
       return result;
     const Vector amounts = condensed.motion_of(x);
     Vector u(this->discretization().n_dofs(), 0.);

@@ -29,15 +29,15 @@ namespace fuga
     DenseMatrix
     null_vectors(DenseMatrix gram)
     {
-      const int n = static_cast<int>(gram.n_rows());
-      Vector values(gram.n_rows());
+      const int n = static_cast<int>(gram.rows());
+      Vector values(gram.rows());
       if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'U', n, gram.data(), n, values.data()) != 0)
         throw NumericalFailure("The check of the supports failed (LAPACK dsyev).");
       std::size_t n_null = 0;
       while (n_null < values.size() && values[n_null] <= null_tolerance * values.back())
         ++n_null;
-      DenseMatrix result(gram.n_rows(), n_null);
-      std::copy(gram.data(), gram.data() + gram.n_rows() * n_null, result.data());
+      DenseMatrix result(gram.rows(), n_null);
+      std::copy(gram.data(), gram.data() + gram.rows() * n_null, result.data());
       return result;
     }
   } // namespace
@@ -176,7 +176,7 @@ namespace fuga
           if (std::find(motions.begin(), motions.end(), motion) == motions.end())
             add_square(held[group], {{motion, 1.}});
         const DenseMatrix null = null_vectors(std::move(held[group]));
-        for (std::size_t k = 0; k < null.n_columns(); ++k)
+        for (Eigen::Index k = 0; k < null.cols(); ++k)
           {
             FreeMotion free{group, middle[group], {}};
             for (unsigned int motion = 0; motion < n_motions; ++motion)
@@ -249,7 +249,7 @@ namespace fuga
   bool
   RigidPieces<dim>::are_held_by(const ContactBars<dim> &bars) const
   {
-    return null_space(bars).n_columns() == 0;
+    return null_space(bars).cols() == 0;
   }
 
 

@@ -36,14 +36,14 @@ namespace fuga
   RigidPieces<dim>::require_held_by(const ContactBars<dim> &bars) const
   {
     const DenseMatrix free = null_space(bars);
-    if (free.n_columns() == 0)
+    if (free.cols() == 0)
       return;
     unsigned int worst = 0;
     double largest     = -1.;
     for (unsigned int piece = 0; piece < centers.size(); ++piece)
       {
         double sum = 0.;
-        for (std::size_t j = 0; j < free.n_columns(); ++j)
+        for (Eigen::Index j = 0; j < free.cols(); ++j)
           for (unsigned int i = 0; i < n_motions; ++i)
             sum += free(n_motions * piece + i, j) * free(n_motions * piece + i, j);
         if (sum > largest * (1. + 1e-6))
@@ -90,7 +90,7 @@ namespace fuga
           basis.push_back(w);
         }
     };
-    for (std::size_t j = 0; j < free.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < free.cols(); ++j)
       {
         Motion motion;
         for (unsigned int i = 0; i < n_motions; ++i)

@@ -41,7 +41,7 @@ namespace fuga
       return {};
     DenseMatrix E(n_bars, patterns.size());
     for (std::size_t j = 0; j < patterns.size(); ++j)
-      std::copy(patterns[j].jumps.begin(), patterns[j].jumps.end(), E.column(j));
+      E.col(j).head(patterns[j].jumps.size()) = view(patterns[j].jumps);
     return E;
   }
 

@@ -52,8 +52,8 @@ namespace fuga
       DenseMatrix
       displacements(const DenseMatrix &columns) const
       {
-        DenseMatrix u(n_dofs(), columns.n_columns());
-        for (std::size_t j = 0; j < columns.n_columns(); ++j)
+        DenseMatrix u(n_dofs(), columns.cols());
+        for (Eigen::Index j = 0; j < columns.cols(); ++j)
           for (std::size_t i = 0; i < dofs.size(); ++i)
             u(dofs[i], j) = roots[i] * columns(i, j);
         model.solve_bonded(u);
@@ -64,8 +64,8 @@ namespace fuga
       DenseMatrix
       weighted(const DenseMatrix &fields) const
       {
-        DenseMatrix result(dofs.size(), fields.n_columns());
-        for (std::size_t j = 0; j < fields.n_columns(); ++j)
+        DenseMatrix result(dofs.size(), fields.cols());
+        for (Eigen::Index j = 0; j < fields.cols(); ++j)
           for (std::size_t i = 0; i < dofs.size(); ++i)
             result(i, j) = roots[i] * fields(dofs[i], j);
         return result;
@@ -76,16 +76,6 @@ namespace fuga
       std::vector<unsigned int> dofs;
       Vector roots;
     };
-
-    DenseMatrix
-    columns_of(const DenseMatrix &matrix, const std::size_t first, const std::size_t end)
-    {
-      DenseMatrix result(matrix.n_rows(), end - first);
-      std::copy(matrix.column(first),
-                matrix.column(first) + result.n_rows() * (end - first),
-                result.data());
-      return result;
-    }
 
     /** Call action(first, end) for groups of columns, since one pass over the factors can serve
      * several columns. */
@@ -107,21 +97,16 @@ namespace fuga
                                     pairs.values.end(),
                                     [&](const double value) { return value < smallest; });
       pairs.values.erase(end, pairs.values.end());
-      pairs.vectors = columns_of(pairs.vectors, 0, pairs.values.size());
+      pairs.vectors.conservativeResize(Eigen::NoChange, pairs.values.size());
       return pairs;
     }
 
     void
     append(const Eigenpairs &more, Eigenpairs &pairs)
     {
-      DenseMatrix all(more.vectors.n_rows(), pairs.values.size() + more.values.size());
-      std::copy(pairs.vectors.data(),
-                pairs.vectors.data() + all.n_rows() * pairs.values.size(),
-                all.data());
-      std::copy(more.vectors.data(),
-                more.vectors.data() + all.n_rows() * more.values.size(),
-                all.column(pairs.values.size()));
-      pairs.vectors = std::move(all);
+      pairs.vectors.conservativeResize(more.vectors.rows(),
+                                       pairs.vectors.cols() + more.vectors.cols());
+      pairs.vectors.rightCols(more.vectors.cols()) = more.vectors;
       pairs.values.insert(pairs.values.end(), more.values.begin(), more.values.end());
     }
 
@@ -132,11 +117,8 @@ namespace fuga
       const std::size_t n = flexibility.size();
       DenseMatrix matrix(n, n);
       by_pieces(n, [&](const std::size_t first, const std::size_t end) {
-        DenseMatrix units(n, end - first);
-        for (std::size_t j = first; j < end; ++j)
-          units(j, j - first) = 1.;
-        const DenseMatrix piece = flexibility.weighted(flexibility.displacements(units));
-        std::copy(piece.data(), piece.data() + n * (end - first), matrix.column(first));
+        matrix.middleCols(first, end - first) = flexibility.weighted(
+          flexibility.displacements(DenseMatrix::Identity(n, n).middleCols(first, end - first)));
       });
       return eigenpairs(std::move(matrix));
     }
@@ -188,12 +170,10 @@ namespace fuga
     {
       DenseMatrix result(flexibility.n_dofs(), modes.values.size());
       by_pieces(modes.values.size(), [&](const std::size_t first, const std::size_t end) {
-        const DenseMatrix u = flexibility.displacements(columns_of(modes.vectors, first, end));
+        const DenseMatrix u =
+          flexibility.displacements(modes.vectors.middleCols(first, end - first));
         for (std::size_t k = first; k < end; ++k)
-          std::transform(u.column(k - first),
-                         u.column(k - first) + u.n_rows(),
-                         result.column(k),
-                         [&](const double value) { return value / modes.values[k]; });
+          result.col(k) = u.col(k - first) / modes.values[k];
       });
       return result;
     }
@@ -207,9 +187,8 @@ namespace fuga
       DenseMatrix L(basis.squares.size(), m);
       for (std::size_t k = 0; k < basis.squares.size(); ++k)
         {
-          const Vector shape(basis.shapes.column(k),
-                             basis.shapes.column(k) + basis.shapes.n_rows());
-          Vector inertia = shape;
+          const Vector shape = to_vector(basis.shapes.col(k));
+          Vector inertia     = shape;
           for (std::size_t dof = 0; dof < inertia.size(); ++dof)
             inertia[dof] *= basis.squares[k] * basis.mass[dof];
           const Vector at_lips = model.out_of_balance(inertia, shape);
@@ -234,19 +213,17 @@ namespace fuga
         for (std::size_t j = begin; j < end; ++j)
           {
             Vector y(coordinates.size(), 0.);
-            y[y.size() - m + j] = 1.;
-            const Vector u      = coordinates.distribute(y.data(), {});
-            const Vector Ku     = model.elastic_bodies().forces(u);
-            std::copy(u.begin(), u.end(), lips.column(j - begin));
-            std::transform(Ku.begin(), Ku.end(), fields.column(j - begin), std::negate<>());
+            y[y.size() - m + j]   = 1.;
+            const Vector u        = coordinates.distribute(y.data(), {});
+            const Vector Ku       = model.elastic_bodies().forces(u);
+            lips.col(j - begin)   = view(u);
+            fields.col(j - begin) = -view(Ku);
           }
         model.solve_bonded(fields);
-        const DenseMatrix modes = multiply(basis.shapes, columns_of(basis.coupling, begin, end));
-        for (std::size_t i = 0; i < fields.n_rows() * fields.n_columns(); ++i)
-          fields.data()[i] += lips.data()[i] - modes.data()[i];
-        const DenseMatrix piece = flexibility.weighted(fields);
-        std::copy(
-          piece.data(), piece.data() + piece.n_rows() * (end - begin), result.column(begin));
+        const DenseMatrix modes =
+          multiply(basis.shapes, basis.coupling.middleCols(begin, end - begin));
+        fields += lips - modes;
+        result.middleCols(begin, end - begin) = flexibility.weighted(fields);
       });
       return result;
     }

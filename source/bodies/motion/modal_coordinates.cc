@@ -62,11 +62,11 @@ namespace fuga
         add_multiple(-1., multiply_transposed(basis->coupling, on_modes), without_mode);
         Vector column = on_modes;
         append(along_axes(without_mode), column);
-        std::copy(column.begin(), column.end(), driving_columns.column(j));
+        driving_columns.col(j) = view(column);
         for (std::size_t k = 0; k < n_modes(); ++k)
           on_modes[k] /= basis->squares[k];
         add_multiple(-1., multiply(basis->shapes, on_modes), field);
-        std::copy(field.begin(), field.end(), following_fields.column(j));
+        following_fields.col(j) = view(field);
       }
   }
 
@@ -191,13 +191,12 @@ namespace fuga
       {
         const double elastic = kappa * basis->squares[k];
         const double weight  = std::sqrt(elastic * (mu / (elastic + mu))); // eq. 41
-        for (std::size_t c = 0; c < weighted.n_columns(); ++c)
+        for (Eigen::Index c = 0; c < weighted.cols(); ++c)
           weighted(k, c) *= weight;
       }
     DenseMatrix result   = multiply_transposed(weighted, weighted);
     const DenseMatrix &S = model.stiffness(), &R = basis->residual_mass;
-    for (std::size_t i = 0; i < result.n_rows() * result.n_columns(); ++i)
-      result.data()[i] += kappa * S.data()[i] + mu * R.data()[i];
+    result += kappa * S + mu * R;
     return result;
   }
 

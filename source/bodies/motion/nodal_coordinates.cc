@@ -155,7 +155,7 @@ namespace fuga
     DenseMatrix loads(gathered.size(), 1);
     std::copy(gathered.begin(), gathered.end(), loads.data());
     const DenseMatrix condensed = steps->solvers[rung]->condense(loads);
-    return {condensed.data(), condensed.data() + condensed.n_rows()};
+    return {condensed.data(), condensed.data() + condensed.rows()};
   }
 
 

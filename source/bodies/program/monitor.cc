@@ -19,7 +19,7 @@ namespace fuga
     {
       if (source == Monitor::Source::loads)
         return system.response(force);
-      return {force, Vector(system.load_patterns().n_columns(), 0.)};
+      return {force, Vector(system.load_patterns().cols(), 0.)};
     }
 
     /** Return the response of the displacement that strains a body: without the shape in which it

@@ -50,7 +50,7 @@ namespace fuga
     settings.set("ML output", 0);
     settings.set("PDE equations", static_cast<int>(blocks.block_size));
     settings.set("null space: type", "pre-computed");
-    settings.set("null space: dimension", static_cast<int>(blocks.rigid_motions.n_columns()));
+    settings.set("null space: dimension", static_cast<int>(blocks.rigid_motions.cols()));
     settings.set("null space: vectors", blocks.rigid_motions.data());
     settings.set("aggregation: type", "Uncoupled");
     settings.set("aggregation: threshold", 0.);
@@ -101,11 +101,11 @@ namespace fuga
         const std::size_t n = std::min(columns_at_once, n_kept - first);
         DenseMatrix X(n_own_rows(), n);
         for (std::size_t j = 0; j < n; ++j)
-          add_column(system->coupling, -1., first + j, X.column(j));
+          add_column(system->coupling, -1., first + j, X.col(j).data());
         DenseMatrix Y(n_own_rows(), n);
         solve_columns(X, Y, tolerance_of_columns);
         for (std::size_t j = 0; j < n; ++j)
-          add_to_kept(system->coupling, 1., Y.column(j), S.column(first + j));
+          add_to_kept(system->coupling, 1., Y.col(j).data(), S.col(first + j).data());
       }
     processes::sum(S.data(), n_kept * n_kept);
     for (std::size_t j = 0; j < n_kept; ++j)
@@ -123,12 +123,12 @@ namespace fuga
   IterativeSolver::solve_columns(DenseMatrix &loads, DenseMatrix &solutions, const double tolerance)
   {
     interruption::check("while the bodies were solved");
-    processes::meet(processes::Place::solver, loads.n_columns());
-    const int n_rows = blocks.n_own_rows(), n = static_cast<int>(loads.n_columns());
+    processes::meet(processes::Place::solver, loads.cols());
+    const int n_rows = blocks.n_own_rows(), n = static_cast<int>(loads.cols());
     Epetra_MultiVector R(View, system->map, loads.data(), n_rows, n);
     Epetra_MultiVector X(View, system->map, solutions.data(), n_rows, n);
     Epetra_MultiVector Z(system->map, n), P(system->map, n), Q(system->map, n);
-    Vector goal(loads.n_columns()), norm(goal), rz(goal), product(goal), previous(goal.size(), 0.);
+    Vector goal(loads.cols()), norm(goal), rz(goal), product(goal), previous(goal.size(), 0.);
     R.Norm2(goal.data());
     for (double &value : goal)
       value *= tolerance;
@@ -211,7 +211,7 @@ namespace fuga
   {
     DenseMatrix own(n_own_rows(), n), X(n_own_rows(), n);
     for (std::size_t j = 0; j < n; ++j)
-      take_own(loads.column(first + j), own.column(j));
+      take_own(loads.col(first + j).data(), own.col(j).data());
     if (!nothing_to_eliminate())
       solve_columns(own, X, tolerance);
     return X;
@@ -221,7 +221,7 @@ namespace fuga
   DenseMatrix
   IterativeSolver::condense(DenseMatrix &loads)
   {
-    const std::size_t n_eliminated = blocks.rows.size(), n_columns = loads.n_columns();
+    const std::size_t n_eliminated = blocks.rows.size(), n_columns = loads.cols();
     if (n_kept == 0 || n_columns == 0)
       return {};
     DenseMatrix result(n_kept, n_columns);
@@ -232,8 +232,9 @@ namespace fuga
         for (std::size_t j = 0; j < n; ++j)
           {
             if (processes::is_first())
-              std::copy_n(loads.column(first + j) + n_eliminated, n_kept, result.column(first + j));
-            add_to_kept(system->coupling, -1., X.column(j), result.column(first + j));
+              std::copy_n(
+                loads.col(first + j).data() + n_eliminated, n_kept, result.col(first + j).data());
+            add_to_kept(system->coupling, -1., X.col(j).data(), result.col(first + j).data());
           }
       }
     its_work.n_condensed_loads += n_columns;
@@ -245,18 +246,19 @@ namespace fuga
   void
   IterativeSolver::solve(DenseMatrix &loads, const Digits digits)
   {
-    for (std::size_t first = 0; first < loads.n_columns(); first += columns_at_once)
+    const std::size_t n_columns = loads.cols();
+    for (std::size_t first = 0; first < n_columns; first += columns_at_once)
       {
-        const std::size_t n = std::min(columns_at_once, loads.n_columns() - first);
+        const std::size_t n = std::min(columns_at_once, n_columns - first);
         const DenseMatrix X =
           own_solutions(loads,
                         first,
                         n,
                         digits == Digits::first ? tolerance_of_solutions : tolerance_of_remainders);
         for (std::size_t j = 0; j < n; ++j)
-          give_own(X.column(j), loads.column(first + j));
+          give_own(X.col(j).data(), loads.col(first + j).data());
       }
-    processes::sum(loads.data(), loads.n_rows() * loads.n_columns());
-    its_work.n_solutions += loads.n_columns();
+    processes::sum(loads.data(), loads.rows() * loads.cols());
+    its_work.n_solutions += loads.cols();
   }
 } // namespace fuga

@@ -7,41 +7,25 @@ namespace fuga
 {
   RigidProjection::RigidProjection(const DenseMatrix &motions) : R(motions)
   {
-    if (R.empty())
+    if (R.size() == 0)
       return;
-    DenseMatrix gram = multiply_transposed(R, R);
-    DenseMatrix transposed(R.n_columns(), R.n_rows());
-    for (std::size_t i = 0; i < R.n_rows(); ++i)
-      for (std::size_t k = 0; k < R.n_columns(); ++k)
-        transposed(k, i) = R(i, k);
-    if (!solve_positive_definite(gram, transposed))
-      return;
-    Q = DenseMatrix(R.n_rows(), R.n_columns());
-    for (std::size_t i = 0; i < R.n_rows(); ++i)
-      for (std::size_t k = 0; k < R.n_columns(); ++k)
-        Q(i, k) = transposed(k, i);
+    DenseMatrix gram = multiply_transposed(R, R), transposed = R.transpose();
+    if (solve_positive_definite(gram, transposed))
+      Q = transposed.transpose();
   }
 
 
   void
   RigidProjection::project_stiffness(DenseMatrix &S) const
   {
-    if (Q.empty())
+    if (Q.size() == 0)
       return;
     // (I - Q Rᵀ) S (I - R Qᵀ) = S - E Qᵀ - Q Eᵀ + Q (Rᵀ E) Qᵀ with the error E = S R.
     //                         = S - E' Qᵀ - Q E'ᵀ,  E' = E - Q (Rᵀ E) / 2
-    DenseMatrix error      = multiply(S, R);
-    const DenseMatrix half = multiply(Q, multiply_transposed(R, error));
-    for (std::size_t k = 0; k < R.n_columns(); ++k)
-      for (std::size_t i = 0; i < R.n_rows(); ++i)
-        error(i, k) -= half(i, k) / 2.;
-    for (std::size_t j = 0; j < S.n_columns(); ++j)
-      for (std::size_t i = j; i < S.n_rows(); ++i)
-        {
-          for (std::size_t k = 0; k < R.n_columns(); ++k)
-            S(i, j) -= error(i, k) * Q(j, k) + Q(i, k) * error(j, k);
-          S(j, i) = S(i, j);
-        }
+    DenseMatrix error = multiply(S, R);
+    error -= 0.5 * multiply(Q, multiply_transposed(R, error));
+    const DenseMatrix half = error * Q.transpose();
+    S -= half + half.transpose();
   }
 
 
@@ -51,9 +35,7 @@ namespace fuga
     void
     take_out(const DenseMatrix &A, const DenseMatrix &B, Vector &x)
     {
-      const Vector part = multiply(A, multiply_transposed(B, x));
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] -= part[i];
+      view(x) -= view(multiply(A, multiply_transposed(B, x)));
     }
   } // namespace
 
@@ -61,7 +43,7 @@ namespace fuga
   void
   RigidProjection::take_out_motion(Vector &jumps) const
   {
-    if (!Q.empty())
+    if (Q.size() > 0)
       take_out(R, Q, jumps);
   }
 
@@ -69,7 +51,7 @@ namespace fuga
   void
   RigidProjection::take_out_work(Vector &forces) const
   {
-    if (!Q.empty())
+    if (Q.size() > 0)
       take_out(Q, R, forces);
   }
 
@@ -77,24 +59,14 @@ namespace fuga
   DenseMatrix
   RigidProjection::held(const DenseMatrix &S, const double stiffness) const
   {
-    DenseMatrix result = S;
-    for (std::size_t k = 0; k < Q.n_columns(); ++k)
-      for (std::size_t j = 0; j < result.n_columns(); ++j)
-        for (std::size_t i = 0; i < result.n_rows(); ++i)
-          result(i, j) += stiffness * Q(i, k) * R(j, k);
-    return result;
+    return Q.size() == 0 ? S : DenseMatrix(S + stiffness * Q * R.transpose());
   }
 
 
   void
   RigidProjection::project_loads(DenseMatrix &F, const DenseMatrix &work) const
   {
-    if (Q.empty() || F.empty())
-      return;
-    const DenseMatrix condensed = multiply_transposed(R, F);
-    for (std::size_t j = 0; j < F.n_columns(); ++j)
-      for (std::size_t k = 0; k < R.n_columns(); ++k)
-        for (std::size_t i = 0; i < F.n_rows(); ++i)
-          F(i, j) += Q(i, k) * (work(k, j) - condensed(k, j));
+    if (Q.size() > 0 && F.size() > 0)
+      F += multiply(Q, work - multiply_transposed(R, F));
   }
 } // namespace fuga

@@ -20,8 +20,8 @@ namespace fuga
     void
     mirror_lower_triangle(DenseMatrix &S)
     {
-      for (std::size_t j = 0; j < S.n_columns(); ++j)
-        for (std::size_t i = j + 1; i < S.n_rows(); ++i)
+      for (Eigen::Index j = 0; j < S.cols(); ++j)
+        for (Eigen::Index i = j + 1; i < S.rows(); ++i)
           S(j, i) = S(i, j);
     }
   } // namespace
@@ -214,7 +214,7 @@ namespace fuga
   SchurSolver::run_solution(const int part, DenseMatrix &loads, const char *what)
   {
     auto &data         = mumps->data;
-    data.nrhs          = static_cast<int>(loads.n_columns());
+    data.nrhs          = static_cast<int>(loads.cols());
     data.lrhs          = data.n;
     data.rhs           = loads.data();
     mumps->control(26) = part;
@@ -226,7 +226,7 @@ namespace fuga
   SchurSolver::condense(DenseMatrix &loads)
   {
     const work::Scope phase(work::Phase::loads);
-    const std::size_t n_columns = loads.n_columns();
+    const std::size_t n_columns = loads.cols();
     if (nothing_to_eliminate)
       return loads;
     if (n_kept == 0)
@@ -262,10 +262,10 @@ namespace fuga
         mumps->data.lredrhs = static_cast<int>(n_kept);
         mumps->data.redrhs  = reduced.data();
         run_solution(2, solution, "expansion of the solution");
-        processes::broadcast(solution.data(), solution.n_rows());
+        processes::broadcast(solution.data(), solution.rows());
         ++its_work.n_solutions;
       }
-    return {solution.data(), solution.data() + solution.n_rows()};
+    return {solution.data(), solution.data() + solution.rows()};
   }
 
 
@@ -274,12 +274,12 @@ namespace fuga
   {
     if (nothing_to_eliminate)
       {
-        loads = DenseMatrix(loads.n_rows(), loads.n_columns());
+        loads = DenseMatrix(loads.rows(), loads.cols());
         return;
       }
     run_solution(0, loads, "solution");
-    processes::broadcast(loads.data(), loads.n_rows() * loads.n_columns());
-    its_work.n_solutions += loads.n_columns();
-    work::now().sparse_columns += loads.n_columns();
+    processes::broadcast(loads.data(), loads.rows() * loads.cols());
+    its_work.n_solutions += loads.cols();
+    work::now().sparse_columns += loads.cols();
   }
 } // namespace fuga

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_barrier.h>
 #include <fuga/contact/cones/cone_program.h>
 
@@ -18,26 +17,20 @@ namespace fuga
     project_out(DenseMatrix free, DenseMatrix &A, Vector &b)
     {
       constexpr double dependent = 1e-10;
-      const std::size_t n        = b.size();
-      const auto take_out        = [n](const double *unit, double *from) {
-        blas::axpy(n, -blas::dot(n, unit, from), unit, from);
-      };
-      for (std::size_t j = 0; j < free.n_columns(); ++j)
+      for (Eigen::Index j = 0; j < free.cols(); ++j)
         {
-          double *unit       = free.column(j);
-          const double whole = std::sqrt(blas::dot(n, unit, unit));
+          auto unit          = free.col(j);
+          const double whole = unit.norm();
           for (int twice = 0; twice < 2; ++twice)
-            for (std::size_t k = 0; k < j; ++k)
-              take_out(free.column(k), unit);
-          const double left  = std::sqrt(blas::dot(n, unit, unit));
-          const double scale = left > dependent * whole ? 1. / left : 0.;
-          for (std::size_t i = 0; i < n; ++i)
-            unit[i] *= scale;
+            for (Eigen::Index k = 0; k < j; ++k)
+              unit -= free.col(k).dot(unit) * free.col(k);
+          const double left = unit.norm();
+          unit *= left > dependent * whole ? 1. / left : 0.;
           for (int twice = 0; twice < 2; ++twice)
             {
-              for (std::size_t k = 0; k < A.n_columns(); ++k)
-                take_out(unit, A.column(k));
-              take_out(unit, b.data());
+              for (Eigen::Index k = 0; k < A.cols(); ++k)
+                A.col(k) -= unit.dot(A.col(k)) * unit;
+              view(b) -= unit.dot(view(b)) * unit;
             }
         }
     }
@@ -202,7 +195,7 @@ namespace fuga
           {
             Vector lost(r.size(), 0.);
             for (std::size_t i = 0; i < of[k].n_rows; ++i)
-              blas::axpy(lost.size(), of[k].weights[i], W.column(of[k].row + i), lost.data());
+              view(lost) += of[k].weights[i] * W.col(of[k].row + i);
             for (std::size_t j = 0; j < functionals.size(); ++j)
               images(j, k) = apply(functionals[j], lost);
           }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_program.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 #include <fuga/contact/cones/lemke.h>
@@ -137,7 +136,7 @@ namespace fuga
     for (std::size_t j = 0; j < n; ++j)
       {
         if (stiff.diagonal[j] > 0.) // a bar without stiffness remains without
-          blas::axpy(n, softness / stiff.diagonal[j], W.column(j), series.column(j));
+          series.col(j) += softness / stiff.diagonal[j] * W.col(j);
         series(j, j) += 1.;
       }
     const LuFactors factors(std::move(series));

@@ -82,7 +82,7 @@ namespace fuga
   } // namespace
 
   ConeProgram::ConeProgram(const DenseMatrix &M, const std::vector<ConeBlock> &cone_blocks)
-    : blocks(cone_blocks), scale(M.n_rows()), A(M)
+    : blocks(cone_blocks), scale(M.rows()), A(M)
   {
     constexpr double rounding = 1e-14;
     const double least =
@@ -228,8 +228,8 @@ namespace fuga
         scalings.emplace_back(part(block, iterate.x.data()), part(block, iterate.y.data()));
       divide(scaled_error.data());
       DenseMatrix H = iterate.program.A;
-      for (std::size_t j = 0; j < H.n_columns(); ++j)
-        divide(H.column(j));
+      for (Eigen::Index j = 0; j < H.cols(); ++j)
+        divide(H.col(j).data());
       for (std::size_t k = 0; k < blocks.size(); ++k)
         for (std::size_t j = 0; j < blocks[k].size; ++j)
           {
@@ -239,7 +239,7 @@ namespace fuga
             for (std::size_t i = 0; i < blocks[k].size; ++i)
               H(blocks[k].first + i, blocks[k].first + j) += unit[i];
           }
-      if (are_finite(Vector(H.data(), H.data() + H.n_rows() * H.n_columns())))
+      if (H.allFinite())
         factors.emplace(std::move(H));
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 #include <fuga/contact/element/mechanism.h>
 
@@ -224,7 +223,7 @@ namespace fuga
     q = r;
     for (std::size_t j = 0; j < v.size(); ++j)
       if (v[j] != 0.)
-        blas::axpy(q.size(), -v[j], W.column(j), q.data());
+        view(q) -= v[j] * W.col(j);
   }
 
   double

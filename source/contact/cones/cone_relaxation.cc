@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 
 #include <algorithm>
@@ -111,7 +110,7 @@ namespace fuga
     if (change == 0.)
       return;
     v[row] += change;
-    blas::axpy(q.size(), -change, W.column(row), q.data());
+    view(q) -= change * W.col(row);
   }
 
   // The stiffness is kept above rounding, because nothing resists where an element carries a

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 #include <fuga/contact/element/mechanism.h>
 
@@ -63,7 +62,7 @@ namespace fuga
                         const std::function<void(const Vector &)> &note_motion)
     {
       constexpr double smallest_condition = 1e-13, ground = 1e-6;
-      const std::size_t n = M.n_rows();
+      const std::size_t n = M.rows();
       double norm         = 0.;
       for (std::size_t j = 0; j < n; ++j)
         {
@@ -157,8 +156,7 @@ namespace fuga
         Vector image(bars.size(), 0.);
         for (std::size_t i = 0; i < n_rows(unknowns[j]); ++i)
           if (unknowns[j].column[i] != 0.)
-            blas::axpy(
-              image.size(), unknowns[j].column[i], W.column(unknowns[j].row + i), image.data());
+            view(image) += unknowns[j].column[i] * W.col(unknowns[j].row + i);
         for (std::size_t i = 0; i < n; ++i)
           for (std::size_t a = 0; a < n_rows(unknowns[i]); ++a)
             M(i, j) += unknowns[i].functional[a] * image[unknowns[i].row + a];

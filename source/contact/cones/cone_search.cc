@@ -28,14 +28,14 @@ namespace fuga
             Vector &v)
     {
       const std::size_t n = rows.size();
-      DenseMatrix K(n, n), answers(n, P.n_columns());
+      DenseMatrix K(n, n), answers(n, P.cols());
       Vector x(n);
       const DenseMatrix lost = multiply(W, P);
       for (std::size_t i = 0; i < n; ++i)
         {
           for (std::size_t j = 0; j < n; ++j)
             K(i, j) = W(rows[i], rows[j]);
-          for (std::size_t j = 0; j < P.n_columns(); ++j)
+          for (Eigen::Index j = 0; j < P.cols(); ++j)
             answers(i, j) = lost(rows[i], j);
           x[i] = r[rows[i]] - forces[i];
         }
@@ -47,7 +47,7 @@ namespace fuga
       for (std::size_t i = 0; i < n; ++i)
         {
           v[rows[i]] = x[i];
-          for (std::size_t j = 0; j < P.n_columns(); ++j)
+          for (Eigen::Index j = 0; j < P.cols(); ++j)
             P(rows[i], j) = -answers(i, j);
         }
       return true;
@@ -203,7 +203,7 @@ namespace fuga
         }
     noise.at_rest += max_abs(at_rest);
     for (std::size_t j = 0; j < n_rows; ++j)
-      noise.growth.push_back(max_abs(Vector(P.column(j), P.column(j) + bars.size())));
+      noise.growth.push_back(max_abs(P.col(j)));
     return ConeLcp{std::move(M), std::move(reserves), std::move(noise)};
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/cone_rate_problem.h>
 
 #include <algorithm>
@@ -70,7 +69,7 @@ namespace fuga
     r = given.r;
     for (std::size_t j = 0; j < weights.size(); ++j)
       if (weights[j] != 0.)
-        blas::axpy(load.size(), k * weights[j], load.data(), W.column(j));
+        W.col(j) += k * weights[j] * view(load);
     v.assign(bars.size(), 0.);
     q = r;
   }

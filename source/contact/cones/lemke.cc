@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/cones/lemke.h>
 
 #include <algorithm>
@@ -95,17 +94,14 @@ namespace fuga
       void
       pivot(const std::size_t row, const std::size_t entering)
       {
-        const Vector pivot_column(table.column(entering), table.column(entering) + n);
-        const double pivot = pivot_column[row];
+        const Eigen::VectorXd pivot_column = table.col(entering);
         for (std::size_t j = 0; j < 2 * n + 2; ++j)
-          {
-            double *column = table.column(j);
-            if (column[row] == 0.)
-              continue;
-            const double factor = column[row] / pivot;
-            blas::axpy(n, -factor, pivot_column.data(), column);
-            column[row] = factor;
-          }
+          if (table(row, j) != 0.)
+            {
+              const double factor = table(row, j) / pivot_column(row);
+              table.col(j) -= factor * pivot_column;
+              table(row, j) = factor;
+            }
         basis[row] = entering;
       }
 

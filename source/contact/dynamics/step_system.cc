@@ -43,11 +43,11 @@ namespace fuga
     , dual(dual_of(B))
     , no_motions(number_of_bars(elements), 0)
     , no_loads(0, n_patterns)
-    , F(identity(S.n_rows()))
+    , F(identity(S.rows()))
   {
     layered_system.emplace(*this, elements);
     reactions_to_units = layered_system->reactions();
-    F                  = DenseMatrix(S.n_rows(), n_patterns);
+    F                  = DenseMatrix(S.rows(), n_patterns);
     E                  = DenseMatrix(layered_system->n_bars(), n_patterns);
   }
 
@@ -65,15 +65,14 @@ namespace fuga
         F(i, at_begin) = before[i];
         F(i, at_end)   = before[i] + step.push[i];
       }
-    std::copy(jumps.begin(), jumps.end(), E.column(of_jumps));
-    std::copy(step.jumps.begin(), step.jumps.end(), E.column(at_end));
+    E.col(of_jumps) = view(jumps);
+    E.col(at_end)   = view(step.jumps);
 
     DenseMatrix reactions(layered_system->n_bars(), n_patterns);
     for (const std::size_t column : {at_begin, at_end})
       {
-        const Vector of_load =
-          multiply(reactions_to_units, Vector(F.column(column), F.column(column) + F.n_rows()));
-        std::copy(of_load.begin(), of_load.end(), reactions.column(column));
+        const Vector of_load  = multiply(reactions_to_units, to_vector(F.col(column)));
+        reactions.col(column) = view(of_load);
       }
     layered_system->take_loads(std::move(reactions));
   }
@@ -99,7 +98,7 @@ namespace fuga
   Vector
   StepSystem::coordinates(const Vector &jumps, const Vector &forces)
   {
-    Vector result(S.n_rows());
+    Vector result(S.rows());
     if (B.is_identity())
       {
         constexpr double wanted_digits = 1e-12;

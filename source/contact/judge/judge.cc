@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/accurate.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/base/numerics/not_a_number.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/contact/judge/judge.h>
 
 #include <algorithm>
@@ -62,9 +62,9 @@ namespace fuga
   Judge::take_stiffness()
   {
     const DenseMatrix &S = system->stiffness();
-    stiffness_row_norms.assign(system->load_patterns().n_rows(), 0.);
-    for (std::size_t j = 0; j < S.n_columns(); ++j)
-      stiffness_row_norms[j] = std::sqrt(blas::dot(S.n_rows(), S.column(j), S.column(j))); // S = Sᵀ
+    stiffness_row_norms.assign(system->load_patterns().rows(), 0.);
+    for (Eigen::Index j = 0; j < S.cols(); ++j)
+      stiffness_row_norms[j] = S.col(j).norm(); // S = Sᵀ
     // This is done once, because the weights need no precision.
     if (const SparseOperator &B = system->jump_operator(); !B.is_identity() && dual.is_identity())
       dual = dual_of(B, jump_weights(elements, S));
@@ -130,7 +130,7 @@ namespace fuga
   Judge::coordinates(const Vector &bar_jumps, const double t) const
   {
     const DenseMatrix &E = system->imposed_jumps();
-    if (E.empty())
+    if (E.size() == 0)
       return coordinates(bar_jumps);
     Vector of_bodies     = bar_jumps;
     const Vector imposed = multiply(E, history->factors(t));
@@ -181,11 +181,7 @@ namespace fuga
     Accurate deformation = accurate(x);
     rigid_motions.remove(deformation);
     const Vector rounded(deformation.begin(), deformation.end());
-    const DenseMatrix &S = system->stiffness();
-    Vector product(S.n_rows());
-    if (!S.empty())
-      blas::symv(S.n_rows(), S.data(), S.n_rows(), rounded.data(), product.data());
-    Accurate result = accurate(product);
+    Accurate result = accurate(multiply_symmetric(system->stiffness(), rounded));
     rigid_motions.remove(result);
     return {result.begin(), result.end()};
   }
@@ -196,7 +192,7 @@ namespace fuga
   Judge::body_equilibrium_error(const JointState &state) const
   {
     const DenseMatrix &G = system->rigid_motions();
-    if (G.empty())
+    if (G.size() == 0)
       return 0.;
     Vector carried     = multiply_transposed(G, state.forces);
     const Vector omega = water(state);
@@ -210,7 +206,7 @@ namespace fuga
     double worst         = 0.;
     for (std::size_t i = 0; i < applied.size(); ++i)
       {
-        const double arm = largest_of_elements(Vector(G.column(i), G.column(i) + G.n_rows()));
+        const double arm = largest_of_elements(to_vector(G.col(i)));
         worst = std::max(worst, share(std::abs(carried[i] - applied[i]), arm * largest_force));
       }
     return worst;

@@ -115,7 +115,7 @@ namespace fuga
     const Vector load_rates = multiply(system->load_patterns(), growth);
     for (std::size_t i = 0; i < x.size(); ++i)
       add(load_rates[i] * x[i]);
-    if (!system->imposed_jumps().empty())
+    if (system->imposed_jumps().size() > 0)
       {
         const Vector imposed = multiply(system->imposed_jumps(), growth);
         for (std::size_t bar = 0; bar < imposed.size(); ++bar)

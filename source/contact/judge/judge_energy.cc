@@ -92,7 +92,7 @@ namespace fuga
   Judge::add_work_of_imposed_jumps(const PathPoint &from, const PathPoint &to, const double length)
   {
     const DenseMatrix &E = system->imposed_jumps();
-    if (E.empty())
+    if (E.size() == 0)
       return;
     const Vector e0 = multiply(E, history->factors(time(from.state))),
                  e1 = multiply(E, history->factors(time(to.state)));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/judge/judge.h>
 #include <fuga/contact/tangent_vector.h>
@@ -168,7 +167,7 @@ namespace fuga
   Vector
   Judge::growth_of_factors(const JointState &state) const
   {
-    return state.is_unsettled() ? Vector(system->load_patterns().n_columns(), 0.)
+    return state.is_unsettled() ? Vector(system->load_patterns().cols(), 0.)
                                 : history->rates(state.t);
   }
 

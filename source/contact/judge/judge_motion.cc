@@ -22,16 +22,14 @@ namespace fuga
     DenseMatrix
     orthonormal_combinations(const DenseMatrix &motions)
     {
-      const std::size_t n = motions.n_columns();
+      const std::size_t n = motions.cols();
       DenseMatrix scaled  = motions;
       Vector sizes(n, 1.);
       for (std::size_t j = 0; j < n; ++j)
         {
-          const Vector column(motions.column(j), motions.column(j) + motions.n_rows());
-          if (max_abs(column) > 0.)
-            sizes[j] = std::sqrt(dot(column, column));
-          for (std::size_t i = 0; i < motions.n_rows(); ++i)
-            scaled(i, j) /= sizes[j];
+          if (max_abs(motions.col(j)) > 0.)
+            sizes[j] = motions.col(j).norm();
+          scaled.col(j) /= sizes[j];
         }
       const RightSingularVectors svd(scaled);
       const std::size_t rank =
@@ -60,7 +58,7 @@ namespace fuga
       void
       add(const Terms &terms)
       {
-        Vector row(jumps.n_columns(), 0.);
+        Vector row(jumps.cols(), 0.);
         for (const auto &[bar, weight] : terms)
           for (std::size_t k = 0; k < row.size(); ++k)
             row[k] += weight * jumps(bar, k);
@@ -70,9 +68,9 @@ namespace fuga
       DenseMatrix
       matrix() const
       {
-        DenseMatrix result(rows.size(), jumps.n_columns());
+        DenseMatrix result(rows.size(), jumps.cols());
         for (std::size_t i = 0; i < rows.size(); ++i)
-          for (std::size_t k = 0; k < jumps.n_columns(); ++k)
+          for (Eigen::Index k = 0; k < jumps.cols(); ++k)
             result(i, k) = rows[i][k];
         return result;
       }
@@ -178,7 +176,7 @@ namespace fuga
     const DenseMatrix &motions = system->rigid_motions();
     Vector result              = multiply(system->rigid_motion_loads(), growth_of_factors(state));
     Vector released            = state.missing_water;
-    released.resize(system->rigid_motions().n_rows(), 0.);
+    released.resize(system->rigid_motions().rows(), 0.);
     for (std::size_t k = 0; k < elements.size(); ++k)
       {
         const ContactElement &element = elements[k];
@@ -226,7 +224,7 @@ namespace fuga
   Judge::driven_motion(const JointState &state, const Motions wanted) const
   {
     const DenseMatrix &motions = system->rigid_motions();
-    if (motions.empty())
+    if (motions.size() == 0)
       return {};
     const DenseMatrix combinations = orthonormal_combinations(motions);
     const Vector motion =

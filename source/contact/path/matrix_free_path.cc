@@ -83,7 +83,7 @@ namespace fuga
   MatrixFreePath::imposed_jumps(const double t) const
   {
     const DenseMatrix &E = bodies.imposed_jumps();
-    return E.empty() ? Vector(n_bars, 0.) : multiply(E, history.factors(t));
+    return E.size() == 0 ? Vector(n_bars, 0.) : multiply(E, history.factors(t));
   }
 
   Vector

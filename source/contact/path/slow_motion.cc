@@ -43,18 +43,18 @@ namespace fuga
                    const Vector &factors,
                    const double resistance,
                    const Vector &jumps_before)
-        : S(bodies.stiffness()), F(S.n_rows(), 1), B(bodies.jump_operator())
+        : S(bodies.stiffness()), F(S.rows(), 1), B(bodies.jump_operator())
       {
         const Vector loads = multiply(bodies.load_patterns(), factors);
         const Vector x0    = multiply_transposed(B, jumps_before);
-        for (std::size_t j = 0; j < S.n_rows(); ++j)
+        for (Eigen::Index j = 0; j < S.rows(); ++j)
           F(j, 0) = loads[j] + resistance * x0[j];
         add_congruent(B, Vector(jumps_before.size(), resistance), S);
-        if (bodies.imposed_jumps().empty())
+        if (bodies.imposed_jumps().size() == 0)
           return;
         const Vector imposed = multiply(bodies.imposed_jumps(), factors);
         E                    = DenseMatrix(imposed.size(), 1);
-        std::copy(imposed.begin(), imposed.end(), E.column(0));
+        E.col(0)             = view(imposed);
       }
 
       const DenseMatrix &
@@ -231,7 +231,7 @@ namespace fuga
     jumps_of_bodies(const LayeredSystem &system, const Vector &factors, const JointState &state)
     {
       Vector jumps = system.jumps(state.dislocations, state.forces);
-      if (const DenseMatrix &E = system.contact_system().imposed_jumps(); !E.empty())
+      if (const DenseMatrix &E = system.contact_system().imposed_jumps(); E.size() > 0)
         {
           const Vector imposed = multiply(E, factors);
           for (std::size_t i = 0; i < jumps.size(); ++i)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
 #include <limits>
@@ -33,12 +32,12 @@ namespace fuga
             DenseMatrix &x)
     {
       DenseMatrix defect = multiply(M, x);
-      for (std::size_t j = 0; j < C.n_columns(); ++j)
-        for (std::size_t i = 0; i < C.n_rows(); ++i)
+      for (Eigen::Index j = 0; j < C.cols(); ++j)
+        for (Eigen::Index i = 0; i < C.rows(); ++i)
           defect(i, j) = C(i, j) - defect(i, j);
       const DenseMatrix correction = inverse.solve(defect);
-      for (std::size_t j = 0; j < C.n_columns(); ++j)
-        blas::axpy(C.n_rows(), 1., correction.column(j), x.column(j));
+      for (Eigen::Index j = 0; j < C.cols(); ++j)
+        x.col(j) += correction.col(j);
       return max_abs(correction);
     }
 
@@ -118,7 +117,7 @@ namespace fuga
       return {};
     const DenseMatrix lost = multiply(of_rows, *x);
     for (std::size_t j = 0; j < n_against; ++j)
-      blas::axpy(n, -1., lost.column(j), result.column(j));
+      result.col(j) -= lost.col(j);
     return result;
   }
 

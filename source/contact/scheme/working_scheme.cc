@@ -3,7 +3,7 @@
 
 #include <fuga/base/interruption.h>
 #include <fuga/base/numerics/accurate.h>
-#include <fuga/base/numerics/blas.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
@@ -33,19 +33,17 @@ namespace fuga
     constexpr int max_stale_sweeps = 20;
 
     void
-    subtract(const std::size_t n, const double amount, const double *column, double *forces)
+    subtract(const double amount, const ConstVectorView &column, Vector &forces)
     {
-      blas::axpy(n, -amount, column, forces);
+      work::now().dense_operations += forces.size();
+      view(forces) -= amount * column;
     }
 
     void
-    subtract(const std::size_t n,
-             const long double amount,
-             const double *column,
-             long double *forces)
+    subtract(const long double amount, const ConstVectorView &column, Accurate &forces)
     {
-      work::now().accurate_operations += n;
-      add_scaled(n, -amount, column, forces);
+      work::now().accurate_operations += forces.size();
+      add_scaled(forces.size(), -amount, column.data(), forces.data());
     }
   } // namespace
 
@@ -139,7 +137,7 @@ namespace fuga
         for (std::size_t a = 0; a < element.n_bars(); ++a)
           if (const double share = rows[j].column[a]; share != 0.)
             {
-              subtract(W.n_rows(), active[j] * share, W.column(element.bar(a)), forces.data());
+              subtract(active[j] * share, W.col(element.bar(a)), forces);
               dislocations[element.bar(a)] += active[j] * share;
             }
       }
@@ -249,7 +247,7 @@ namespace fuga
       }
     for (std::size_t bar = 0; bar < imposed.size(); ++bar)
       if (position[bar] == no_row && imposed[bar] != 0.)
-        blas::axpy(offset.size(), -imposed[bar], W.column(bar), offset.data());
+        view(offset) -= imposed[bar] * W.col(bar);
     std::optional<JointRates> result = solve(rhs, offset);
     if (result)
       for (std::size_t bar = 0; bar < imposed.size(); ++bar)

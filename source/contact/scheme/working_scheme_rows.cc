@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/scheme/working_scheme.h>
 
@@ -58,7 +57,7 @@ namespace fuga
     double value                     = 0.;
     for (std::size_t b = 0; b < of_element.n_bars(); ++b)
       if (of.column[b] != 0.)
-        value += of.column[b] * forces_in(row, system.stiffness().column(of_element.bar(b)));
+        value += of.column[b] * forces_in(row, system.stiffness().col(of_element.bar(b)).data());
     return value + layer_entry(row, of);
   }
 
@@ -70,14 +69,14 @@ namespace fuga
     const DenseMatrix &W = system.stiffness();
     const std::size_t n  = rows.size();
     DenseMatrix M(n, n);
-    Vector forces(W.n_rows());
+    Vector forces(W.rows());
     for (std::size_t j = 0; j < n; ++j)
       {
         const ContactElement &element = elements[rows[j].element];
         std::fill(forces.begin(), forces.end(), 0.);
         for (std::size_t b = 0; b < element.n_bars(); ++b)
           if (rows[j].column[b] != 0.)
-            blas::axpy(W.n_rows(), rows[j].column[b], W.column(element.bar(b)), forces.data());
+            view(forces) += rows[j].column[b] * W.col(element.bar(b));
         for (std::size_t i = 0; i < n; ++i)
           M(i, j) = forces_in(rows[i], forces.data()) + layer_entry(rows[i], rows[j]);
       }

@@ -85,13 +85,9 @@ namespace fuga
         response.forces.push_back(state.forces[bar]);
         response.rates.push_back(rates->forces[bar]);
       }
-    response.against_slip = DenseMatrix(3 * n, 2 * n);
-    std::copy_n(stiffness->data(), 6 * n * n, response.against_slip.data());
+    response.against_slip = stiffness->leftCols(2 * n);
     if (any_rises)
-      {
-        response.against_rise = DenseMatrix(3 * n, n);
-        std::copy_n(stiffness->column(2 * n), 3 * n * n, response.against_rise.data());
-      }
+      response.against_rise = stiffness->rightCols(n);
     if (course.yielding)
       yield(*course.yielding, response);
     solver.set_response(std::move(response));

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/course.h>
 #include <fuga/contact/segments/curved_segment.h>
@@ -97,7 +96,7 @@ namespace fuga
       const auto &c           = runge_kutta::abscissae;
       const std::size_t first = std::max<std::size_t>(1, k > 3 ? k - 3 : 0);
       Vector result           = from.state.dislocations;
-      blas::axpy(result.size(), c[k] * length, from.rates.dislocations.data(), result.data());
+      view(result) += c[k] * length * view(from.rates.dislocations);
       for (std::size_t j = first; j < k; ++j)
         {
           const double weight = (c[k] * c[k]) / (c[j] * c[j]) * lagrange(first, k, j, c[k]);

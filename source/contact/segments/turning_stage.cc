@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/segments/turning_stage.h>
 
 #include <algorithm>
@@ -34,12 +33,12 @@ namespace fuga
   Vector
   TurningStageSolver::resistance(const Vector &slips, const Vector &dilations) const
   {
-    if (response.against_slip.empty())
+    if (response.against_slip.size() == 0)
       return {};
     Vector result = multiply(response.against_slip, slips);
-    if (!response.against_rise.empty())
+    if (response.against_rise.size() > 0)
       for (std::size_t j = 0; j < dilations.size(); ++j)
-        blas::axpy(result.size(), dilations[j], response.against_rise.column(j), result.data());
+        view(result) += dilations[j] * response.against_rise.col(j);
     return result;
   }
 
@@ -54,10 +53,10 @@ namespace fuga
     };
     take_off(response.tau - tau, response.rates.data());
     for (std::size_t j = 0; j < stage.slips.size(); ++j)
-      take_off(stage.slips[j] - response.slips[j], response.against_slip.column(j));
-    if (!response.against_rise.empty())
+      take_off(stage.slips[j] - response.slips[j], response.against_slip.col(j).data());
+    if (response.against_rise.size() > 0)
       for (std::size_t j = 0; j < stage.dilations.size(); ++j)
-        take_off(stage.dilations[j] - response.dilations[j], response.against_rise.column(j));
+        take_off(stage.dilations[j] - response.dilations[j], response.against_rise.col(j).data());
     return {forces.begin(), forces.end()};
   }
 
@@ -149,11 +148,11 @@ namespace fuga
                                   const TangentVector &slip,
                                   const double rise) const
   {
-    Vector result(response.against_slip.n_rows(), 0.);
+    Vector result(response.against_slip.rows(), 0.);
     for (std::size_t a = 0; a < 2; ++a)
-      blas::axpy(result.size(), slip[a], response.against_slip.column(2 * j + a), result.data());
-    if (!response.against_rise.empty())
-      blas::axpy(result.size(), rise, response.against_rise.column(j), result.data());
+      view(result) += slip[a] * response.against_slip.col(2 * j + a);
+    if (response.against_rise.size() > 0)
+      view(result) += rise * response.against_rise.col(j);
     return result;
   }
 

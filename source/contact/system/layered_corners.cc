@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/system/layered_system.h>
 #include <fuga/contact/system/soft_bars.h>
 
@@ -64,20 +63,12 @@ namespace fuga
     refine_at_corners(const DenseMatrix &S,
                       DenseMatrix residual,
                       const DenseMatrix &W_0,
-                      const Vector &D,
+                      const Vector &compliances,
                       DenseMatrix &V)
     {
-      DenseMatrix deformation = V;
-      scale_rows(deformation, D);
-      const auto add = [](const double sign, const DenseMatrix &from, DenseMatrix &to) {
-        for (std::size_t j = 0; j < to.n_columns(); ++j)
-          blas::axpy(to.n_rows(), sign, from.column(j), to.column(j));
-      };
-      add(-1., V, residual);
-      add(-1., multiply(S, deformation), residual);
-      add(1., residual, V);
-      scale_rows(residual, D);
-      add(-1., multiply(W_0, residual), V);
+      const auto D = view(compliances).asDiagonal();
+      residual -= V + multiply(S, D * V);
+      V += residual - multiply(W_0, D * residual);
     }
   } // namespace
 
@@ -108,57 +99,34 @@ namespace fuga
 
     DenseMatrix W_0 = system.stiffness(), R_0 = system.load_patterns();
     if (has_soft_joint(insert_bars(
-          W_0,
-          R_0,
-          D_b,
-          {submatrix(system.rigid_motions(), basis, all_columns(system.rigid_motions())),
-           system.rigid_motion_loads()})))
+          W_0, R_0, D_b, {system.rigid_motions()(basis, Eigen::all), system.rigid_motion_loads()})))
       return false;
 
-    const DenseMatrix B_e = submatrix(B, extra, all_but({}, n));
-    DenseMatrix V         = transposed(B_e);
-    DenseMatrix DB        = V;
-    scale_rows(DB, D_b);
-    const DenseMatrix W_DB = multiply(W_0, DB);
-    for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t i = 0; i < n; ++i)
-        V(i, k) -= W_DB(i, k);
-    refine_at_corners(system.stiffness(), transposed(B_e), W_0, D_b, V);
+    const DenseMatrix B_e_t = submatrix(B, extra, all_but({}, n)).transpose();
+    const DenseMatrix DB    = view(D_b).asDiagonal() * B_e_t;
+    DenseMatrix V           = B_e_t - multiply(W_0, DB);
+    refine_at_corners(system.stiffness(), B_e_t, W_0, D_b, V);
     DenseMatrix H = multiply_transposed(DB, V);
-    for (std::size_t k = 0; k < m; ++k)
-      H(k, k) += D_e[k];
+    H.diagonal() += view(D_e);
 
     LuFactors factors(std::move(H));
     constexpr double smallest_trusted_condition = 1e-15;
     if (factors.reciprocal_condition() < smallest_trusted_condition)
       throw_repeated_bars();
-    DenseMatrix H_V = transposed(V), H_R = multiply_transposed(DB, R_0), inverse(m, m);
-    for (std::size_t k = 0; k < m; ++k)
-      inverse(k, k) = 1.;
+    DenseMatrix H_V = V.transpose(), H_R = multiply_transposed(DB, R_0),
+                inverse = DenseMatrix::Identity(m, m);
     factors.solve(H_V);
     factors.solve(H_R);
     factors.solve(inverse);
 
-    const DenseMatrix V_H_V = multiply(V, H_V), V_H_R = multiply(V, H_R);
-    W = DenseMatrix(n_bars(), n_bars());
-    R = DenseMatrix(n_bars(), R_0.n_columns());
-    for (std::size_t j = 0; j < n; ++j)
-      {
-        for (std::size_t i = 0; i < n; ++i)
-          W(basis[i], basis[j]) = W_0(i, j) + V_H_V(i, j);
-        for (std::size_t k = 0; k < m; ++k)
-          W(extra[k], basis[j]) = W(basis[j], extra[k]) = -H_V(k, j);
-      }
-    for (std::size_t l = 0; l < m; ++l)
-      for (std::size_t k = 0; k < m; ++k)
-        W(extra[k], extra[l]) = inverse(k, l);
-    for (std::size_t j = 0; j < R_0.n_columns(); ++j)
-      {
-        for (std::size_t i = 0; i < n; ++i)
-          R(basis[i], j) = R_0(i, j) - V_H_R(i, j);
-        for (std::size_t k = 0; k < m; ++k)
-          R(extra[k], j) = H_R(k, j);
-      }
+    W.resize(n_bars(), n_bars());
+    R.resize(n_bars(), R_0.cols());
+    W(basis, basis)      = W_0 + multiply(V, H_V);
+    W(extra, basis)      = -H_V;
+    W(basis, extra)      = -H_V.transpose();
+    W(extra, extra)      = inverse;
+    R(basis, Eigen::all) = R_0 - multiply(V, H_R);
+    R(extra, Eigen::all) = H_R;
     return true;
   }
 } // namespace fuga

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/system/layered_system.h>
 
 #include <algorithm>
@@ -54,7 +53,7 @@ namespace fuga
   LayeredSystem::loads_on_bodies(const Accurate &factors) const
   {
     const DenseMatrix &F = bodies.load_patterns();
-    Accurate loads(F.n_rows(), 0.L);
+    Accurate loads(F.rows(), 0.L);
     add_product(1.L, F, factors, loads);
     rigid_motions->correct_resultants(factors, loads);
     return loads;
@@ -113,7 +112,7 @@ namespace fuga
   {
     const Accurate a = accurate(factors);
     Accurate given = loads_on_bodies(a), fixed_jumps = accurate(dislocations);
-    if (!bodies.imposed_jumps().empty())
+    if (bodies.imposed_jumps().size() > 0)
       add_product(-1.L, bodies.imposed_jumps(), a, fixed_jumps);
     for (std::size_t i = 0; i < water.size(); ++i)
       given[i] += water[i];
@@ -126,11 +125,11 @@ namespace fuga
             residual[i] -= forces[i];
           }
         add_scaled(-1.L, rigid_motions->resistance(bodies.stiffness(), jumps), residual);
-        Vector elastic_jumps(n_bars()), taken(n_bars());
+        Vector elastic_jumps(n_bars());
         for (std::size_t j = 0; j < n_bars(); ++j)
           elastic_jumps[j] = compliances[j] * static_cast<double>(residual[j]);
-        blas::symv(n_bars(), W.data(), n_bars(), elastic_jumps.data(), taken.data());
-        const double size = size_of(forces, scales);
+        const Vector taken = multiply_symmetric(W, elastic_jumps);
+        const double size  = size_of(forces, scales);
         Vector change(n_bars());
         for (std::size_t j = 0; j < n_bars(); ++j)
           {
@@ -153,7 +152,7 @@ namespace fuga
     const std::size_t n_x = B.n_columns(), n_p = n_bars();
     const Accurate a = accurate(factors);
     Accurate upper = loads_on_bodies(a), lower = accurate(dislocations);
-    if (!bodies.imposed_jumps().empty())
+    if (bodies.imposed_jumps().size() > 0)
       add_product(-1.L, bodies.imposed_jumps(), a, lower);
     if (!water.empty())
       add_transposed_product(1.L, B, accurate(water), upper);
@@ -192,23 +191,23 @@ namespace fuga
   void
   LayeredSystem::refine_responses()
   {
-    const Vector no_loads(R.n_columns(), 0.), no_dislocations(n_bars(), 0.);
+    const Vector no_loads(R.cols(), 0.), no_dislocations(n_bars(), 0.);
     const auto refine = [this](const Vector &loads, const Vector &dislocations, double *column) {
       Vector forces(column, column + n_bars());
       refine_with_jump_operator(loads, dislocations, {}, forces);
       std::copy(forces.begin(), forces.end(), column);
     };
-    for (std::size_t j = 0; j < R.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < R.cols(); ++j)
       {
         Vector unit = no_loads;
         unit[j]     = 1.;
-        refine(unit, no_dislocations, R.column(j));
+        refine(unit, no_dislocations, R.col(j).data());
       }
     for (std::size_t j = 0; j < n_bars(); ++j)
       {
         Vector unit = no_dislocations;
         unit[j]     = -1.;
-        refine(no_loads, unit, W.column(j));
+        refine(no_loads, unit, W.col(j).data());
       }
   }
 } // namespace fuga

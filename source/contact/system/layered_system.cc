@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
+#include <fuga/base/work_counter.h>
 #include <fuga/contact/system/layered_system.h>
 #include <fuga/contact/system/soft_bars.h>
 
@@ -19,9 +19,7 @@ namespace fuga
     void
     symmetrise(DenseMatrix &A)
     {
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        for (std::size_t i = 0; i < j; ++i)
-          A(i, j) = A(j, i) = 0.5 * (A(i, j) + A(j, i));
+      A = (0.5 * (A + A.transpose())).eval();
     }
   } // namespace
 
@@ -58,7 +56,7 @@ namespace fuga
     const double smallest = largest > 0. ? 1e-14 * largest : 1.;
     for (std::size_t i = 0; i < compliances.size(); ++i)
       scales.push_back(std::sqrt(std::max(W(i, i), smallest)));
-    const bool may_fall = system.jump_operator().is_identity() && !system.rigid_motions().empty();
+    const bool may_fall = system.jump_operator().is_identity() && system.rigid_motions().size() > 0;
     if (delicate || saddle_factors || may_fall)
       rigid_motions.emplace(system);
     add_imposed_jumps(system);
@@ -80,10 +78,10 @@ namespace fuga
   LayeredSystem::add_imposed_jumps(const ContactSystem &system)
   {
     const DenseMatrix &E = system.imposed_jumps();
-    for (std::size_t j = 0; j < E.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < E.cols(); ++j)
       for (std::size_t bar = 0; bar < n_bars(); ++bar)
         if (E(bar, j) != 0.)
-          blas::axpy(n_bars(), E(bar, j), W.column(bar), R.column(j));
+          R.col(j) += E(bar, j) * W.col(bar);
   }
 
   void
@@ -105,7 +103,7 @@ namespace fuga
     const DenseMatrix &S    = system.stiffness();
     const SparseOperator &B = system.jump_operator();
     const DenseMatrix &F    = system.load_patterns();
-    const std::size_t n_x = S.n_rows(), n_p = n_bars();
+    const std::size_t n_x = S.rows(), n_p = n_bars();
 
     double scale = largest_diagonal(S);
     if (scale == 0.)
@@ -114,7 +112,7 @@ namespace fuga
     if (scale == 0.)
       scale = 1.;
 
-    DenseMatrix saddle(n_x + n_p, n_x + n_p), rhs(n_x + n_p, n_p + F.n_columns());
+    DenseMatrix saddle(n_x + n_p, n_x + n_p), rhs(n_x + n_p, n_p + F.cols());
     for (std::size_t j = 0; j < n_x; ++j)
       {
         for (std::size_t i = 0; i < n_x; ++i)
@@ -128,7 +126,7 @@ namespace fuga
         saddle(n_x + i, n_x + i) = -compliances[i] * scale;
         rhs(n_x + i, i)          = 1.;
       }
-    for (std::size_t j = 0; j < F.n_columns(); ++j)
+    for (Eigen::Index j = 0; j < F.cols(); ++j)
       for (std::size_t i = 0; i < n_x; ++i)
         rhs(i, n_p + j) = F(i, j) / scale;
 
@@ -142,12 +140,12 @@ namespace fuga
     saddle_scale   = scale;
 
     W = DenseMatrix(n_p, n_p);
-    R = DenseMatrix(n_p, F.n_columns());
+    R = DenseMatrix(n_p, F.cols());
     for (std::size_t i = 0; i < n_p; ++i)
       {
         for (std::size_t j = 0; j < n_p; ++j)
           W(i, j) = -rhs(n_x + i, j) * scale;
-        for (std::size_t j = 0; j < F.n_columns(); ++j)
+        for (Eigen::Index j = 0; j < F.cols(); ++j)
           R(i, j) = rhs(n_x + i, n_p + j) * scale;
       }
   }
@@ -158,7 +156,7 @@ namespace fuga
   {
     for (std::size_t j = 0; j < dislocations.size(); ++j)
       if (dislocations[j] != 0.)
-        blas::axpy(n_bars(), -dislocations[j], W.column(j), forces.data());
+        view(forces) -= dislocations[j] * W.col(j);
   }
 
   double
@@ -178,7 +176,7 @@ namespace fuga
         {
           forces[j] += water[j];
           if (compliances[j] != 0.)
-            blas::axpy(n_bars(), -compliances[j] * water[j], W.column(j), forces.data());
+            view(forces) -= compliances[j] * water[j] * W.col(j);
         }
   }
 

@@ -24,11 +24,11 @@ namespace fuga
   RigidBasis::RigidBasis(const ContactSystem &system)
   {
     const DenseMatrix &M = system.rigid_coordinates(), &loads = system.rigid_motion_loads();
-    for (std::size_t k = 0; k < M.n_columns(); ++k)
+    for (Eigen::Index k = 0; k < M.cols(); ++k)
       {
         Motion motion;
-        motion.coordinates.assign(M.column(k), M.column(k) + M.n_rows());
-        for (std::size_t j = 0; j < loads.n_columns(); ++j)
+        motion.coordinates.assign(M.col(k).data(), M.col(k).data() + M.rows());
+        for (Eigen::Index j = 0; j < loads.cols(); ++j)
           motion.loads.push_back(loads(k, j));
         const auto normalise = [&motion](const long double smallest) {
           const long double size = std::sqrt(dot(motion.coordinates, motion.coordinates));
@@ -69,7 +69,7 @@ namespace fuga
   Accurate
   RigidBasis::resistance(const DenseMatrix &S, const Accurate &x) const
   {
-    Accurate deformation = x, result(S.n_rows(), 0.L);
+    Accurate deformation = x, result(S.rows(), 0.L);
     remove(deformation);
     add_product(1.L, S, deformation, result);
     remove(result);

@@ -2,12 +2,12 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/errors.h>
-#include <fuga/base/numerics/blas.h>
 #include <fuga/contact/system/soft_bars.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <lapacke.h>
 
 namespace fuga
 {
@@ -15,34 +15,21 @@ namespace fuga
   {
     using Indices = std::vector<std::size_t>;
 
-    /** Compute A += factor B. */
-    void
-    add(DenseMatrix &A, const double factor, const DenseMatrix &B)
-    {
-      if (!A.empty())
-        blas::axpy(A.n_rows() * A.n_columns(), factor, B.data(), A.data());
-    }
-
     /** Return combinations N of the columns of A (k x k_null) with A N = 0 to rounding. */
     DenseMatrix
     null_combinations(const DenseMatrix &A, const std::size_t k)
     {
-      DenseMatrix gram = A.n_rows() > 0 ? multiply_transposed(A, A) : DenseMatrix(k, k);
-      Vector eigenvalues(k, 0.);
       if (k == 0)
         return {};
-      const int n = static_cast<int>(k);
-      if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'U', n, gram.data(), n, eigenvalues.data()) != 0)
+      const Eigen::SelfAdjointEigenSolver<DenseMatrix> eigenpairs(
+        A.rows() > 0 ? multiply_transposed(A, A) : DenseMatrix(k, k));
+      if (eigenpairs.info() != Eigen::Success)
         throw NumericalFailure("The rigid motions of the bodies cannot be told apart.");
       // The columns of A have entries of at most one: a motion that some bar resists is far above
       // this.
-      const double threshold = 1e-14;
-      std::size_t n_null     = 0;
-      while (n_null < k && eigenvalues[n_null] <= threshold)
-        ++n_null;
-      DenseMatrix N(k, n_null);
-      std::copy_n(gram.data(), k * n_null, N.data());
-      return N;
+      constexpr double threshold = 1e-14;
+      return eigenpairs.eigenvectors().leftCols(
+        (eigenpairs.eigenvalues().array() <= threshold).count());
     }
 
     struct SoftMotions
@@ -57,47 +44,40 @@ namespace fuga
     SoftMotions
     motions_of_soft_bars(const RigidMotions &motions, const Indices &soft, const Indices &others)
     {
-      const std::size_t k = motions.jumps.n_columns();
+      const std::size_t k = motions.jumps.cols();
       RigidMotions scaled{motions.jumps, motions.load_work};
       for (std::size_t j = 0; j < k; ++j)
         {
-          double size = 0.;
-          for (std::size_t i = 0; i < scaled.jumps.n_rows(); ++i)
-            size = std::max(size, std::abs(scaled.jumps(i, j)));
-          for (std::size_t i = 0; i < scaled.jumps.n_rows() && size > 0.; ++i)
-            scaled.jumps(i, j) /= size;
-          for (std::size_t i = 0; i < scaled.load_work.n_columns() && size > 0.; ++i)
-            scaled.load_work(j, i) /= size;
+          const double size = max_abs(scaled.jumps.col(j));
+          if (size > 0.)
+            {
+              scaled.jumps.col(j) /= size;
+              scaled.load_work.row(j) /= size;
+            }
         }
-      const Indices columns       = all_columns(scaled.jumps);
-      const DenseMatrix of_others = submatrix(scaled.jumps, others, columns);
+      const DenseMatrix of_others = scaled.jumps(others, Eigen::all);
       const DenseMatrix N         = null_combinations(of_others, k);
-      RigidMotions result{multiply(submatrix(scaled.jumps, soft, columns), N),
+      RigidMotions result{multiply(scaled.jumps(soft, Eigen::all), N),
                           multiply_transposed(N, scaled.load_work)};
-      const DenseMatrix left = multiply(of_others, N);
-      const double jump_of_others =
-        max_abs(Vector(left.data(), left.data() + left.n_rows() * left.n_columns()));
+      const DenseMatrix left      = multiply(of_others, N);
+      const double jump_of_others = max_abs(left);
 
       // The Gram-Schmidt method is applied twice; the work follows the motions.
       for (int sweep = 0; sweep < 2; ++sweep)
-        for (std::size_t j = 0; j < result.jumps.n_columns(); ++j)
+        for (Eigen::Index j = 0; j < result.jumps.cols(); ++j)
           {
-            const std::size_t n = result.jumps.n_rows();
-            double *v           = result.jumps.column(j);
-            for (std::size_t i = 0; i < j; ++i)
+            auto v = result.jumps.col(j);
+            for (Eigen::Index i = 0; i < j; ++i)
               {
-                const double share = blas::dot(n, result.jumps.column(i), v);
-                blas::axpy(n, -share, result.jumps.column(i), v);
-                for (std::size_t l = 0; l < result.load_work.n_columns(); ++l)
-                  result.load_work(j, l) -= share * result.load_work(i, l);
+                const double share = result.jumps.col(i).dot(v);
+                v -= share * result.jumps.col(i);
+                result.load_work.row(j) -= share * result.load_work.row(i);
               }
-            const double length = std::sqrt(blas::dot(n, v, v));
+            const double length = v.norm();
             if (!(length > 0.))
               throw_unheld();
-            for (std::size_t i = 0; i < n; ++i)
-              v[i] /= length;
-            for (std::size_t l = 0; l < result.load_work.n_columns(); ++l)
-              result.load_work(j, l) /= length;
+            v /= length;
+            result.load_work.row(j) /= length;
           }
       return {result, jump_of_others};
     }
@@ -106,8 +86,8 @@ namespace fuga
     void
     remove_motions(DenseMatrix &A, const DenseMatrix &G)
     {
-      if (G.n_columns() > 0)
-        add(A, -1., multiply(G, multiply_transposed(G, A)));
+      if (G.cols() > 0)
+        A -= multiply(G, multiply_transposed(G, A));
     }
 
     /** Return P (S + C) P + σ G Gᵀ: the stiffness against deformation, made definite by the
@@ -116,18 +96,14 @@ namespace fuga
     deformation_stiffness(const DenseMatrix &S, const Vector &C, const DenseMatrix &G)
     {
       DenseMatrix H = S;
-      double sigma  = 0.;
-      for (std::size_t i = 0; i < C.size(); ++i)
-        {
-          H(i, i) += C[i];
-          sigma = std::max(sigma, H(i, i));
-        }
-      if (G.n_columns() == 0)
+      H.diagonal() += view(C);
+      const double sigma = largest_diagonal(H);
+      if (G.cols() == 0)
         return H;
       remove_motions(H, G);
-      H = transposed(H);
+      H.transposeInPlace();
       remove_motions(H, G);
-      add(H, sigma, multiply(G, transposed(G)));
+      H += sigma * G * G.transpose();
       return H;
     }
 
@@ -135,71 +111,22 @@ namespace fuga
     void
     insert_stiff_bars(DenseMatrix &W, DenseMatrix &R, const Indices &stiff, const Vector &D)
     {
-      Vector roots(D.size());
-      std::transform(
-        D.begin(), D.end(), roots.begin(), [](const double d) { return std::sqrt(d); });
-
-      DenseMatrix E_W = submatrix(W, stiff, all_columns(W));
-      DenseMatrix E_R = submatrix(R, stiff, all_columns(R));
-      scale_rows(E_W, roots);
-      scale_rows(E_R, roots);
-      DenseMatrix H(stiff.size(), stiff.size());
-      for (std::size_t j = 0; j < stiff.size(); ++j)
-        for (std::size_t i = 0; i < stiff.size(); ++i)
-          H(i, j) = E_W(i, stiff[j]) * roots[j] + (i == j ? 1. : 0.);
-
-      DenseMatrix Z(stiff.size(), W.n_columns() + R.n_columns());
-      std::copy_n(E_W.data(), E_W.n_rows() * E_W.n_columns(), Z.data());
-      std::copy_n(E_R.data(), E_R.n_rows() * E_R.n_columns(), Z.column(W.n_columns()));
+      const Eigen::VectorXd root_D = view(D).cwiseSqrt();
+      const auto E                 = root_D.asDiagonal();
+      const DenseMatrix E_W        = E * W(stiff, Eigen::all);
+      DenseMatrix H                = E_W(Eigen::all, stiff) * E;
+      H.diagonal().array() += 1.;
+      DenseMatrix Z(stiff.size(), W.cols() + R.cols());
+      Z.leftCols(W.cols())  = E_W;
+      Z.rightCols(R.cols()) = E * R(stiff, Eigen::all);
       if (!solve_positive_definite(H, Z))
         throw_unheld();
 
       const DenseMatrix change = multiply_transposed(E_W, Z);
-      for (std::size_t j = 0; j < W.n_columns(); ++j)
-        for (std::size_t i = 0; i < W.n_rows(); ++i)
-          W(i, j) -= change(i, j);
-      for (std::size_t j = 0; j < R.n_columns(); ++j)
-        for (std::size_t i = 0; i < R.n_rows(); ++i)
-          R(i, j) -= change(i, W.n_columns() + j);
+      W -= change.leftCols(W.cols());
+      R -= change.rightCols(R.cols());
     }
   } // namespace
-
-  DenseMatrix
-  transposed(const DenseMatrix &A)
-  {
-    DenseMatrix result(A.n_columns(), A.n_rows());
-    for (std::size_t j = 0; j < A.n_columns(); ++j)
-      for (std::size_t i = 0; i < A.n_rows(); ++i)
-        result(j, i) = A(i, j);
-    return result;
-  }
-
-  DenseMatrix
-  submatrix(const DenseMatrix &A, const Indices &rows, const Indices &columns)
-  {
-    DenseMatrix result(rows.size(), columns.size());
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        result(i, j) = A(rows[i], columns[j]);
-    return result;
-  }
-
-  Indices
-  all_columns(const DenseMatrix &A)
-  {
-    Indices indices(A.n_columns());
-    for (std::size_t j = 0; j < indices.size(); ++j)
-      indices[j] = j;
-    return indices;
-  }
-
-  void
-  scale_rows(DenseMatrix &A, const Vector &factors)
-  {
-    for (std::size_t j = 0; j < A.n_columns(); ++j)
-      for (std::size_t i = 0; i < A.n_rows(); ++i)
-        A(i, j) *= factors[i];
-  }
 
   void
   throw_unheld()
@@ -217,85 +144,58 @@ namespace fuga
                    DenseMatrix &R,
                    const Indices &soft,
                    const Indices &others,
-                   const Vector &C,
+                   const Vector &stiffness,
                    const RigidMotions &motions)
   {
-    const std::size_t n_c = soft.size(), n_r = others.size(), n_p = R.n_columns();
+    const auto n_c            = static_cast<Eigen::Index>(soft.size()),
+               n_r            = static_cast<Eigen::Index>(others.size());
+    const Eigen::Index n_p    = R.cols();
     const SoftMotions of_soft = motions_of_soft_bars(motions, soft, others);
     const RigidMotions &free  = of_soft.motions;
     const DenseMatrix &G      = free.jumps;
-    const std::size_t k       = G.n_columns();
-    DenseMatrix H             = deformation_stiffness(submatrix(W, soft, soft), C, G);
-    const DenseMatrix S_rc    = submatrix(W, others, soft);
+    const Eigen::Index k      = G.cols();
+    const auto C              = view(stiffness).asDiagonal();
+    DenseMatrix H             = deformation_stiffness(W(soft, soft), stiffness, G);
+    const DenseMatrix S_rc    = W(others, soft);
 
     if (!invert_positive_definite(H))
       throw_unheld();
     remove_motions(H, G);
-    H = transposed(H);
+    H.transposeInPlace();
     remove_motions(H, G);              // now Z
     DenseMatrix given(n_c, n_r + n_p); // [S_cr, F_c]
-    for (std::size_t i = 0; i < n_c; ++i)
-      {
-        for (std::size_t j = 0; j < n_r; ++j)
-          given(i, j) = S_rc(j, i);
-        for (std::size_t j = 0; j < n_p; ++j)
-          given(i, n_r + j) = R(soft[i], j);
-      }
-    const DenseMatrix answer = multiply(H, given);
+    given.leftCols(n_r)  = S_rc.transpose();
+    given.rightCols(n_p) = R(soft, Eigen::all);
     DenseMatrix Y(n_c, n_c + n_r + n_p); // Z [C, S_cr, F_c]
-    std::copy_n(answer.data(), n_c * (n_r + n_p), Y.column(n_c));
-    for (std::size_t j = 0; j < n_c; ++j)
-      for (std::size_t i = 0; i < n_c; ++i)
-        Y(i, j) = H(i, j) * C[j];
+    Y.leftCols(n_c)        = H * C;
+    Y.rightCols(n_r + n_p) = multiply(H, given);
 
     const DenseMatrix coupling = multiply(S_rc, Y);
-    scale_rows(Y, C);
-    for (std::size_t j = 0; j < n_c; ++j)
-      for (std::size_t i = 0; i < n_c; ++i)
-        Y(i, j) = (i == j ? C[i] : 0.) - Y(i, j); // now W0 = C - C Z C in the first columns
+    Y                          = C * Y; // now [W0, V, U] with W0 = C - C Z C
+    Y.leftCols(n_c)            = DenseMatrix(C) - Y.leftCols(n_c);
 
     // Bar forces of a unit motion: T in the soft bars, -Vᵀ G in the others.
-    DenseMatrix W0(n_c, n_c);
-    std::copy_n(Y.data(), n_c * n_c, W0.data());
-    DenseMatrix V_U(n_c, n_r + n_p);
-    std::copy_n(Y.column(n_c), n_c * (n_r + n_p), V_U.data());
-    const DenseMatrix T = multiply(W0, G);
+    const DenseMatrix T = multiply(Y.leftCols(n_c), G);
     DenseMatrix A       = multiply_transposed(G, T);
-    DenseMatrix load    = multiply_transposed(G, V_U); // Gᵀ V, then Gᵀ U - L
-    for (std::size_t j = 0; j < n_p; ++j)
-      for (std::size_t i = 0; i < k; ++i)
-        load(i, n_r + j) -= free.load_work(i, j);
-    DenseMatrix motion(k, n_c + n_r + n_p); // A⁻¹ [Tᵀ, Gᵀ V, Gᵀ U - L]
-    for (std::size_t i = 0; i < k; ++i)
-      {
-        for (std::size_t j = 0; j < n_c; ++j)
-          motion(i, j) = T(j, i);
-        for (std::size_t j = 0; j < n_r + n_p; ++j)
-          motion(i, n_c + j) = load(i, j);
-      }
+    DenseMatrix load    = multiply_transposed(G, Y.rightCols(n_r + n_p));
+    if (k > 0)
+      load.rightCols(n_p) -= free.load_work; // [Gᵀ V, Gᵀ U - L]
+    DenseMatrix motion(k, n_c + n_r + n_p);  // A⁻¹ [Tᵀ, Gᵀ V, Gᵀ U - L]
+    motion.leftCols(n_c)        = T.transpose();
+    motion.rightCols(n_r + n_p) = load;
     if (k > 0 && !solve_positive_definite(A, motion))
       throw_unheld();
-    add(Y, -1., multiply(T, motion));
-    DenseMatrix V(n_c, n_r);
-    std::copy_n(V_U.data(), n_c * n_r, V.data());
-    const DenseMatrix other_motion = multiply(multiply_transposed(V, G), motion); // Vᵀ G A⁻¹ [...]
+    Y -= multiply(T, motion);
+    const DenseMatrix of_others = // S_rc Z [S_cr, F_c] + Vᵀ G A⁻¹ [Gᵀ V, Gᵀ U - L]
+      coupling.rightCols(n_r + n_p) +
+      multiply_transposed(load.leftCols(n_r), motion.rightCols(n_r + n_p));
 
-    for (std::size_t j = 0; j < n_r; ++j)
-      for (std::size_t i = 0; i < n_r; ++i)
-        W(others[i], others[j]) -= coupling(i, n_c + j) + (k > 0 ? other_motion(i, n_c + j) : 0.);
-    for (std::size_t j = 0; j < n_p; ++j)
-      for (std::size_t i = 0; i < n_r; ++i)
-        R(others[i], j) -=
-          coupling(i, n_c + n_r + j) + (k > 0 ? other_motion(i, n_c + n_r + j) : 0.);
-    for (std::size_t i = 0; i < n_c; ++i)
-      {
-        for (std::size_t j = 0; j < n_c; ++j)
-          W(soft[i], soft[j]) = Y(i, j);
-        for (std::size_t j = 0; j < n_r; ++j)
-          W(soft[i], others[j]) = W(others[j], soft[i]) = Y(i, n_c + j);
-        for (std::size_t j = 0; j < n_p; ++j)
-          R(soft[i], j) = Y(i, n_c + n_r + j);
-      }
+    W(others, others) -= of_others.leftCols(n_r);
+    R(others, Eigen::all) -= of_others.rightCols(n_p);
+    W(soft, soft)       = Y.leftCols(n_c);
+    W(soft, others)     = Y.middleCols(n_c, n_r);
+    W(others, soft)     = Y.middleCols(n_c, n_r).transpose();
+    R(soft, Eigen::all) = Y.rightCols(n_p);
     return of_soft.jump_of_others;
   }
 

@@ -145,7 +145,7 @@ namespace fuga
   {
     if (shares.size() == 1 && shares.front().second == 1.)
       return values_of(shares.front().first);
-    std::vector<double> sum(names(dim, !system.closed_water().empty()).size(), 0.);
+    std::vector<double> sum(names(dim, system.closed_water().size() > 0).size(), 0.);
     sum[first_of_element] = bonded;
     sum[last_of_element]  = -1.;
     double largest        = 0.;
@@ -166,7 +166,7 @@ namespace fuga
   std::vector<double>
   JointPatches<dim>::values_of(const unsigned int element) const
   {
-    const bool has_water       = !system.closed_water().empty();
+    const bool has_water       = system.closed_water().size() > 0;
     const ElementResult &r     = results[element];
     std::vector<double> values = {r.gap,
                                   r.closure,
@@ -205,7 +205,7 @@ namespace fuga
   std::vector<std::string>
   JointPatches<dim>::get_dataset_names() const
   {
-    return names(dim, !system.closed_water().empty());
+    return names(dim, system.closed_water().size() > 0);
   }
 
   template <int dim>

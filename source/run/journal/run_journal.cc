@@ -28,7 +28,7 @@ namespace fuga
               model.stage_names,
               model.monitors,
               phase.parameters.output.units,
-              !model.bodies.closed_water().empty(),
+              model.bodies.closed_water().size() > 0,
               dim == 3,
               may_move(phase.parameters),
               phase.parameters.output.spectra,

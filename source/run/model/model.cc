@@ -321,7 +321,7 @@ namespace fuga
       n_bars += element.n_bars();
     return {{"cells", bodies.discretization().n_cells()},
             {"degrees_of_freedom", bodies.discretization().n_dofs()},
-            {"load_patterns", bodies.load_patterns().n_columns()},
+            {"load_patterns", bodies.load_patterns().cols()},
             {"interface_coordinates", bodies.n_coordinates()},
             {"contact_elements", bodies.elements().size()},
             {"bars", n_bars}};

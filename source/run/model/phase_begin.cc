@@ -146,7 +146,7 @@ namespace fuga
                                    construction.displacement.end());
     const Vector of_bodies = bodies.jumps(u);
     Vector imposed(offsets.size(), 0.);
-    if (!bodies.imposed_jumps().empty())
+    if (bodies.imposed_jumps().size() > 0)
       imposed = multiply(bodies.imposed_jumps(), factors);
     for (std::size_t bar = 0; bar < offsets.size(); ++bar)
       offsets[bar] -= of_bodies[bar] + imposed[bar];

@@ -198,11 +198,11 @@ namespace fuga
   PhaseRun<dim>::results(const JointState &state) const
   {
     const DenseMatrix &water = model.bodies.closed_water();
-    return element_results(joint.elements,
-                           state,
-                           layered.jumps(state.dislocations, state.forces),
-                           water.empty() ? Vector()
-                                         : multiply(water, model.loads.history.factors(state.t)));
+    return element_results(
+      joint.elements,
+      state,
+      layered.jumps(state.dislocations, state.forces),
+      water.size() == 0 ? Vector() : multiply(water, model.loads.history.factors(state.t)));
   }
 
   template <int dim>

@@ -4,6 +4,9 @@
 #ifndef fuga_base_numerics_dense_matrix_h
 #define fuga_base_numerics_dense_matrix_h
 
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -11,99 +14,61 @@ namespace fuga
 {
   using Vector = std::vector<double>;
 
-  /**
-   * A dense matrix stored by columns, as BLAS and LAPACK need it. It only owns the numbers; the
-   * operations below are calls to those libraries.
-   */
-  class DenseMatrix
+  /** A dense matrix, stored by columns; its entries are zero at first. */
+  using DenseMatrix = Eigen::MatrixXd;
+
+  /** A column, and a matrix or a block of one, as arguments. */
+  using ConstVectorView = Eigen::Ref<const Eigen::VectorXd>;
+  using ConstMatrixView = Eigen::Ref<const Eigen::MatrixXd>;
+
+  /** See the numbers of a vector as Eigen does. */
+  inline Eigen::Map<const Eigen::VectorXd>
+  view(const Vector &x)
   {
-  public:
-    DenseMatrix() = default;
+    return {x.data(), static_cast<Eigen::Index>(x.size())};
+  }
 
-    /** Create a zero matrix. */
-    DenseMatrix(const std::size_t n_rows, const std::size_t n_columns)
-      : rows(n_rows), columns(n_columns), values(n_rows * n_columns, 0.)
-    {
-    }
+  inline Eigen::Map<Eigen::VectorXd>
+  view(Vector &x)
+  {
+    return {x.data(), static_cast<Eigen::Index>(x.size())};
+  }
 
-    double &
-    operator()(const std::size_t i, const std::size_t j)
-    {
-      return values[i + j * rows];
-    }
-
-    double
-    operator()(const std::size_t i, const std::size_t j) const
-    {
-      return values[i + j * rows];
-    }
-
-    std::size_t
-    n_rows() const
-    {
-      return rows;
-    }
-
-    std::size_t
-    n_columns() const
-    {
-      return columns;
-    }
-
-    bool
-    empty() const
-    {
-      return values.empty();
-    }
-
-    double *
-    column(const std::size_t j)
-    {
-      return values.data() + j * rows;
-    }
-
-    const double *
-    column(const std::size_t j) const
-    {
-      return values.data() + j * rows;
-    }
-
-    double *
-    data()
-    {
-      return values.data();
-    }
-
-    const double *
-    data() const
-    {
-      return values.data();
-    }
-
-  private:
-    std::size_t rows    = 0;
-    std::size_t columns = 0;
-    std::vector<double> values;
-  };
+  /** Return the numbers of a column, or of another expression of Eigen. */
+  template <typename Derived>
+  Vector
+  to_vector(const Eigen::MatrixBase<Derived> &x)
+  {
+    Vector result(static_cast<std::size_t>(x.size()));
+    view(result) = x;
+    return result;
+  }
 
   /** Return A x. */
   Vector
-  multiply(const DenseMatrix &A, const Vector &x);
+  multiply(const ConstMatrixView &A, const Vector &x);
+
+  /** Return A x for a symmetric A, of which the upper triangle is read. */
+  Vector
+  multiply_symmetric(const DenseMatrix &A, const Vector &x);
 
   /** Return Aᵀ x. */
   Vector
-  multiply_transposed(const DenseMatrix &A, const Vector &x);
+  multiply_transposed(const ConstMatrixView &A, const Vector &x);
 
   /** Return A B. */
   DenseMatrix
-  multiply(const DenseMatrix &A, const DenseMatrix &B);
+  multiply(const ConstMatrixView &A, const DenseMatrix &B);
 
   /** Return Aᵀ B. */
   DenseMatrix
-  multiply_transposed(const DenseMatrix &A, const DenseMatrix &B);
+  multiply_transposed(const ConstMatrixView &A, const DenseMatrix &B);
 
-  double
-  dot(const Vector &x, const Vector &y);
+  inline double
+  dot(const Vector &x, const Vector &y)
+  {
+    return view(x).dot(view(y));
+  }
 
   /** Add factor x to y, for as many entries as x has. */
   void
@@ -117,13 +82,20 @@ namespace fuga
   double
   max_abs(const Vector &x);
 
-  /** Return the largest absolute value of an entry. */
+  /** Return the largest absolute value of an entry, 0 if there is none. */
+  template <typename Derived>
   double
-  max_abs(const DenseMatrix &A);
+  max_abs(const Eigen::MatrixBase<Derived> &A)
+  {
+    return A.size() == 0 ? 0. : A.cwiseAbs().maxCoeff();
+  }
 
   /** Return the largest diagonal entry, 0 if none is positive. */
-  double
-  largest_diagonal(const DenseMatrix &A);
+  inline double
+  largest_diagonal(const DenseMatrix &A)
+  {
+    return A.size() == 0 ? 0. : std::max(0., A.diagonal().maxCoeff());
+  }
 
   /**
    * Overwrite B by A⁻¹ B for a symmetric positive definite A (Cholesky). Return false, with both

@@ -42,7 +42,7 @@ namespace fuga
     Vector
     motion_of(const Vector &jumps) const
     {
-      return Q.empty() ? Vector() : multiply_transposed(Q, jumps);
+      return Q.size() == 0 ? Vector() : multiply_transposed(Q, jumps);
     }
 
   private:

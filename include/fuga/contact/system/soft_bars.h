@@ -17,7 +17,7 @@ namespace fuga
   };
 
   /**
-   * Insert springs between the bodies: the bars @p soft get the relation p = C (δ - d) instead of
+   * Insert springs between the bodies: the bars @p soft get the relation p = C (δ - d), C the @p stiffness, instead of
    * δ = d, the bars @p others keep theirs. W and R (on entry S and F of the bodies) are
    * overwritten.
    *
@@ -37,7 +37,7 @@ namespace fuga
                    DenseMatrix &R,
                    const std::vector<std::size_t> &soft,
                    const std::vector<std::size_t> &others,
-                   const Vector &C,
+                   const Vector &stiffness,
                    const RigidMotions &motions);
 
   /**
@@ -47,23 +47,6 @@ namespace fuga
    */
   double
   insert_bars(DenseMatrix &W, DenseMatrix &R, const Vector &D, const RigidMotions &motions);
-
-  /** Return rows @p rows and columns @p columns of A. */
-  DenseMatrix
-  submatrix(const DenseMatrix &A,
-            const std::vector<std::size_t> &rows,
-            const std::vector<std::size_t> &columns);
-
-  DenseMatrix
-  transposed(const DenseMatrix &A);
-
-  /** Return all column numbers of A. */
-  std::vector<std::size_t>
-  all_columns(const DenseMatrix &A);
-
-  /** Multiply row i by factors[i]. */
-  void
-  scale_rows(DenseMatrix &A, const Vector &factors);
 
   [[noreturn]] void
   throw_unheld();

@@ -18,14 +18,14 @@ namespace fuga
     std::size_t
     size() const
     {
-      return n;
+      return static_cast<std::size_t>(n);
     }
 
     /** Return the size up to which the matrix can grow without reallocation. */
     std::size_t
     capacity() const
     {
-      return stride;
+      return static_cast<std::size_t>(values.rows());
     }
 
     /** Reserve space for a matrix of this size. */
@@ -44,7 +44,7 @@ namespace fuga
     double
     entry(const std::size_t i, const std::size_t j) const
     {
-      return column(j)[i];
+      return values(i, j);
     }
 
     /** Return the pivot that append() would return. */
@@ -86,22 +86,25 @@ namespace fuga
     solve_transposed(const Vector &b) const;
 
   private:
-    double *
-    column(const std::size_t j)
+    Eigen::Block<DenseMatrix>
+    inverse()
     {
-      return values.data() + j * stride;
+      return values.topLeftCorner(n, n);
     }
 
-    const double *
-    column(const std::size_t j) const
+    Eigen::Block<const DenseMatrix>
+    inverse() const
     {
-      return values.data() + j * stride;
+      return values.topLeftCorner(n, n);
     }
 
-    std::size_t n      = 0;
-    std::size_t stride = 0;
-    int sign           = 1;
-    Vector values;
+    /** Exchange two rows and columns. */
+    void
+    exchange(const Eigen::Index k, const Eigen::Index l);
+
+    Eigen::Index n = 0;
+    int sign       = 1;
+    DenseMatrix values;
   };
 } // namespace fuga
 
