@@ -12,7 +12,7 @@ namespace fuga::tests
   inline SparseOperator
   sparse(const DenseMatrix &B)
   {
-    if (B.empty())
+    if (B.size() == 0)
       return {};
     std::vector<SparseOperator::Entry> entries;
     for (unsigned int i = 0; i < B.rows(); ++i)

@@ -133,8 +133,8 @@ TEST(CondensedSystem, crossing)
   // Per joint 3 elements of 2 bars, but the lowest pair is held by the base; at the crossing there
   // are 4 pairs with only 3 independent offsets.
   ASSERT_EQ(system.elements().size(), 11U);
-  ASSERT_EQ(system.jump_operator().rows(), 22U);
-  ASSERT_EQ(system.jump_operator().cols(), 20U);
+  ASSERT_EQ(system.jump_operator().n_rows(), 22U);
+  ASSERT_EQ(system.jump_operator().n_columns(), 20U);
   const Solution solution = solve_linear(system, 1e-3, 2e-3);
   const auto u            = system.recover({1.}, solution.x);
   const Vector jumps      = system.jumps(u);
@@ -370,7 +370,7 @@ TEST(CondensedSystem, joint_in_two_parts)
   CondensedSystem<2> system(mesh.mesh, model, {false, false});
   set_all_loads(system, model);
   ASSERT_EQ(system.elements().size(), 8U);
-  EXPECT_EQ(system.jump_operator().cols() + 2, system.jump_operator().rows());
+  EXPECT_EQ(system.jump_operator().n_columns() + 2, system.jump_operator().n_rows());
   const Solution solution = solve_linear(system, 1e-3, 1e-3);
   for (const auto &element : system.elements())
     EXPECT_NEAR(solution.p[element.normal_bar], -2. * element.area, 1e-11);

@@ -46,7 +46,7 @@ namespace fuga::tests
         for (Eigen::Index j = 0; j < plane.F.cols(); ++j)
           system.F(i, j) = plane.F(i, j);
       }
-    system.B = lift_rows(plane.B.empty() ? identity(m) : plane.B, n);
+    system.B = lift_rows(plane.B.size() == 0 ? identity(m) : plane.B, n);
     for (std::size_t k = 0; k < n; ++k)
       {
         system.S(m + k, m + k)     = 1.;
@@ -57,7 +57,7 @@ namespace fuga::tests
         elements[k].tangential_bar        = static_cast<unsigned int>(3 * k + 1);
         elements[k].second_tangential_bar = static_cast<unsigned int>(3 * k + 2);
       }
-    if (plane.motions.empty())
+    if (plane.motions.size() == 0)
       return;
     system.motions      = lift_rows(plane.motions, 0);
     system.motion_loads = plane.motion_loads;

@@ -77,7 +77,7 @@ namespace fuga::tests
         {
           const JointState &a = by_jumps.levels[i], &b = by_schemes.levels[i];
           const FrictionLaw &friction = scene.elements[0].friction;
-          const bool crosses          = !scene.system.B.empty();
+          const bool crosses          = scene.system.B.size() > 0;
           if ((a.states != b.states ||
                (crosses && largest_difference(a.dilations, b.dilations) > 1e-9)) &&
               (friction.dilatancy > 0. ||

@@ -78,7 +78,7 @@ namespace fuga::tests
     DenseMatrix
     all_jumps() const
     {
-      if (!B.empty())
+      if (B.size() > 0)
         return B;
       DenseMatrix identity(S.rows(), S.rows());
       for (Eigen::Index i = 0; i < S.rows(); ++i)

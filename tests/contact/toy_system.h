@@ -38,7 +38,7 @@ namespace fuga::tests
     const SparseOperator &
     jump_operator() const override
     {
-      if (!B.empty() && its_operator.is_identity())
+      if (B.size() > 0 && its_operator.is_identity())
         its_operator = sparse(B);
       return its_operator;
     }

@@ -117,7 +117,7 @@ namespace fuga::judges
   Vector
   JudgeProblem::jumps(const Vector &x) const
   {
-    if (B.empty())
+    if (B.size() == 0)
       return x;
     Vector delta(B.rows(), 0.);
     for (std::size_t j = 0; j < x.size(); ++j)
@@ -130,7 +130,7 @@ namespace fuga::judges
   validate(const JudgeProblem &problem)
   {
     require(problem.S.rows() == problem.S.cols(), "S is not square");
-    require(problem.B.empty() || problem.B.cols() == problem.S.rows(), "B does not fit S");
+    require(problem.B.size() == 0 || problem.B.cols() == problem.S.rows(), "B does not fit S");
     std::vector<unsigned int> owners(problem.n_bars(), 0u);
     for (const JudgeElement &element : problem.elements)
       {

@@ -73,13 +73,13 @@ namespace fuga::judges
     std::size_t
     n_bars() const
     {
-      return B.empty() ? S.rows() : B.rows();
+      return B.size() == 0 ? S.rows() : B.rows();
     }
 
     double
     jump_operator(const std::size_t bar, const std::size_t coordinate) const
     {
-      return B.empty() ? (bar == coordinate ? 1. : 0.) : B(bar, coordinate);
+      return B.size() == 0 ? (bar == coordinate ? 1. : 0.) : B(bar, coordinate);
     }
 
     /** δ = B x. */

@@ -99,7 +99,7 @@ namespace fuga::stress
                 const Piece &piece,
                 Vector load)
     {
-      if (at.B.empty())
+      if (at.B.size() == 0)
         return view.since_beginning(
           piece.step.layered().jumps(piece.to.dislocations, piece.to.forces));
       for (std::size_t i = 0; i < load.size(); ++i)
