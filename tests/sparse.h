@@ -19,15 +19,15 @@ namespace fuga::tests
       for (unsigned int j = 0; j < B.cols(); ++j)
         if (B(i, j) != 0.)
           entries.push_back({i, j, B(i, j)});
-    return {B.rows(), B.cols(), entries};
+    return {static_cast<std::size_t>(B.rows()), static_cast<std::size_t>(B.cols()), entries};
   }
 
   /** The opposite. */
   inline DenseMatrix
   dense(const SparseOperator &B)
   {
-    DenseMatrix result(B.rows(), B.cols());
-    for (Eigen::Index i = 0; i < B.rows(); ++i)
+    DenseMatrix result(B.n_rows(), B.n_columns());
+    for (std::size_t i = 0; i < B.n_rows(); ++i)
       B.for_each_in_row(i,
                         [&](const std::size_t j, const double factor) { result(i, j) = factor; });
     return result;

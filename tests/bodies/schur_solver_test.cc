@@ -109,7 +109,7 @@ TEST(SchurSolver, FactorOnDisk)
       results[on_disk].push_back(solver.eliminate(matrix, kept));
       EXPECT_EQ(std::filesystem::is_empty(folder), !on_disk);
       DenseMatrix loads(std::size_t(m) * m, 3);
-      for (std::size_t i = 0; i < loads.rows() - kept; ++i)
+      for (Eigen::Index i = 0; i < loads.rows() - kept; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           loads(i, j) = double(i % (7 + j));
       DenseMatrix again = loads;

@@ -66,7 +66,7 @@ namespace fuga::tests
           for (std::size_t j = 0; j < n_of_each; ++j)
             C(k * n_of_each + i, k * n_of_each + j) = bars[k][i][j];
       DenseMatrix K = multiply_transposed(jumps, multiply(C, jumps));
-      for (std::size_t i = 0; i < S.rows() * S.rows(); ++i)
+      for (Eigen::Index i = 0; i < S.rows() * S.rows(); ++i)
         K.data()[i] += S.data()[i];
       Solution solution{r, {}, {}};
       LuFactors(std::move(K)).solve(solution.x);

@@ -10,7 +10,7 @@ namespace fuga::tests
     TimeIntegration::Damping
     damping_of(const Springs &springs)
     {
-      if (springs.damping.empty())
+      if (springs.damping.size() == 0)
         return [](const Vector &) { return Vector(); };
       return [C = springs.damping](const Vector &v) { return multiply(C, v); };
     }
@@ -52,7 +52,7 @@ namespace fuga::tests
     for (Eigen::Index i = 0; i < S.rows(); ++i)
       {
         S(i, i) += integration.mass_factor(length) * springs.masses[i];
-        for (std::size_t j = 0; j < S.rows() && !springs.damping.empty(); ++j)
+        for (Eigen::Index j = 0; j < S.rows() && springs.damping.size() > 0; ++j)
           S(i, j) += integration.damping_factor(length) * springs.damping(i, j);
       }
     return S;
@@ -65,7 +65,7 @@ namespace fuga::tests
     const auto predicted = integration.predicted(h);
     Vector growth        = plus(springs.loads(t + h), -1., springs.loads(t));
     growth               = plus(growth, -1., multiply(springs.stiffness, predicted.u));
-    if (!springs.damping.empty())
+    if (springs.damping.size() > 0)
       growth = plus(growth, -1., multiply(springs.damping, predicted.v));
     return {multiply(springs.jumps, predicted.u), integration.push(growth)};
   }

@@ -20,7 +20,7 @@ namespace fuga::judges
     for (std::size_t bar = 0; bar < n_b; ++bar)
       rhs(n_x + bar, bar) = 1.;
     for (std::size_t l = 0; l < loads.size(); ++l)
-      rhs.col(n_b + l) = view(loads[l]);
+      rhs.col(n_b + l).head(loads[l].size()) = view(loads[l]);
 
     const std::vector<ContactState> all_stick(problem.elements.size(), ContactState::stick);
     const LinearSolution linear =

@@ -148,7 +148,7 @@ namespace fuga::judges
   lemke(const DenseMatrix &M, const Vector &q, const Vector &d)
   {
     const std::size_t n = q.size();
-    if (M.rows() != n || M.cols() != n || (!d.empty() && d.size() != n))
+    if (M.rows() != view(q).size() || M.cols() != M.rows() || (!d.empty() && d.size() != n))
       throw std::invalid_argument("lemke: sizes do not fit");
     const Vector cover = d.empty() ? Vector(n, 1.) : d;
 

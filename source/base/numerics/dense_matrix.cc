@@ -63,14 +63,13 @@ namespace fuga
     }
   } // namespace
 
-  // BLAS is called for products, as EIGEN_USE_BLAS tells Eigen to do.
+  // BLAS is called for products, as EIGEN_USE_BLAS tells Eigen to do; it refuses matrices without
+  // rows.
   Vector
   multiply(const ConstMatrixView &A, const Vector &x)
   {
     count_product(A.size());
-    Vector y(A.rows(), 0.);
-    view(y).noalias() += A * view(x);
-    return y;
+    return A.size() == 0 ? Vector(A.rows(), 0.) : to_vector(A * view(x));
   }
 
   // With the lower triangle OpenBLAS's kernels for old processors read 16 bytes past the end of y,
@@ -79,18 +78,14 @@ namespace fuga
   multiply_symmetric(const DenseMatrix &A, const Vector &x)
   {
     count_product(A.size());
-    Vector y(A.rows(), 0.);
-    view(y).noalias() += A.selfadjointView<Eigen::Upper>() * view(x);
-    return y;
+    return A.size() == 0 ? Vector() : to_vector(A.selfadjointView<Eigen::Upper>() * view(x));
   }
 
   Vector
   multiply_transposed(const ConstMatrixView &A, const Vector &x)
   {
     count_product(A.size());
-    Vector y(A.cols(), 0.);
-    view(y).noalias() += A.transpose() * view(x);
-    return y;
+    return A.size() == 0 ? Vector(A.cols(), 0.) : to_vector(A.transpose() * view(x));
   }
 
   DenseMatrix
