@@ -36,6 +36,7 @@ namespace fuga::tests
     {
       bool shear_layer;
       double friction, cohesion, dilatancy;
+      StrengthEnvelope envelope = {};
     };
 
     /**
@@ -120,9 +121,11 @@ namespace fuga::tests
         const LuFactors factors{DenseMatrix(J)};
         factors.solve(from_load);
         factors.solve(from_slip);
-        // δ' = -(from_load + γ from_slip), p' = F a' - S δ', e·T' + f N' = 0.
-        const auto along = [&](const Vector &x) {
-          return e[0] * x[1] + e[1] * x[2] + law.friction * x[0];
+        // δ' = -(from_load + γ from_slip), p' = F a' - S δ', e·T' + f G'(-N/A) N' = 0.
+        const double slope = law.friction * std::pow(1. - p[0] / area / law.envelope.pressure,
+                                                     law.envelope.exponent - 1.);
+        const auto along   = [&](const Vector &x) {
+          return e[0] * x[1] + e[1] * x[2] + slope * x[0];
         };
         const double gamma = -(along(by_loads) + along(multiply(system.S, from_load))) /
                              along(multiply(system.S, from_slip));
@@ -194,13 +197,18 @@ namespace fuga::tests
       ConeJoint joint(
         1, area, law_nine(), of_case.shear_layer ? law_nine() : make_rigid_law(), of_case.friction);
       FrictionLaw &friction = joint.elements[0].friction;
+      friction.envelope     = of_case.envelope;
       friction.cohesion     = of_case.cohesion;
       friction.dilatancy    = of_case.dilatancy;
       return joint;
     }
 
-    const std::vector<Case> cases = {
-      {false, 0.4, 0., 0.}, {true, 0.4, 0., 0.}, {false, 0.5, 0.2, 0.}, {true, 0.4, 0.1, 0.2}};
+    const std::vector<Case> cases = {{false, 0.4, 0., 0.},
+                                     {true, 0.4, 0., 0.},
+                                     {false, 0.5, 0.2, 0.},
+                                     {true, 0.4, 0.1, 0.2},
+                                     {false, 0.6, 0., 0., {0.6, 1.}},
+                                     {true, 0.6, 0.1, 0.1, {0.7, 2.}}};
 
     SlidingElement::State
     slips_of(const JointState &state)
@@ -323,11 +331,11 @@ namespace fuga::tests
               WorkingScheme background(joint.elements, layered);
               IterationCount count;
               CurvedSegment segment({joint.elements, layered, boundary, background},
-                                     course,
-                                     point,
-                                     {e},
-                                     PathOptions(),
-                                     count);
+                                    course,
+                                    point,
+                                    {e},
+                                    PathOptions(),
+                                    count);
               point = segment.at((t_end - 2.) / n_steps);
             }
           double error = 0.;

@@ -171,7 +171,8 @@ namespace fuga::judges
         Vector trial;
         for (const unsigned int bar : bars)
           trial.push_back(p[bar] + c_t * (y[bar] - before[bar]));
-        const double r       = closed ? element.friction * pressing + element.cohesion : 0.;
+        const double r       = closed ? element.strength(pressing) : 0.;
+        const double mu      = element.friction * element.envelope.slope(element.area, pressing);
         const double trial_r = norm(trial);
         for (std::size_t a = 0; a < bars.size(); ++a)
           if (closed && trial_r < r)
@@ -188,8 +189,8 @@ namespace fuga::judges
                 continue;
               // r changes with the pressing force, e with the part of the trial force across it.
               if (!curved)
-                add_force(bars[a], n, e * element.friction);
-              add_jump(bars[a], n, e * element.friction * (curved ? hardening : c_n));
+                add_force(bars[a], n, e * mu);
+              add_jump(bars[a], n, e * mu * (curved ? hardening : c_n));
               for (std::size_t b = 0; b < bars.size(); ++b)
                 {
                   const double across = (a == b ? 1. : 0.) - e * trial[b] / trial_r;

@@ -5,6 +5,7 @@
 #define fuga_tests_judges_cone_newton_h
 
 #include "judges/dislocation_form.h"
+#include "judges/envelope.h"
 
 #include <functional>
 #include <limits>
@@ -23,6 +24,7 @@ namespace fuga::judges
     double normal_compliance = 0.;
     double shear_compliance  = 0.;
     double friction          = 0.;
+    Envelope envelope;
     /** c A. */
     double cohesion = 0.;
     /** Of a curved layer: σ(w) and dσ/dw of a closure w, the first slope of which is
@@ -34,6 +36,13 @@ namespace fuga::judges
     is_curved() const
     {
       return stress != nullptr;
+    }
+
+    /** The largest shear while closed under a pressing force P ≥ 0. */
+    double
+    strength(const double P) const
+    {
+      return friction * envelope.force(area, P) + cohesion;
     }
   };
 

@@ -49,9 +49,9 @@ namespace fuga::judges
         const auto &bars      = element.tangential_bars;
         const double N        = state.forces[element.normal_bar];
         const double a        = state.dislocations[element.normal_bar];
-        const double cohesion = a <= closed * length ? element.cohesion : 0.;
+        const double lost     = a <= closed * length ? 0. : element.cohesion;
         const double room =
-          element.friction * std::max(0., -N) + cohesion - length_in(state.forces, bars);
+          element.strength(std::max(0., -N)) - lost - length_in(state.forces, bars);
         if (element.is_curved())
           worst = std::max(worst,
                            std::abs(N + element.area * (a < 0. ? element.stress(-a) : 0.)) / force);

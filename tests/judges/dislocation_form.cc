@@ -66,7 +66,7 @@ namespace fuga::judges
             const unsigned int t   = element.tangential_bar;
             const double increment = openings_and_slips[t] - slip_before[k];
             const double room =
-              element.friction * pressing + element.cohesion * element.area - std::abs(p[t]);
+              element.strength(pressing) - std::abs(p[t]);
             if (stiffness[t] * std::abs(increment) > room)
               state = increment > 0. || (increment == 0. && p[t] > 0.)
                         ? ContactState::slip_forward

@@ -16,6 +16,13 @@
 
 namespace fuga::judges
 {
+  inline Envelope
+  envelope_of(const FrictionLaw &law)
+  {
+    return law.envelope.is_curved() ? Envelope{law.envelope.exponent, law.envelope.pressure}
+                                    : Envelope();
+  }
+
   /**
    * The judges' copy of the data that the product works on. Reads numbers only. A nonlinear normal
    * law is taken for law (9) with ζ0 = deformation_limit(); the caller must know that it is.
@@ -44,6 +51,7 @@ namespace fuga::judges
             copy.shear_compliance = element.shear_law->initial_compliance();
           }
         copy.friction = element.friction.coefficient;
+        copy.envelope = envelope_of(element.friction);
         copy.cohesion = element.friction.cohesion;
         problem.elements.push_back(copy);
       }

@@ -4,6 +4,8 @@
 #ifndef fuga_tests_judges_judge_problem_h
 #define fuga_tests_judges_judge_problem_h
 
+#include "judges/envelope.h"
+
 #include <fuga/base/numerics/dense_matrix.h>
 #include <fuga/laws/contact_state.h>
 
@@ -34,6 +36,7 @@ namespace fuga::judges
     double shear_compliance = 0.;
     /** f. */
     double friction = 0.;
+    Envelope envelope;
     /** c, a stress: |T| ≤ f|N| + cA while closed. */
     double cohesion = 0.;
     /** ζ0 > 0 makes the normal layer law (9) of the paper, 0 a linear (or rigid) one. */
@@ -49,6 +52,13 @@ namespace fuga::judges
     has_nonlinear_layer() const
     {
       return layer_thickness > 0.;
+    }
+
+    /** The largest shear while closed under a pressing force P ≥ 0. */
+    double
+    strength(const double P) const
+    {
+      return friction * envelope.force(area, P) + cohesion * area;
     }
   };
 

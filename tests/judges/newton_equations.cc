@@ -116,10 +116,10 @@ namespace fuga::judges
 
         const std::size_t t = element.tangential_bar;
         const double c_t    = scale * stiffness[t];
-        const double mu     = friction_part * element.friction;
+        const double mu =
+          friction_part * element.friction * element.envelope.slope(element.area, pressing);
         const double trial  = p[t] + c_t * (y[t] - slip_before[k]);
-        const double r =
-          mu * pressing + (closed ? friction_part * element.cohesion * element.area : 0.);
+        const double r      = closed ? friction_part * element.strength(pressing) : 0.;
         if (closed && std::abs(trial) < r)
           {
             F[t] = -c_t * (y[t] - slip_before[k]);

@@ -151,6 +151,13 @@ TEST(Iterative, MatrixFreeStepsWithBonds)
                      "Joints/base/Dilatancy angle=3"});
 }
 
+// Strength along a curve over the pressure.
+TEST(Iterative, MatrixFreeStepsWithCurvedEnvelope)
+{
+  expect_same_steps("scene_g_f06.prm",
+                    {"Joints/base/Envelope exponent=0.6", "Joints/base/Envelope pressure=100"});
+}
+
 // Water follows the crack that is open at the end of a step, until it opens no more.
 TEST(Iterative, MatrixFreeWaterComesIn)
 {

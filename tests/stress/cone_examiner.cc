@@ -3,6 +3,7 @@
 
 #include "stress/cone_examiner.h"
 
+#include "judges/from_contact.h"
 #include "sparse.h"
 #include "stress/confirm.h"
 #include "stress/examiner.h"
@@ -49,6 +50,7 @@ namespace fuga::stress
         if (element.has_second_tangential_bar())
           copy.tangential_bars.push_back(element.second_tangential_bar);
         copy.friction = state.strengths[k].friction;
+        copy.envelope = judges::envelope_of(element.friction);
         copy.cohesion = state.strengths[k].cohesion;
         result.push_back(copy);
       }
@@ -138,7 +140,7 @@ namespace fuga::stress
         shear = std::hypot(shear, jumps[bar]);
         along += state.forces[bar] * jumps[bar];
       }
-    const double strength = element.friction * pressing + element.cohesion;
+    const double strength = element.strength(std::max(0., pressing));
     if (shear <= none || strength == 0.)
       return true;
     return force >= strength - no_force * largest_force && along >= (1. - none) * force * shear;

@@ -123,6 +123,23 @@ namespace fuga::stress
     return result;
   }
 
+  // Rates see the tangent of a curved envelope.
+  JudgeProblem
+  problem_of_rates(const JudgeProblem &virgin, const JointState &state)
+  {
+    JudgeProblem result = problem_in(virgin, state);
+    for (JudgeElement &element : result.elements)
+      {
+        const double P      = std::max(0., -state.forces[element.normal_bar]);
+        const double share  = element.envelope.slope(element.area, P);
+        const double excess = element.envelope.force(element.area, P) - share * P;
+        element.cohesion += element.friction * excess / element.area;
+        element.friction *= share;
+        element.envelope = {};
+      }
+    return result;
+  }
+
   StepSolution
   Examiner::solution(const JudgeProblem &at,
                      const JointState &state,
@@ -155,7 +172,7 @@ namespace fuga::stress
     if (newton.converged)
       return std::move(newton.solution);
     const bool linear = std::none_of(at.elements.begin(), at.elements.end(), [](const auto &e) {
-      return e.has_nonlinear_layer();
+      return e.has_nonlinear_layer() || e.envelope.exponent != 1.;
     });
     if (!linear || at.elements.size() > few_elements)
       return {};
@@ -236,7 +253,7 @@ namespace fuga::stress
   RateSearch
   Examiner::search(const JointState &state) const
   {
-    JudgeProblem at                       = problem_in(problem, state);
+    JudgeProblem at                       = problem_of_rates(problem, state);
     const std::vector<RateElement> places = positions(at, state, 1e-10);
     for (std::size_t k = 0; k < at.elements.size(); ++k)
       {
@@ -279,7 +296,7 @@ namespace fuga::stress
   {
     constexpr double none     = 1e-5;
     constexpr double free     = 1e-6;
-    const JudgeProblem at     = problem_in(problem, state);
+    const JudgeProblem at     = problem_of_rates(problem, state);
     const auto places         = positions(at, state, 1e-9);
     const Vector x            = judge.coordinates(jumps);
     const Vector resistance   = multiply(at.S, x);

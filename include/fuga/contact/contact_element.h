@@ -96,6 +96,15 @@ namespace fuga
     });
   }
 
+  /** Return whether the strength of any element is a curve over the pressure. */
+  inline bool
+  has_curved_envelope(const std::vector<ContactElement> &elements)
+  {
+    return std::any_of(elements.begin(), elements.end(), [](const ContactElement &element) {
+      return element.friction.envelope.is_curved();
+    });
+  }
+
   /**
    * Return whether the shear of an element can differ from zero with the remaining @p strength.
    * This matters only for elements with two tangential bars: with one, an element without strength

@@ -4,18 +4,60 @@
 #ifndef fuga_laws_friction_law_h
 #define fuga_laws_friction_law_h
 
+#include <cmath>
 #include <limits>
 
 namespace fuga
 {
   /**
-   * The strength of a closed joint: Coulomb's law with a bond,
+   * The shape of the shear strength over the pressure, τ = c + f G(σ): the generalised power law
    *
-   *     |T| ≤ f|N| + c A,   N ≤ σ_t A       while the bond holds,
-   *     |T| ≤ f_r|N|,       N ≤ 0           after it broke,
+   *     G(σ) = σ_r/b [(1 + σ/σ_r)^b - 1],   G'(σ) = (1 + σ/σ_r)^(b-1),   0 < b ≤ 1,
    *
-   * and its dilatancy: sliding lips rise by tan ψ per unit of slip until they have risen by the
-   * limit.
+   * which bends down from the straight line G(σ) = σ, Coulomb's law (b = 1), that it keeps under
+   * tension. The coefficient of friction f is the slope without pressure. With c = f σ_r/b it is
+   * Baker's τ = p_a A (σ/p_a + T)^b, σ_r = p_a T (J. Geotech. Geoenviron. Eng. 130 (2004),
+   * 498-506).
+   */
+  struct StrengthEnvelope
+  {
+    /** Exponent b. */
+    double exponent = 1.;
+    /** Pressure σ_r that the pressure is compared with [MPa]. */
+    double pressure = std::numeric_limits<double>::infinity();
+
+    bool
+    is_curved() const
+    {
+      return exponent != 1.;
+    }
+
+    /** Return G(σ) [MPa]. */
+    double
+    value(const double sigma) const
+    {
+      return is_curved() && sigma > 0.
+               ? pressure / exponent * std::expm1(exponent * std::log1p(sigma / pressure))
+               : sigma;
+    }
+
+    /** Return G'(σ). */
+    double
+    slope(const double sigma) const
+    {
+      return is_curved() && sigma > 0. ? std::exp((exponent - 1.) * std::log1p(sigma / pressure))
+                                       : 1.;
+    }
+  };
+
+  /**
+   * The strength of a closed joint: friction with a bond,
+   *
+   *     |T|/A ≤ f G(σ) + c,   σ = -N/A ≥ -σ_t     while the bond holds,
+   *     |T|/A ≤ f_r G(σ),     σ ≥ 0               after it broke,
+   *
+   * with Coulomb's G(σ) = σ or a curved envelope, and its dilatancy: sliding lips rise by tan ψ per
+   * unit of slip until they have risen by the limit.
    */
   struct FrictionLaw
   {
@@ -29,6 +71,7 @@ namespace fuga
 
     /** Coefficient of friction f ≥ 0. */
     double coefficient = 0.;
+    StrengthEnvelope envelope;
     /** Cohesion c ≥ 0 [MPa]. */
     double cohesion = 0.;
     /** Tensile strength σ_t ≥ 0 [MPa], at most c/f: the tip of Coulomb's cone. */
@@ -58,6 +101,14 @@ namespace fuga
     }
   };
 
+  /** Return A G(P/A) [MN], which friction multiplies, under the force P that presses an element of
+   * the area A. */
+  inline double
+  resisting_force(const FrictionLaw &law, const double area, const double P)
+  {
+    return law.envelope.is_curved() ? area * law.envelope.value(P / area) : P;
+  }
+
   /** Return f_r. */
   inline double
   residual_friction(const FrictionLaw &law)
@@ -68,7 +119,7 @@ namespace fuga
   /** The remaining strength of one element, which changes along a path. */
   struct Strength
   {
-    /** Coefficient of friction: f, or f_r. */
+    /** Coefficient of friction without pressure: f, or f_r. */
     double friction = 0.;
     /** Force of cohesion: c A, or 0 [MN]. */
     double cohesion = 0.;

@@ -39,7 +39,10 @@ namespace fuga
       // Under tension a bond has the strength c A - f N, which less friction would raise: nothing
       // is lost there.
       const double residual = strength.share * residual_friction(element.friction);
-      double lost           = N < -no_force ? (strength.friction - residual) * -N : 0.;
+      double lost           = N < -no_force
+                                ? (strength.friction - residual) *
+                            resisting_force(element.friction, element.area, -N)
+                                : 0.;
       if (N <= no_force)
         strength.friction = residual;
       if (bond_breaks)

@@ -162,11 +162,12 @@ namespace fuga
                          const Drive &drive) const
   {
     const ContactElement &element = elements[k];
+    const double friction         = strength_line(element, state, k).friction;
     return {tangential(element, state.forces),
             tangential(element, rates.forces),
             shear_strength(element, state, k),
-            -state.strengths[k].friction * rates.forces[element.normal_bar] +
-              shear_strength_rate(element, state.strengths[k].friction, drive),
+            -friction * rates.forces[element.normal_bar] +
+              shear_strength_rate(element, friction, drive),
             strength_tolerance(k, state.strengths[k])};
   }
 

@@ -23,6 +23,29 @@ namespace fuga
       return std::max(at.unreleased[element.normal_bar], 0.);
     }
 
+    // Under tension a bond has less strength, and so has one that is released; otherwise a tension
+    // is rounding.
+    double
+    pressing_force(const ContactElement &element,
+                   const JointState &at,
+                   const std::size_t k,
+                   const double N)
+    {
+      const bool is_bonded = at.strengths[k].tension > 0. || unreleased_tension(element, at) > 0.;
+      return is_bonded ? -N : std::max(-N, 0.);
+    }
+
+    /** Return the pressure of lips that press each other by the amount by which N is below the
+     * tension that a broken bond has not yet released [MPa]. */
+    double
+    pressure_on(const ContactElement &element,
+                const JointState &at,
+                const std::size_t k,
+                const double N)
+    {
+      return (pressing_force(element, at, k, N) + unreleased_tension(element, at)) / element.area;
+    }
+
     bool
     widens(const ContactElement &element, const JointState &at)
     {
@@ -295,24 +318,45 @@ namespace fuga
 
   // Lips that meet again under the remainder of a tension press each other by the amount by which N
   // is below it.
-  double
-  cohesive_strength(const ContactElement &element, const JointState &at, const std::size_t k)
+  StrengthLine
+  strength_line(const ContactElement &element,
+                const JointState &at,
+                const std::size_t k,
+                const double N)
   {
-    return at.strengths[k].cohesion + unreleased_shear(element, at) +
-           at.strengths[k].friction * unreleased_tension(element, at);
+    const StrengthEnvelope &envelope = element.friction.envelope;
+    const double tension             = unreleased_tension(element, at);
+    StrengthLine line{at.strengths[k].friction,
+                      at.strengths[k].cohesion + unreleased_shear(element, at)};
+    if (envelope.is_curved())
+      {
+        const double pressure = pressure_on(element, at, k, N);
+        const double slope    = envelope.slope(pressure);
+        line.cohesion +=
+          line.friction * element.area * (envelope.value(pressure) - slope * pressure);
+        line.friction *= slope;
+      }
+    line.cohesion += line.friction * tension;
+    return line;
   }
 
-  // Under tension a bond has less strength, and so has one that is released; otherwise a tension is
-  // rounding.
+  double
+  strength_slope(const ContactElement &element, const JointState &at, const std::size_t k)
+  {
+    const StrengthEnvelope &envelope = element.friction.envelope;
+    return envelope.is_curved()
+             ? envelope.slope(pressure_on(element, at, k, at.forces[element.normal_bar]))
+             : 1.;
+  }
+
   double
   shear_strength(const ContactElement &element,
                  const JointState &at,
                  const std::size_t k,
                  const double N)
   {
-    const bool is_bonded  = at.strengths[k].tension > 0. || unreleased_tension(element, at) > 0.;
-    const double pressing = is_bonded ? -N : std::max(-N, 0.);
-    return std::max(0., at.strengths[k].friction * pressing + cohesive_strength(element, at, k));
+    const StrengthLine line = strength_line(element, at, k, N);
+    return std::max(0., line.friction * pressing_force(element, at, k, N) + line.cohesion);
   }
 
   double

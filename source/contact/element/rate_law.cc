@@ -20,7 +20,7 @@ namespace fuga
   {
     if (n_tangents == 0)
       return;
-    friction        = state.strengths[element].friction;
+    friction        = strength_line(contact_element, state, element).friction;
     rise            = state.strengths[element].dilatancy;
     strength_rate   = shear_strength_rate(contact_element, friction, drive);
     shear_direction = member.direction;

@@ -15,7 +15,7 @@ namespace fuga
 {
   namespace
   {
-    /** Return the coefficient of friction where more pressure gives more strength. */
+    /** Return the slope of the strength where more pressure gives more of it. */
     double
     friction_at(const ContactElement &element,
                 const JointState &at,
@@ -23,7 +23,7 @@ namespace fuga
                 const double N)
     {
       return (N < 0. || at.strengths[k].tension > 0.) && shear_strength(element, at, k, N) > 0.
-               ? at.strengths[k].friction
+               ? strength_line(element, at, k, N).friction
                : 0.;
     }
   } // namespace

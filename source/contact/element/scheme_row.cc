@@ -178,10 +178,13 @@ namespace fuga
           return at.forces[row.bar] - at.unreleased[row.bar];
         case Demand::sliding:
           {
-            double value = 0.;
-            for (std::size_t i = element.n_bars(); i-- > 0;)
+            const StrengthLine strength = strength_line(element, at, k);
+            const double sign           = slip_sign(at.states[k]);
+            double value                = 0.;
+            for (std::size_t i = element.n_bars(); i-- > 1;)
               value += row.own[i] * at.forces[element.bar(i)];
-            return value - slip_sign(at.states[k]) * cohesive_strength(element, at, k);
+            return value + sign * strength.friction * at.forces[element.normal_bar] -
+                   sign * strength.cohesion;
           }
         case Demand::layer:
           {

@@ -48,7 +48,9 @@ namespace fuga
     // carries.
     const double still_pulling = std::max(state.unreleased[n], 0.);
     const double pressing      = left.tension > 0. ? -N : std::max(still_pulling - N, 0.);
-    const double strength      = left.friction * pressing + left.cohesion + length(lost);
+    const double strength =
+      left.friction * resisting_force(element.friction, element.area, pressing) + left.cohesion +
+      length(lost);
     raise(result.cone, length(T) - strength, largest_force);
     const TangentVector jump_of_layer = sum(tangential(element, delta), -1., state.slips[k]);
     raise(result.layer_law, length(sum(jump_of_layer, -1., elastic.shear)), largest_jump);

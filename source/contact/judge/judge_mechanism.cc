@@ -58,6 +58,15 @@ namespace fuga
     return std::max(error(), std::abs(drive)) <= none;
   }
 
+  double
+  Judge::slope_of_strength(const std::size_t k, const JointState &state) const
+  {
+    const ContactElement &element = elements[k];
+    const std::size_t n           = element.normal_bar;
+    const double pressing         = std::max(state.unreleased[n], 0.) - state.forces[n];
+    return state.strengths[k].friction * element.friction.envelope.slope(pressing / element.area);
+  }
+
   Freedom
   Judge::freedom(const std::size_t k, const JointState &state, const Vector &delta) const
   {
@@ -68,20 +77,23 @@ namespace fuga
     const double no_force = nothing_beside(no_force_share, max_abs(state.forces), largest_force);
     const double N        = state.forces[n];
     const double gap      = element.initial_gap + delta[n] - state.dilations[k];
+    const double slope    = slope_of_strength(k, state);
     if (state.states[k] == ContactState::open &&
         gap > nothing_beside(closed_to_motions, max_abs(delta), largest_jump))
       return {Kind::open, 0., {}, 0., false};
     const bool at_apex    = left.tension <= no_force && N >= -no_force;
     const bool at_tension = left.tension > no_force && N >= left.tension - no_force;
     if (at_apex || at_tension)
-      return {Kind::parting, 0., {}, left.friction, at_tension || left.cohesion > no_force};
+      return {Kind::parting, 0., {}, slope, at_tension || left.cohesion > no_force};
     const TangentVector force = shear_part(element, state.forces);
     const double T            = length(force);
-    if (!element.has_tangential_bar() || T < left.friction * -N + left.cohesion - no_force)
+    if (!element.has_tangential_bar() ||
+        T < left.friction * resisting_force(element.friction, element.area, -N) + left.cohesion -
+              no_force)
       return {Kind::none, 0., {}, 0., true};
     if (T <= no_force)
-      return {Kind::sliding, left.dilatancy, {}, left.friction, false};
-    return {Kind::sliding, left.dilatancy, direction(force), left.friction, false};
+      return {Kind::sliding, left.dilatancy, {}, slope, false};
+    return {Kind::sliding, left.dilatancy, direction(force), slope, false};
   }
 
   double
@@ -159,7 +171,7 @@ namespace fuga
       return lost;
     const double pulling = std::max(state.unreleased[elements[k].normal_bar], 0.);
     return sum({{0., 0.}},
-               length(lost) + state.strengths[k].friction * pulling,
+               length(lost) + slope_of_strength(k, state) * pulling,
                direction(shear_part(elements[k], state.forces)));
   }
 

@@ -215,7 +215,11 @@ namespace fuga
     if (!carries_shear(element, left))
       return {ContactState::stick};
     return demand_on_shear(
-      state, k, is_open ? left.friction * pressure : shear_strength(element, state, k), noise);
+      state,
+      k,
+      is_open ? left.friction * resisting_force(element.friction, element.area, pressure)
+              : shear_strength(element, state, k),
+      noise);
   }
 
   ImplicitStep::Demand

@@ -13,14 +13,7 @@ namespace fuga
   WorkingScheme::tangential_row(const std::size_t k, const ContactState in_state) const
   {
     std::vector<SchemeRow> wanted;
-    append_rows(elements[k],
-                k,
-                in_state,
-                directions[k],
-                strengths[k],
-                nonlinear ? tangents[k] : LayerTangent(),
-                system,
-                wanted);
+    append_rows_of(k, in_state, {}, wanted);
     for (const SchemeRow &row : wanted)
       if (row.bar == elements[k].tangential_bar)
         return row;

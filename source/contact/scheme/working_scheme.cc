@@ -63,11 +63,13 @@ namespace fuga
     for (const ContactElement &element : elements)
       {
         strengths.push_back(virgin_strength(element.friction, element.area));
-        nonlinear |= has_nonlinear_closure(element) || has_nonlinear_shear(element);
+        nonlinear |= has_nonlinear_closure(element) || has_nonlinear_shear(element) ||
+                     element.friction.envelope.is_curved();
       }
     if (nonlinear)
       for (const ContactElement &element : elements)
         tangents.push_back(initial_layer_tangent(element));
+    slopes.assign(tangents.size(), 1.);
   }
 
   double
@@ -113,8 +115,12 @@ namespace fuga
     if (!nonlinear)
       return;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      tangents[k] = stiffness == LayerStiffness::initial ? initial_layer_tangent(elements[k])
-                                                         : layer_tangent(elements[k], at, k);
+      {
+        const bool initial = stiffness == LayerStiffness::initial;
+        tangents[k] =
+          initial ? initial_layer_tangent(elements[k]) : layer_tangent(elements[k], at, k);
+        slopes[k] = initial ? 1. : strength_slope(elements[k], at, k);
+      }
     outdated = true;
   }
 

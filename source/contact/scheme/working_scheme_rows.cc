@@ -38,16 +38,29 @@ namespace fuga
   {
     std::vector<SchemeRow> wanted;
     for (std::size_t k = 0; k < elements.size(); ++k)
-      append_rows(elements[k],
-                  k,
-                  states[k],
-                  directions[k],
-                  strengths[k],
-                  nonlinear ? tangents[k] : LayerTangent(),
-                  system,
-                  wanted,
-                  turning.empty() ? std::nullopt : std::optional(turning[k]));
+      append_rows_of(
+        k, states[k], turning.empty() ? std::nullopt : std::optional(turning[k]), wanted);
     return wanted;
+  }
+
+  void
+  WorkingScheme::append_rows_of(const std::size_t k,
+                                const ContactState in_state,
+                                const std::optional<double> &turning_of_slip,
+                                std::vector<SchemeRow> &to) const
+  {
+    Strength strength = strengths[k];
+    if (nonlinear)
+      strength.friction *= slopes[k];
+    append_rows(elements[k],
+                k,
+                in_state,
+                directions[k],
+                strength,
+                nonlinear ? tangents[k] : LayerTangent(),
+                system,
+                to,
+                turning_of_slip);
   }
 
   double
@@ -165,8 +178,7 @@ namespace fuga
     return !singular;
   }
 
-  // The inverse need not follow a nonlinear layer, or a friction that is being reduced, at every
-  // step: that of a nearby stiffness serves as the first approximation of a refined solution, the
+  // The inverse need not follow a nonlinear layer, or a friction that changes, at every step: that of a nearby stiffness serves as the first approximation of a refined solution, the
   // paper's idea on the small system.
   void
   WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
@@ -174,7 +186,9 @@ namespace fuga
     const auto follows = [this](const SchemeRow &row) {
       return row.demand == SchemeRow::Demand::layer ||
              row.demand == SchemeRow::Demand::layer_across ||
-             (row.demand == SchemeRow::Demand::sliding && strengths[row.element].share < 1.);
+             (row.demand == SchemeRow::Demand::sliding &&
+              (strengths[row.element].share < 1. ||
+               elements[row.element].friction.envelope.is_curved()));
     };
     for (const SchemeRow &row : wanted)
       if (follows(row) && position[row.bar] != no_row && !has_row(row))

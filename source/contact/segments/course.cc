@@ -53,11 +53,9 @@ namespace fuga
         const Strength &strength      = state.strengths[k];
         if (!element.friction.reduced || state.states[k] == ContactState::open)
           continue;
-        const double rate                  = course.share_rate / strength.share;
-        const double N                     = state.forces[element.normal_bar];
-        drive.strength[element.normal_bar] = rate * strength.tension;
-        drive.strength[element.tangential_bar] =
-          rate * std::max(0., strength.cohesion - strength.friction * N);
+        const double rate                      = course.share_rate / strength.share;
+        drive.strength[element.normal_bar]     = rate * strength.tension;
+        drive.strength[element.tangential_bar] = rate * shear_strength(element, state, k);
       }
     return drive;
   }

@@ -71,6 +71,7 @@ namespace fuga
     , slipping(turning)
     , dilatancies(dilatancies_of(turning, start.state))
     , stuck(with_stuck(turning, start.state))
+    , strengths_bend(is_reduction() || has_curved_envelope(context.elements))
     , linear(!context.scheme.is_nonlinear() && !is_reduction())
     , step_tolerance(options.curve_tolerance)
     , least_energy_loss(options.least_energy_loss)

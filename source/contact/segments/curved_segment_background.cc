@@ -23,8 +23,9 @@ namespace fuga
     context.scheme.linearise(stuck);
   }
 
-  // The strengths are those at @p tau, where @p state contains what a reduction leaves of them; a
-  // broken bond gives up what it still carries in proportion to τ.
+  // The strengths are the tangents of those at @p tau, where @p state contains what a reduction
+  // leaves of them. A broken bond gives up what it still carries in proportion to τ; a state of a
+  // linear background still has all of it.
   void
   CurvedSegment::take_strengths(const double tau, const JointState &state)
   {
@@ -33,20 +34,20 @@ namespace fuga
       {
         const ContactElement &element = context.elements[k];
         const Strength &strength      = state.strengths[k];
+        const StrengthLine line       = strength_line(element, state, k);
         TurningElement own;
         own.element  = k;
-        own.friction = strength.friction;
+        own.friction = line.friction;
         own.rise     = strength.dilatancy;
         // The drive of the course contains no reduction where a bond is released.
         if (!course.drive.release.empty())
-          own.cohesion_rate = shear_strength_rate(element, strength.friction, course.drive);
-        own.cohesion = strength.cohesion + cohesive_strength(element, start.state, k) -
-                       start.state.strengths[k].cohesion + tau * own.cohesion_rate;
+          own.cohesion_rate = shear_strength_rate(element, line.friction, course.drive);
+        own.cohesion = line.cohesion + (linear ? tau * own.cohesion_rate : 0.);
         if (element.friction.reduced)
           {
             const double rate = course.share_rate / strength.share;
-            own.friction_rate = rate * strength.friction;
-            own.cohesion_rate += rate * strength.cohesion;
+            own.friction_rate = rate * line.friction;
+            own.cohesion_rate += rate * line.cohesion;
           }
         strengths.push_back(own);
       }

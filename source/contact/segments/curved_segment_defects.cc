@@ -136,7 +136,7 @@ namespace fuga
         to.energy_lost = energy.lost;
         defect         = energy_defect(energy, least_energy_loss, count);
       }
-    return is_reduction() && !turns() ? std::max(defect, reduction_defect(from, to)) : defect;
+    return strengths_bend && !turns() ? std::max(defect, strength_defect(from, to)) : defect;
   }
 
   // Beyond a point with zero rate of slip the equations of the scheme have spurious solutions, to
@@ -158,7 +158,7 @@ namespace fuga
   // only the equations of sliding elements tell how far the cubics are from the curve. A slip that
   // turns back between the points, and again before the second, must not be missed.
   double
-  CurvedSegment::reduction_defect(const Station &before, const Station &after) const
+  CurvedSegment::strength_defect(const Station &before, const Station &after) const
   {
     // Error, relative to the largest force, that the cubics may make in the strength of sliding
     // elements. The cubics only tell where to look for events.
@@ -186,8 +186,10 @@ namespace fuga
         const TangentVector e = context.scheme.slip_direction_of(k);
         const Strength &a     = from.state.strengths[k];
         const Strength &b     = to.state.strengths[k];
-        const double strength = 0.5 * (a.cohesion + b.cohesion) -
-                                0.5 * (a.friction + b.friction) * force(element.normal_bar);
+        const double strength =
+          0.5 * (a.cohesion + b.cohesion) +
+          0.5 * (a.friction + b.friction) *
+            resisting_force(element.friction, element.area, -force(element.normal_bar));
         double slope = 0.;
         for (std::size_t i = 1; i < element.n_bars(); ++i)
           {

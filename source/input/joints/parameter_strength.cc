@@ -35,6 +35,20 @@ namespace fuga
       return value;
     }
 
+    StrengthEnvelope
+    read_envelope(const ParameterSection &section)
+    {
+      const JointEntries &e = entries_of<JointEntries>();
+      for (const auto &[given, missing] :
+           {std::pair(e.envelope_exponent, e.envelope_pressure),
+            std::pair(e.envelope_pressure, e.envelope_exponent)})
+        if (section.given(given) && !section.given(missing))
+          section.fail(given, fmt::format("'{}' is missing.", missing.name()));
+      if (!section.given(e.envelope_exponent))
+        return {};
+      return {section.value(e.envelope_exponent), section.value(e.envelope_pressure)};
+    }
+
     /** Check that friction is lost and not gained, that the tip of the cone carries the tension,
      * and that sliding creates no energy. */
     void
@@ -77,12 +91,14 @@ namespace fuga
       law.coefficient -
       read_coefficient(section, e.residual_coefficient, e.residual_angle, law.coefficient);
     law.dilatancy = std::tan(section.value(e.dilatancy_angle) * degree);
+    law.envelope  = read_envelope(section);
     if (law.bond_loss == FrictionLaw::BondLoss::slip && law.cohesion == 0. &&
         law.tensile_strength == 0.)
       section.fail(e.bond_loss, "there is no bond to lose: give 'Cohesion' or 'Tensile strength'.");
     if (section.given(e.dilation_limit) && law.dilatancy == 0.)
       section.fail(e.dilation_limit, "there is no dilatancy to limit: 'Dilatancy angle' is 0.");
-    for (const AnyEntry &entry : {e.residual_coefficient, e.residual_angle, e.dilatancy_angle})
+    for (const AnyEntry &entry :
+         {e.residual_coefficient, e.residual_angle, e.envelope_exponent, e.dilatancy_angle})
       if (law.coefficient == 0. && section.given(entry))
         section.fail(entry,
                      "the joint has no friction: give 'Friction coefficient' or 'Friction angle'.");

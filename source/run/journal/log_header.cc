@@ -19,6 +19,10 @@ namespace fuga
     strength_description(const FrictionLaw &law)
     {
       std::string text = fmt::format("friction {:g}, cohesion {:g}", law.coefficient, law.cohesion);
+      if (law.envelope.is_curved())
+        text += fmt::format(", envelope ((1 + p/{0:g})^{1:g} - 1) {0:g}/{1:g}",
+                            law.envelope.pressure,
+                            law.envelope.exponent);
       if (law.friction_loss > 0.)
         text += fmt::format(", residual friction {:g}", residual_friction(law));
       if (law.tensile_strength > 0.)

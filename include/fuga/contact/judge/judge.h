@@ -180,6 +180,9 @@ namespace fuga
                   const JointState &state,
                   const Vector &jumps,
                   Certificate &result) const;
+    /** Return the slope of the shear strength over the pressing force. */
+    double
+    slope_of_strength(const std::size_t k, const JointState &state) const;
     Freedom
     freedom(const std::size_t k, const JointState &state, const Vector &delta) const;
     /** Return the part of the jump @p w of an element that contradicts its freedom. */

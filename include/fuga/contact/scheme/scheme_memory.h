@@ -34,8 +34,10 @@ namespace fuga
     /** Directions of slip, in space. */
     std::vector<TangentVector> directions;
     std::vector<Strength> strengths;
-    /** Tangents of the layers, by element; empty if no layer is nonlinear. */
+    /** Tangents of the layers, by element; empty if no layer and no strength is nonlinear. */
     std::vector<LayerTangent> tangents;
+    /** Slopes of the strength at the present pressures in units of f, likewise. */
+    Vector slopes;
     std::vector<SchemeRow> rows;
     /** Rows of the matrix that was factorised, the capacity of its inverse, and the exchanges that
      * followed. */
@@ -55,6 +57,7 @@ namespace fuga
            directions,
            strengths,
            tangents,
+           slopes,
            rows,
            factorised_rows,
            capacity,
@@ -66,6 +69,7 @@ namespace fuga
     visit("directions", directions);
     visit("strengths", strengths);
     visit("tangents", tangents);
+    visit("slopes", slopes);
     visit("rows", rows);
     visit("factorised_rows", factorised_rows);
     visit("capacity", capacity);

@@ -47,7 +47,8 @@ namespace fuga
    * results from them. A bar is *active* if its dislocation is unknown; its row then reads
    *
    *     open           N = 0            and   T = 0
-   *     slip           T + σ f N = σ c A; along two tangents e·T + f N = c A, with d_t along e
+   *     slip           T + σ f N = σ c A; along two tangents e·T + f N = c A, with d_t along e;
+   *                    f and c A are those of the strength's tangent if its envelope is curved
    *     closed, nonlinear layer         N = N_law(g),   stuck:   T = T_law(jump - slip)
    *     slip with dilatancy             g = 0 above the risen lips
    *
@@ -94,16 +95,16 @@ namespace fuga
     void
     set_strength(const std::size_t element, const Strength &strength);
 
-    /** Return whether some layer is nonlinear: paths are then curves and matrices depend on the
-     * state. */
+    /** Return whether some layer or envelope of strength is nonlinear: paths are then curves and
+     * matrices depend on the state. */
     bool
     is_nonlinear() const
     {
       return nonlinear;
     }
 
-    /** Set the stiffness of nonlinear bars to that at @p at. This has no effect on linear
-     * layers. */
+    /** Set the stiffness of nonlinear bars, and the slopes of the strengths, to those at @p at.
+     * This has no effect on linear ones. */
     void
     linearise(const JointState &at, const LayerStiffness stiffness = LayerStiffness::tangent);
 
@@ -230,6 +231,11 @@ namespace fuga
 
     std::vector<SchemeRow>
     wanted_rows() const;
+    void
+    append_rows_of(const std::size_t element,
+                   const ContactState in_state,
+                   const std::optional<double> &turning_of_slip,
+                   std::vector<SchemeRow> &to) const;
     bool
     has_row(const SchemeRow &row) const
     {

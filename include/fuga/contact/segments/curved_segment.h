@@ -238,7 +238,7 @@ namespace fuga
     double
     rise_defect(const Station &from, const Station &to) const;
     double
-    reduction_defect(const Station &from, const Station &to) const;
+    strength_defect(const Station &from, const Station &to) const;
     bool
     slips_back(const JointState &from, const JointState &to) const;
     bool
@@ -271,6 +271,9 @@ namespace fuga
     const Vector dilatancies;
     /** The start as the background sees it, with the turning elements stuck. */
     JointState stuck;
+    /** True if strengths are not linear in load and pressure: they are being reduced, or an
+     * envelope is curved. */
+    const bool strengths_bend;
     /** True if the background responds linearly, everywhere along the segment in the same way. */
     const bool linear;
     const double step_tolerance, least_energy_loss;

@@ -62,6 +62,7 @@ namespace fuga
     Entry<ShearGrowth::Kind> shear_growth;
     Number growth_closure, growth_pressure, growth_exponent;
     Number friction_coefficient, friction_angle, residual_coefficient, residual_angle;
+    Number envelope_exponent, envelope_pressure;
     Number cohesion, tensile_strength, dilatancy_angle, dilation_limit;
     Entry<FrictionLaw::BondLoss> bond_loss;
     Text initial_gap;
