@@ -53,7 +53,8 @@ class Table:
 
 
 class JointStrength(typing.NamedTuple):
-    """|T| <= f|N| + cA while the bond holds. It breaks where the joint opens, or also at the first slip; friction falls
+    """|T|/A <= f G(p) + c while the bond holds, with G(p) = p or, along a curved envelope,
+    G(p) = r/b ((1 + p/r)^b - 1). It breaks where the joint opens, or also at the first slip; friction falls
     to its residual value at the first slip or opening. Stresses as in the files."""
 
     friction: float
@@ -61,6 +62,15 @@ class JointStrength(typing.NamedTuple):
     cohesion: float
     tensile_strength: float
     bond_lost_by_slip: bool
+    envelope_exponent: float
+    envelope_pressure: float
+
+    def resisting(self, pressure):
+        """G(p), for an array of pressures."""
+        b, r = self.envelope_exponent, self.envelope_pressure
+        if b == 1.0:
+            return pressure
+        return numpy.where(pressure > 0.0, r / b * ((1.0 + numpy.maximum(pressure, 0.0) / r) ** b - 1.0), pressure)
 
 
 class Profile:
@@ -201,10 +211,11 @@ class Results:
             return float(entries.get(f"{name} coefficient", otherwise))
         virgin = friction("Friction", 0.0)
         return JointStrength(virgin, friction("Residual friction", virgin), float(entries.get("Cohesion", 0.0)),
-                             float(entries.get("Tensile strength", 0.0)), entries.get("Bond lost by") == SLIP)
+                             float(entries.get("Tensile strength", 0.0)), entries.get("Bond lost by") == SLIP,
+                             float(entries.get("Envelope exponent", 1.0)), float(entries.get("Envelope pressure", 1.0)))
 
     def strength(self, joint, profile):
-        """Shear strength f p + c of the elements of a profile [stress], with what they have lost; 0 where open."""
+        """Shear strength f G(p) + c of the elements of a profile [stress], with what they have lost; 0 where open."""
         law = self.strength_parameters(joint)
         events = self.events.frame
         events = events[(events["joint"] == joint) & (events["t"] <= profile.t)]
@@ -212,7 +223,7 @@ class Results:
         slipped = numpy.isin(profile["element"], events["element"][events["to"] == SLIP])
         friction = numpy.where(opened | slipped, law.residual_friction, law.friction)
         bond = numpy.where(opened | (slipped & law.bond_lost_by_slip), 0.0, law.cohesion)
-        strength = numpy.maximum(0.0, friction * profile["pressure"] + bond)
+        strength = numpy.maximum(0.0, friction * law.resisting(profile["pressure"]) + bond)
         return numpy.where(profile["state"] == OPEN, 0.0, strength)
 
     def describe_time(self, t):

@@ -63,6 +63,18 @@ namespace fuga
        with("set Dilatancy angle = 8\nset Residual friction coefficient = 0.1"),
        {},
        {"Dilatancy angle = '8'", "would create energy"}},
+      {"EnvelopeWithoutPressure",
+       with("set Envelope exponent = 0.7"),
+       {},
+       {"Envelope exponent = '0.7'", "'Envelope pressure' is missing"}},
+      {"EnvelopeWithoutExponent",
+       with("set Envelope pressure = 0.7"),
+       {},
+       {"Envelope pressure = '0.7'", "'Envelope exponent' is missing"}},
+      {"EnvelopeThatRises",
+       with("set Envelope exponent = 1.2\nset Envelope pressure = 0.7"),
+       {},
+       {"Envelope exponent = '1.2'", "to 1"}},
       {"LimitWithoutDilatancy",
        with("set Dilation limit = 0.01"),
        {},
@@ -105,10 +117,13 @@ namespace fuga
         replaced(testing_files::example_prm(),
                  with("set Residual friction coefficient = 0.15\nset Cohesion = 0.5\nset Tensile "
                       "strength = 0.4\nset Bond lost by = slip\nset Dilatancy angle = 5\nset "
-                      "Dilation limit = 0.003")));
+                      "Dilation limit = 0.003\nset Envelope exponent = 0.7\nset Envelope "
+                      "pressure = 0.6")));
       const FrictionLaw law = read_parameters(file).joints.at(0).friction;
       EXPECT_EQ(law.coefficient, 0.2);
       EXPECT_NEAR(residual_friction(law), 0.15, 1e-15);
+      EXPECT_EQ(law.envelope.exponent, 0.7);
+      EXPECT_EQ(law.envelope.pressure, 0.6);
       EXPECT_EQ(law.cohesion, 0.5);
       EXPECT_EQ(law.tensile_strength, 0.4);
       EXPECT_EQ(law.bond_loss, FrictionLaw::BondLoss::slip);

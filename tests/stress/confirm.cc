@@ -145,10 +145,14 @@ namespace fuga::stress
       switch (search.answer)
         {
           case RateAnswer::continuation:
-            confirmation.objection +=
-              fmt::format("the path can go on: {} boundary elements, {} schemes; ",
-                          search.n_boundary,
-                          search.n_schemes);
+            // Along a curved strength the load may have a maximum, up to which there are rates.
+            if (examiner.is_turning_point(end))
+              by = "no implicit step";
+            else
+              confirmation.objection +=
+                fmt::format("the path can go on: {} boundary elements, {} schemes; ",
+                            search.n_boundary,
+                            search.n_schemes);
             break;
           case RateAnswer::none:
             by = "enumeration";

@@ -340,4 +340,15 @@ namespace fuga::stress
     const auto other    = solve_anew(at, judge_slips(state), now, beyond);
     return other && distance(*other, solution(at, state, judge_slips(state))) <= nearby;
   }
+
+  bool
+  Examiner::is_turning_point(const JointState &state) const
+  {
+    if (!has_curved_envelope(elements) || !can_solve(state))
+      return false;
+    for (const double part : {1e-6, 1e-5, 1e-4})
+      if (finds_step_beyond(state, part))
+        return false;
+    return true;
+  }
 } // namespace fuga::stress

@@ -69,6 +69,10 @@ namespace fuga::stress
     bool
     finds_step_beyond(const JointState &state, const double part) const;
 
+    /** Return whether strengths are curved and no such step goes on. */
+    bool
+    is_turning_point(const JointState &state) const;
+
   private:
     Vector
     load(const double t) const;

@@ -73,6 +73,10 @@ namespace fuga::stress::families
   GridModel
   coupled_shear(Random &random);
   GridModel
+  envelopes(Random &random);
+  GridModel
+  envelopes_with_laws(Random &random);
+  GridModel
   lift_off(Random &random);
   GridModel
   all_laws(Random &random);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace fuga::stress::families
 {
@@ -252,23 +253,41 @@ namespace fuga::stress::families
     /** In place of the layers of a scene under its weight: any strength on any layer. */
     template <typename Scene>
     Scene
-    with_any_layers(Random &random, Scene scene)
+    with_any_layers(Random &random,
+                    Scene scene,
+                    const std::function<void(Random &, Layer &, const Scales &)> &change = {})
     {
       double heaviest = 0.;
       for (const SceneData::Body &body : scene.bodies)
         heaviest = std::max(heaviest, body.weight);
       const Scales scales = scales_of(scene, heaviest * scene.width());
-      set_layers(scene, [&] { return any_layer_or_bond(random, scales); });
+      set_layers(scene, [&] {
+        Layer layer = any_layer_or_bond(random, scales);
+        if (change)
+          change(random, layer, scales);
+        return layer;
+      });
       return scene;
+    }
+
+    SpatialGrid
+    blocks_or_wedge(Random &random)
+    {
+      return random.one_of<SpatialGrid (*)(Random &)>(
+        {blocks_in_space, pair_in_space, wedge_in_space})(random);
     }
   } // namespace
 
   SpatialGrid
   blocks_with_laws(Random &random)
   {
-    return with_any_layers(random,
-                           random.one_of<SpatialGrid (*)(Random &)>(
-                             {blocks_in_space, pair_in_space, wedge_in_space})(random));
+    return with_any_layers(random, blocks_or_wedge(random));
+  }
+
+  SpatialGrid
+  envelopes_in_space(Random &random)
+  {
+    return with_any_layers(random, blocks_or_wedge(random), bend);
   }
 
   CutPolyhedron

@@ -30,6 +30,8 @@ namespace fuga::stress::families
   extruded_with_laws(Random &random);
   SpatialGrid
   blocks_with_laws(Random &random);
+  SpatialGrid
+  envelopes_in_space(Random &random);
   CutPolyhedron
   polyhedra_with_laws(Random &random);
   SpatialGrid

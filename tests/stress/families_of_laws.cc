@@ -76,6 +76,26 @@ namespace fuga::stress::families
     });
   }
 
+  GridModel
+  envelopes(Random &random)
+  {
+    return with_layers(random, draw_anything(random), [&](const Scales &scales) {
+      Layer layer = straight_layer(random, scales);
+      bend(random, layer, scales);
+      return layer;
+    });
+  }
+
+  GridModel
+  envelopes_with_laws(Random &random)
+  {
+    return with_layers(random, draw_anything(random), [&](const Scales &scales) {
+      Layer layer = any_layer(random, scales);
+      bend(random, layer, scales);
+      return layer;
+    });
+  }
+
   // A block whose top is moved down, lifted until all is open, and put down again, to and fro.
   GridModel
   lift_off(Random &random)

@@ -216,6 +216,16 @@ namespace fuga::stress
   }
 
   void
+  bend(Random &random, Layer &layer, const Scales &scales)
+  {
+    for (const auto &[entry, unused] : layer.more)
+      if (entry == "Dilatancy angle")
+        return;
+    set(layer, "Envelope exponent", random.uniform(0.2, 0.95));
+    set(layer, "Envelope pressure", scales.pressure * random.power_of_ten(-2., 1.));
+  }
+
+  void
   couple(Random &random, Layer &layer, const Scales &scales)
   {
     const double place     = std::log10(scales.compliance);

@@ -46,6 +46,10 @@ namespace fuga::stress
   void
   dilate(Random &random, Layer &layer, const Scales &scales, const double least_friction);
 
+  /** Strength along a curve over the pressure, if no rise could gain energy by it. */
+  void
+  bend(Random &random, Layer &layer, const Scales &scales);
+
   /** Shear stiffness that grows with closure or pressure. */
   void
   couple(Random &random, Layer &layer, const Scales &scales);

@@ -48,6 +48,22 @@ namespace fuga
       };
       return {{along(element.bar(1)), along(element.bar(2))}};
     }
+    /** Return a state with the strengths, and with what is not yet released, in the middle between
+     * two. */
+    JointState
+    in_the_middle(const JointState &from, JointState to)
+    {
+      for (std::size_t bar = 0; bar < to.unreleased.size(); ++bar)
+        to.unreleased[bar] = 0.5 * (from.unreleased[bar] + to.unreleased[bar]);
+      for (std::size_t k = 0; k < to.strengths.size(); ++k)
+        {
+          const Strength &start = from.strengths[k];
+          Strength &strength    = to.strengths[k];
+          strength.friction     = 0.5 * (start.friction + strength.friction);
+          strength.cohesion     = 0.5 * (start.cohesion + strength.cohesion);
+        }
+      return to;
+    }
   } // namespace
 
   // The defect is the error that an observer who takes forces and slips for cubics between the ends
@@ -163,6 +179,8 @@ namespace fuga
     // Error, relative to the largest force, that the cubics may make in the strength of sliding
     // elements. The cubics only tell where to look for events.
     constexpr double largest_miss = 1e-9;
+    // Rounding of the largest dislocation.
+    constexpr double rounding = 1e-13;
     const PathPoint &from = before.point, &to = after.point;
     const double length = after.length;
     const auto cubic =
@@ -172,8 +190,11 @@ namespace fuga
       };
     const double slowest =
       -slip_rate_tolerance * length *
-      std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations));
-    double miss = 0.;
+        std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations)) -
+      rounding * max_abs(to.state.dislocations);
+    const JointState middle    = in_the_middle(from.state, to.state);
+    const ContactBoundary here = boundary_at(context, course, after.tau, to.state);
+    double miss                = 0.;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];
@@ -184,17 +205,13 @@ namespace fuga
             .value(0.5);
         };
         const TangentVector e = context.scheme.slip_direction_of(k);
-        const Strength &a     = from.state.strengths[k];
-        const Strength &b     = to.state.strengths[k];
-        const double strength =
-          0.5 * (a.cohesion + b.cohesion) +
-          0.5 * (a.friction + b.friction) *
-            resisting_force(element.friction, element.area, -force(element.normal_bar));
-        double slope = 0.;
+        const double strength = shear_strength(element, middle, k, force(element.normal_bar));
+        const double noise    = here.strength_tolerance(k, to.state.strengths[k]);
+        double slope          = 0.;
         for (std::size_t i = 1; i < element.n_bars(); ++i)
           {
             const std::size_t bar = element.bar(i);
-            miss                  = std::max(miss, std::abs(force(bar) - e[i - 1] * strength));
+            miss = std::max(miss, std::abs(force(bar) - e[i - 1] * strength) - noise);
             slope += e[i - 1] * cubic(from.state.dislocations,
                                       from.rates.dislocations,
                                       to.state.dislocations,

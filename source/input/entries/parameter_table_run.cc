@@ -70,7 +70,8 @@ namespace fuga
                                {"arc length", LimitLoadChoice::arc_length},
                                {"dynamic", LimitLoadChoice::dynamic}}),
       "Arc length: goes on beyond a limit load, where the load stays or falls while the "
-      "mechanism moves. For rigid and linear layers. Dynamic: beyond a limit load, and "
+      "mechanism moves. For rigid and linear layers of straight strength. Dynamic: beyond a limit "
+      "load, and "
       "where there is no continuation, the bodies move with their inertia under loads that "
       "stand still; where they come to rest the loads go on (doc/dynamics.md).");
     defaulted("Largest jump beyond limit",

@@ -224,7 +224,7 @@ namespace fuga
     if (settings.beyond_limit == LimitLoadChoice::arc_length &&
         path.beyond.end == BeyondLimit::End::none && lost_equilibrium(path))
       log.warning("The path was not followed beyond the limit load: that needs rigid or linear "
-                  "layers.");
+                  "layers of straight strength.");
     if (settings.beyond_limit == LimitLoadChoice::dynamic && !phase.motion &&
         lost_equilibrium(path))
       log.warning("The motion beyond the limit load was not followed: displacements, gaps or "
