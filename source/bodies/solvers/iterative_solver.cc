@@ -222,9 +222,9 @@ namespace fuga
   IterativeSolver::condense(DenseMatrix &loads)
   {
     const std::size_t n_eliminated = blocks.rows.size(), n_columns = loads.cols();
-    if (n_kept == 0 || n_columns == 0)
-      return {};
     DenseMatrix result(n_kept, n_columns);
+    if (result.size() == 0)
+      return result;
     for (std::size_t first = 0; first < n_columns; first += columns_at_once)
       {
         const std::size_t n = std::min(columns_at_once, n_columns - first);

@@ -231,9 +231,9 @@ namespace fuga
       return loads;
     if (n_kept == 0)
       of_all = loads;
-    if (n_kept == 0 || n_columns == 0)
-      return {};
     DenseMatrix reduced(n_kept, n_columns);
+    if (reduced.size() == 0)
+      return reduced;
     mumps->data.lredrhs = static_cast<int>(n_kept);
     mumps->data.redrhs  = reduced.data();
     run_solution(1, loads, "condensation of the loads");
