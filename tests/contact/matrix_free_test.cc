@@ -8,6 +8,7 @@
 #include "contact/plane_scenes.h"
 #include "contact/products_only.h"
 
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/path/matrix_free_path.h>
 #include <fuga/contact/virgin_state.h>

@@ -155,7 +155,7 @@ TEST(Iterative, MatrixFreeStepsWithBonds)
 TEST(Iterative, MatrixFreeStepsWithCurvedEnvelope)
 {
   expect_same_steps("scene_g_f06.prm",
-                    {"Joints/base/Envelope exponent=0.6", "Joints/base/Envelope pressure=100"});
+                    {"Joints/base/Envelope exponent=0.6", "Joints/base/Envelope pressure=1000"});
 }
 
 // Water follows the crack that is open at the end of a step, until it opens no more.

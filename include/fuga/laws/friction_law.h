@@ -71,7 +71,6 @@ namespace fuga
 
     /** Coefficient of friction f ≥ 0. */
     double coefficient = 0.;
-    StrengthEnvelope envelope;
     /** Cohesion c ≥ 0 [MPa]. */
     double cohesion = 0.;
     /** Tensile strength σ_t ≥ 0 [MPa], at most c/f: the tip of Coulomb's cone. */
@@ -85,6 +84,8 @@ namespace fuga
     double dilation_limit = std::numeric_limits<double>::infinity();
     /** If true, f, c and σ_t are divided by the factor of a strength reduction. */
     bool reduced = false;
+    /** What friction multiplies. */
+    StrengthEnvelope envelope = {};
 
     /** Return whether no shear can ever be carried, so that the tangential bars need not exist. */
     bool

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/change_of_state.h>
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/layer_response.h>
 
 #include <algorithm>
@@ -39,10 +40,9 @@ namespace fuga
       // Under tension a bond has the strength c A - f N, which less friction would raise: nothing
       // is lost there.
       const double residual = strength.share * residual_friction(element.friction);
-      double lost           = N < -no_force
-                                ? (strength.friction - residual) *
-                            resisting_force(element.friction, element.area, -N)
-                                : 0.;
+      double lost           = N < -no_force ? (strength.friction - residual) *
+                                      resisting_force(element.friction, element.area, -N)
+                                            : 0.;
       if (N <= no_force)
         strength.friction = residual;
       if (bond_breaks)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/change_of_state.h>
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/return_mapping.h>
 #include <fuga/contact/system/layered_system.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Fuga authors
 
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/scheme_row.h>
 
 #include <cmath>

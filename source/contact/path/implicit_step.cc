@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/contact/element/change_of_state.h>
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/joint_water.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/path/implicit_step.h>

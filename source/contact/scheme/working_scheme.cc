@@ -4,6 +4,7 @@
 #include <fuga/base/interruption.h>
 #include <fuga/base/numerics/accurate.h>
 #include <fuga/base/work_counter.h>
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/mechanism.h>
 #include <fuga/contact/scheme/working_scheme.h>
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Fuga authors
 
 #include <fuga/base/numerics/cubic.h>
+#include <fuga/contact/element/joint_strength.h>
 #include <fuga/contact/element/layer_response.h>
 #include <fuga/contact/segments/curved_segment.h>
 #include <fuga/contact/segments/layer_work.h>

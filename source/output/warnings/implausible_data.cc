@@ -97,6 +97,14 @@ namespace fuga
             check(stress(name("cohesion"), joint.friction.cohesion), 0., 20e6, advice);
             check(
               stress(name("tensile strength"), joint.friction.tensile_strength), 0., 20e6, advice);
+            if (const StrengthEnvelope &envelope = joint.friction.envelope; envelope.is_curved())
+              {
+                check({name("envelope exponent"), envelope.exponent, "", 1.},
+                      0.5,
+                      1.,
+                      "Tests of soil and rock have 0.5 to 1");
+                check(stress(name("envelope pressure"), envelope.pressure), 100., 1e9, advice);
+              }
             if (joint.normal_compliance > 0.)
               check({name("normal stiffness"),
                      1. / joint.normal_compliance,
