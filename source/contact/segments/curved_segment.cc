@@ -41,6 +41,23 @@ namespace fuga
       return state;
     }
 
+    /** Return whether the elements that do not turn respond linearly to those that do: their layers
+     * are linear, and no strength along a curve counts. A tension that is being released moves the
+     * place on such a curve. */
+    bool
+    background_is_linear(const std::vector<ContactElement> &elements,
+                         const JointState &stuck,
+                         const Course &course)
+    {
+      if (has_curved_envelope(elements) && !course.drive.release.empty())
+        return false;
+      for (std::size_t k = 0; k < elements.size(); ++k)
+        if (has_nonlinear_closure(elements[k]) || has_nonlinear_shear(elements[k]) ||
+            (is_slipping(stuck.states[k]) && elements[k].friction.envelope.is_curved()))
+          return false;
+      return true;
+    }
+
     /** Return the mean stiffness of both tangents for each element. */
     Vector
     shear_stiffnesses(const PathContext &context, const std::vector<std::size_t> &elements)
@@ -72,7 +89,7 @@ namespace fuga
     , dilatancies(dilatancies_of(turning, start.state))
     , stuck(with_stuck(turning, start.state))
     , strengths_bend(is_reduction() || has_curved_envelope(context.elements))
-    , linear(!context.scheme.is_nonlinear() && !is_reduction())
+    , linear(turns() && !is_reduction() && background_is_linear(context.elements, stuck, course))
     , step_tolerance(options.curve_tolerance)
     , least_energy_loss(options.least_energy_loss)
     , steps(stepping())
@@ -116,7 +133,7 @@ namespace fuga
     note_functions(first);
     if (turns())
       {
-        take_strengths(0., stuck);
+        take_strengths(0., stuck, first.stage.forces);
         if (!take_response(0., first.stage, stuck))
           throw PathFailure(fmt::format(
             "Nothing holds the elements that do not slip at load time {:.9g}.", start.state.t));

@@ -24,18 +24,19 @@ namespace fuga
     context.scheme.linearise(stuck);
   }
 
-  // The strengths are the tangents of those at @p tau, where @p state contains what a reduction
-  // leaves of them. A broken bond gives up what it still carries in proportion to τ; a state of a
+  // The strengths are the tangents, at given forces of the turning elements, of those at @p tau, where
+  // @p state contains what a reduction leaves of them. A broken bond gives up what it still carries in proportion to τ; a state of a
   // linear background still has all of it.
   void
-  CurvedSegment::take_strengths(const double tau, const JointState &state)
+  CurvedSegment::take_strengths(const double tau, const JointState &state, const Vector &forces)
   {
     std::vector<TurningElement> strengths;
-    for (const std::size_t k : turning)
+    for (std::size_t i = 0; i < turning.size(); ++i)
       {
+        const std::size_t k           = turning[i];
         const ContactElement &element = context.elements[k];
         const Strength &strength      = state.strengths[k];
-        const StrengthLine line       = strength_line(element, state, k);
+        const StrengthLine line       = strength_line(element, state, k, forces[3 * i]);
         TurningElement own;
         own.element  = k;
         own.friction = line.friction;
@@ -53,6 +54,16 @@ namespace fuga
         strengths.push_back(own);
       }
     solver.set_strengths(strengths);
+  }
+
+  Vector
+  CurvedSegment::forces_of_turning(const JointState &state) const
+  {
+    Vector result;
+    for (const std::size_t k : turning)
+      for (std::size_t i = 0; i < 3; ++i)
+        result.push_back(state.forces[context.elements[k].bar(i)]);
+    return result;
   }
 
   // The response of the background is computed at a state in equilibrium. The return value is false
@@ -82,11 +93,9 @@ namespace fuga
     response.tau       = tau;
     response.slips     = stage.slips;
     response.dilations = stage.dilations;
+    response.forces    = forces_of_turning(state);
     for (const std::size_t bar : bars)
-      {
-        response.forces.push_back(state.forces[bar]);
-        response.rates.push_back(rates->forces[bar]);
-      }
+      response.rates.push_back(rates->forces[bar]);
     response.against_slip = stiffness->leftCols(2 * n);
     if (any_rises)
       response.against_rise = stiffness->rightCols(n);
@@ -169,10 +178,44 @@ namespace fuga
     return true;
   }
 
-  // A linear background responds in the same way everywhere: @p base has its forces. Any other is
-  // linearised at the state to which the last response led, until this state does not change, or
-  // would not as it has come closer to its end the last time. This is a Newton iteration about the
-  // other.
+  // A linear background responds in the same way everywhere: @p base has its forces. Newton's method
+  // renews the tangents of curved strengths until the forces do not leave them by more than
+  // rounding, which a difference leaves whose square is rounding.
+  bool
+  CurvedSegment::solve_stage_of_linear(const TurningStageSolver::Demand demand,
+                                       const double tau,
+                                       const double advance,
+                                       const TurningStage &base,
+                                       Vector &xi,
+                                       TurningStage &stage)
+  {
+    constexpr int max_iterations = 25;
+    constexpr double negligible  = 1e-8;
+    for (int i = 0; i < max_iterations; ++i)
+      {
+        const Vector before = stage.forces;
+        take_strengths(tau, stuck, before);
+        if (!solver.solve(demand, tau, advance, base, xi, stage))
+          return false;
+        bool is_new = false;
+        for (std::size_t j = 0; j < turning.size(); ++j)
+          {
+            const ContactElement &element    = context.elements[turning[j]];
+            const StrengthEnvelope &envelope = element.friction.envelope;
+            const double N                   = stage.forces[3 * j];
+            is_new |= envelope.is_curved() &&
+                      std::abs(N - before[3 * j]) >
+                        negligible * (element.area * envelope.pressure + std::abs(N));
+          }
+        if (!is_new)
+          return true;
+      }
+    return false;
+  }
+
+  // Any other background is linearised at the state to which the last response led, until this
+  // state does not change, or would not as it has come closer to its end the last time. This is a
+  // Newton iteration about the other.
   bool
   CurvedSegment::solve_stage(const TurningStageSolver::Demand demand,
                              const double tau,
@@ -185,10 +228,7 @@ namespace fuga
                              JointState &state)
   {
     if (linear)
-      {
-        take_strengths(tau, stuck);
-        return solver.solve(demand, tau, advance, base, xi, stage);
-      }
+      return solve_stage_of_linear(demand, tau, advance, base, xi, stage);
     constexpr int max_iterations = 25;
     constexpr double tolerance = 1e-13, accepted = 1e-11, safety = 10., well_above_rounding = 1e3;
     double last = std::numeric_limits<double>::infinity();
@@ -197,7 +237,7 @@ namespace fuga
       {
         if (!settle(tau, stage, state, &known))
           return false;
-        take_strengths(tau, state);
+        take_strengths(tau, state, forces_of_turning(state));
         if (!take_response(tau, stage, state))
           return false;
         const TurningStage before = stage;
@@ -230,7 +270,7 @@ namespace fuga
     state.dislocations = station.point.state.dislocations;
     if (!settle(station.tau, station.stage, state, nullptr))
       return false;
-    take_strengths(station.tau, state);
+    take_strengths(station.tau, state, forces_of_turning(state));
     if (!linear && !take_response(station.tau, station.stage, state))
       return false;
     state.states        = start.state.states;

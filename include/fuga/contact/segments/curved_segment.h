@@ -147,7 +147,16 @@ namespace fuga
     void
     take_background();
     void
-    take_strengths(const double tau, const JointState &state);
+    take_strengths(const double tau, const JointState &state, const Vector &forces_of_turning);
+    Vector
+    forces_of_turning(const JointState &state) const;
+    bool
+    solve_stage_of_linear(const TurningStageSolver::Demand demand,
+                          const double tau,
+                          const double advance,
+                          const TurningStage &base,
+                          Vector &xi,
+                          TurningStage &stage);
     bool
     take_response(const double tau, const TurningStage &stage, const JointState &state);
     void
