@@ -65,10 +65,19 @@ class JointStrength(typing.NamedTuple):
     envelope_exponent: float
     envelope_pressure: float
 
+    def is_curved(self):
+        """Is the strength a curve over the pressure?"""
+        return self.envelope_exponent != 1.0
+
+    @property
+    def pressure_term(self):
+        """What friction multiplies, in formulas."""
+        return "G(p)" if self.is_curved() else "p"
+
     def resisting(self, pressure):
         """G(p), for an array of pressures."""
         b, r = self.envelope_exponent, self.envelope_pressure
-        if b == 1.0:
+        if not self.is_curved():
             return pressure
         return numpy.where(pressure > 0.0, r / b * ((1.0 + numpy.maximum(pressure, 0.0) / r) ** b - 1.0), pressure)
 

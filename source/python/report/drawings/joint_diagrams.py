@@ -55,6 +55,9 @@ def _strength_words(results, joint):
     if law.residual_friction != law.friction:
         words.append(f"{law.residual_friction:.4g} after the first slip or opening")
     words.append(f"c = {law.cohesion:.4g} {unit}")
+    if law.is_curved():
+        words.append(f"G(p) = r/b [(1 + p/r)^b \u2212 1] with b = {law.envelope_exponent:.4g}, "
+                     f"r = {law.envelope_pressure:.4g} {unit}")
     if law.tensile_strength > 0.0:
         words.append(f"tensile strength {law.tensile_strength:.4g} {unit}")
     lost = ""
@@ -65,8 +68,9 @@ def _strength_words(results, joint):
 
 
 def shear_and_strength(results, joint, levels):
-    """One small diagram per level: the shear stress inside its limits \u00b1(f p + c)."""
+    """One small diagram per level: the shear stress inside its limits."""
     levels = results.levels_of(joint, levels)
+    formula = f"f {results.strength_parameters(joint).pressure_term} + c"
     rows = (len(levels) + 1) // 2
     figure = new_figure(0.9 + 1.75 * rows)
     axes = figure.subplots(rows, 2, sharex=True, sharey=True, squeeze=False)
@@ -92,11 +96,11 @@ def shear_and_strength(results, joint, levels):
         _along(last, results)
         last.tick_params(labelbottom=True)
     handles = [Line2D([], [], color="black", linewidth=1.2, label="shear stress \u03c4"),
-               Patch(facecolor="#ececec", edgecolor=GREY, linestyle="--", label="within \u00b1(f p + c)")]
+               Patch(facecolor="#ececec", edgecolor=GREY, linestyle="--", label=f"within \u00b1({formula})")]
     handles += [Line2D([], [], linestyle="", marker=STATE_MARKERS[s], markerfacecolor=STATE_COLOURS[s], color="black",
                        markersize=5, label=s) for s in STATES]
     legend_on_top(figure, handles, 5, hspace=0.25, wspace=0.08)
-    return to_figure(figure, f"Joint \u201c{joint}\u201d: shear stress against its limits \u00b1(f p + c). {_strength_words(results, joint)} "
+    return to_figure(figure, f"Joint \u201c{joint}\u201d: shear stress against its limits \u00b1({formula}). {_strength_words(results, joint)} "
                              "An element that slips is on the limit.")
 
 
@@ -146,16 +150,18 @@ def coulomb_paths(results, joint):
         axes.plot(path["pressure"], path["shear1"], markevery=mark_every(len(path)), label=f"element {element:g}", **look)
         axes.plot(path["pressure"].iloc[-1:], path["shear1"].iloc[-1:], "*", color="black", markersize=11, zorder=4)
         lowest, highest = min(lowest, path["pressure"].min()), max(highest, path["pressure"].max())
-    p = numpy.array([1.05 * lowest, 1.05 * highest or 1.0])
+    ends = (1.05 * lowest, 1.05 * highest or 1.0)
+    p = numpy.union1d(numpy.linspace(*ends, 200 if law.is_curved() else 2), 0.0)
+    resisting, name = law.resisting(p), law.pressure_term
     for sign in (-1.0, 1.0):
-        axes.plot(p, sign * numpy.maximum(0.0, law.friction * p + law.cohesion), color="black", linewidth=1.8,
-                  label="strength \u00b1(f p + c)" if sign > 0 else None)
+        axes.plot(p, sign * numpy.maximum(0.0, law.friction * resisting + law.cohesion), color="black", linewidth=1.8,
+                  label=f"strength \u00b1(f {name} + c)" if sign > 0 else None)
         if (law.friction, law.cohesion) != (law.residual_friction, 0.0):
-            axes.plot(p, sign * numpy.maximum(0.0, law.residual_friction * p), color="black", linewidth=1.0,
-                      linestyle=(0, (1, 2)), label="after loss of bond \u00b1f p" if sign > 0 else None)
+            axes.plot(p, sign * numpy.maximum(0.0, law.residual_friction * resisting), color="black", linewidth=1.0,
+                      linestyle=(0, (1, 2)), label=f"after loss of bond \u00b1f {name}" if sign > 0 else None)
     axes.plot([], [], "*", color="black", markersize=11, linestyle="", label="last level")
     axes.axhline(0.0, color="black", linewidth=0.8)
-    axes.set_xlim(*p)
+    axes.set_xlim(*ends)
     axes.set_xlabel(f"pressure p = \u2212N/A [{results.unit('pressure')}]")
     axes.set_ylabel(f"shear stress \u03c4 = T/A [{results.unit('pressure')}]")
     legend_on_top(figure, axes.get_legend_handles_labels()[0], 4)
