@@ -214,12 +214,11 @@ namespace fuga
         settings.non_unique == NonUniqueChoice::first ? "first" : "largest dissipation"));
     if (path.n_followed_jumps > 0)
       log.warning(fmt::format(
-        "The path is not continuous: {} jump(s){}, the last one at t = "
-        "{:.12g}; energies are not known after the first one{}.",
+        "The path is not continuous: {} jump(s){}{}; energies are not known after the first one{}.",
         path.n_followed_jumps,
         path.n_failures > 0 ? fmt::format(", {} where it could not be computed", path.n_failures)
                             : "",
-        path.jump.t,
+        path.jump.found ? fmt::format(", the last one at t = {:.12g}", path.jump.t) : "",
         jump_text(path.jump, phase.parameters.output.units)));
     if (settings.beyond_limit == LimitLoadChoice::arc_length &&
         path.beyond.end == BeyondLimit::End::none && lost_equilibrium(path))
