@@ -65,8 +65,7 @@ namespace fuga::judges
           {
             const unsigned int t   = element.tangential_bar;
             const double increment = openings_and_slips[t] - slip_before[k];
-            const double room =
-              element.strength(pressing) - std::abs(p[t]);
+            const double room      = element.strength(pressing) - std::abs(p[t]);
             if (stiffness[t] * std::abs(increment) > room)
               state = increment > 0. || (increment == 0. && p[t] > 0.)
                         ? ContactState::slip_forward

@@ -18,9 +18,9 @@ namespace fuga::judges
     double
     force(const double area, const double P) const
     {
-      return exponent == 1. ? P
-                            : area * pressure / exponent *
-                                (std::pow(1. + P / (area * pressure), exponent) - 1.);
+      return exponent == 1.
+               ? P
+               : area * pressure / exponent * (std::pow(1. + P / (area * pressure), exponent) - 1.);
     }
 
     /** Its derivative by P. */

@@ -118,8 +118,8 @@ namespace fuga::judges
         const double c_t    = scale * stiffness[t];
         const double mu =
           friction_part * element.friction * element.envelope.slope(element.area, pressing);
-        const double trial  = p[t] + c_t * (y[t] - slip_before[k]);
-        const double r      = closed ? friction_part * element.strength(pressing) : 0.;
+        const double trial = p[t] + c_t * (y[t] - slip_before[k]);
+        const double r     = closed ? friction_part * element.strength(pressing) : 0.;
         if (closed && std::abs(trial) < r)
           {
             F[t] = -c_t * (y[t] - slip_before[k]);

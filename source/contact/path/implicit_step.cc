@@ -215,12 +215,12 @@ namespace fuga
       return {};
     if (!carries_shear(element, left))
       return {ContactState::stick};
-    return demand_on_shear(
-      state,
-      k,
-      is_open ? left.friction * resisting_force(element.friction, element.area, pressure)
-              : shear_strength(element, state, k),
-      noise);
+    return demand_on_shear(state,
+                           k,
+                           is_open ? left.friction *
+                                       resisting_force(element.friction, element.area, pressure)
+                                   : shear_strength(element, state, k),
+                           noise);
   }
 
   ImplicitStep::Demand

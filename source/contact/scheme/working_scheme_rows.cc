@@ -178,9 +178,9 @@ namespace fuga
     return !singular;
   }
 
-  // The inverse need not follow a nonlinear layer, or a friction that changes, at every step: that of
-  // a nearby stiffness serves as the first approximation of a refined solution, the paper's idea on
-  // the small system.
+  // The inverse need not follow a nonlinear layer, or a friction that changes, at every step: that
+  // of a nearby stiffness serves as the first approximation of a refined solution, the paper's idea
+  // on the small system.
   void
   WorkingScheme::take_layer_stiffness(const std::vector<SchemeRow> &wanted)
   {

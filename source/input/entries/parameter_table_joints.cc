@@ -105,12 +105,13 @@ namespace fuga
     envelope_exponent = optional(
       "Envelope exponent",
       number_in(0.1, 1),
-      "b in: shear strength = cohesion + friction x p_r/b [(1 + pressure/p_r)^b - 1], a curve whose "
+      "b in: shear strength = cohesion + friction x p_r/b [(1 + pressure/p_r)^b - 1], a curve "
+      "whose "
       "slope falls from the friction coefficient at zero pressure. Without this entry 1: Coulomb's "
       "straight line.",
       {"0.7"});
     envelope_pressure = optional("Envelope pressure", number_above(0), "p_r [MPa].", {"0.5"});
-    cohesion = defaulted(
+    cohesion          = defaulted(
       "Cohesion", &FrictionLaw::cohesion, number_from(0), "Shear strength without pressure [MPa].");
     tensile_strength =
       defaulted("Tensile strength",

@@ -39,9 +39,8 @@ namespace fuga
     read_envelope(const ParameterSection &section)
     {
       const JointEntries &e = entries_of<JointEntries>();
-      for (const auto &[given, missing] :
-           {std::pair(e.envelope_exponent, e.envelope_pressure),
-            std::pair(e.envelope_pressure, e.envelope_exponent)})
+      for (const auto &[given, missing] : {std::pair(e.envelope_exponent, e.envelope_pressure),
+                                           std::pair(e.envelope_pressure, e.envelope_exponent)})
         if (section.given(given) && !section.given(missing))
           section.fail(given, fmt::format("'{}' is missing.", missing.name()));
       if (!section.given(e.envelope_exponent))
