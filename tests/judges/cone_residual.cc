@@ -46,12 +46,11 @@ namespace fuga::judges
       worst = std::max(worst, std::abs(p[i] - state.forces[i]) / force);
     for (const ConeElement &element : elements)
       {
-        const auto &bars  = element.tangential_bars;
-        const double N    = state.forces[element.normal_bar];
-        const double a    = state.dislocations[element.normal_bar];
-        const double lost = a <= closed * length ? 0. : element.cohesion;
+        const auto &bars = element.tangential_bars;
+        const double N   = state.forces[element.normal_bar];
+        const double a   = state.dislocations[element.normal_bar];
         const double room =
-          element.strength(std::max(0., -N)) - lost - length_in(state.forces, bars);
+          element.strength(std::max(0., -N), a <= closed * length) - length_in(state.forces, bars);
         if (element.is_curved())
           worst = std::max(worst,
                            std::abs(N + element.area * (a < 0. ? element.stress(-a) : 0.)) / force);

@@ -103,8 +103,7 @@ namespace fuga::judges
                                ? positive(gap)
                                : gap + element.normal_compliance / element.area * pressing;
       const bool closed    = opening / L <= std::max(positive(pressing) / F, 1e-11);
-      const double limit =
-        element.strength(positive(pressing)) - (closed ? 0. : element.cohesion * element.area);
+      const double limit   = element.strength(positive(pressing), closed);
       const double advance = shear >= 0. ? slip_increment : -slip_increment;
       return std::max({std::abs(elastic_error) / L,
                        positive(std::abs(shear) - limit) / F,

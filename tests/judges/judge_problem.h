@@ -54,11 +54,11 @@ namespace fuga::judges
       return layer_thickness > 0.;
     }
 
-    /** The largest shear while closed under a pressing force P ≥ 0. */
+    /** The largest shear while closed under a pressing force P ≥ 0, with its bond or without. */
     double
-    strength(const double P) const
+    strength(const double P, const bool bonded = true) const
     {
-      return friction * envelope.force(area, P) + cohesion * area;
+      return friction * envelope.force(area, P) + (bonded ? cohesion * area : 0.);
     }
   };
 

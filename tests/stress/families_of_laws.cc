@@ -20,6 +20,17 @@ namespace fuga::stress::families
       draw_any_stages(random, model);
       return model;
     }
+
+    /** Anything on straight layers that @p change has made into others. */
+    GridModel
+    with_straight_layers(Random &random, void (*change)(Random &, Layer &, const Scales &))
+    {
+      return with_layers(random, draw_anything(random), [&](const Scales &scales) {
+        Layer layer = straight_layer(random, scales);
+        change(random, layer, scales);
+        return layer;
+      });
+    }
   } // namespace
 
   GridModel
@@ -58,32 +69,19 @@ namespace fuga::stress::families
   GridModel
   curved_laws(Random &random)
   {
-    const GridModel model = draw_anything(random);
-    return with_layers(random, model, [&](const Scales &scales) {
-      Layer layer = straight_layer(random, scales);
-      make_curved(random, layer, scales);
-      return layer;
-    });
+    return with_straight_layers(random, make_curved);
   }
 
   GridModel
   coupled_shear(Random &random)
   {
-    return with_layers(random, draw_anything(random), [&](const Scales &scales) {
-      Layer layer = straight_layer(random, scales);
-      couple(random, layer, scales);
-      return layer;
-    });
+    return with_straight_layers(random, couple);
   }
 
   GridModel
   envelopes(Random &random)
   {
-    return with_layers(random, draw_anything(random), [&](const Scales &scales) {
-      Layer layer = straight_layer(random, scales);
-      bend(random, layer, scales);
-      return layer;
-    });
+    return with_straight_layers(random, bend);
   }
 
   GridModel

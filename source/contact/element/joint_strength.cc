@@ -15,27 +15,18 @@ namespace fuga
       return std::max(at.unreleased[element.normal_bar], 0.);
     }
 
-    // Under tension a bond has less strength, and so has one that is released; otherwise a tension
-    // is rounding.
+    /** Return the force by which lips press each other [MN]: the amount by which N is below the
+     * tension that a broken bond has not yet released. Under tension a bond has less strength, and
+     * so has one that is released; otherwise a tension is rounding. */
     double
     pressing_force(const ContactElement &element,
                    const JointState &at,
                    const std::size_t k,
                    const double N)
     {
-      const bool is_bonded = at.strengths[k].tension > 0. || unreleased_tension(element, at) > 0.;
-      return is_bonded ? -N : std::max(-N, 0.);
-    }
-
-    /** Return the pressure of lips that press each other by the amount by which N is below the
-     * tension that a broken bond has not yet released [MPa]. */
-    double
-    pressure_on(const ContactElement &element,
-                const JointState &at,
-                const std::size_t k,
-                const double N)
-    {
-      return (pressing_force(element, at, k, N) + unreleased_tension(element, at)) / element.area;
+      const double tension = unreleased_tension(element, at);
+      const bool is_bonded = at.strengths[k].tension > 0. || tension > 0.;
+      return (is_bonded ? -N : std::max(-N, 0.)) + tension;
     }
   } // namespace
 
@@ -45,8 +36,6 @@ namespace fuga
     return element.has_tangential_bar() ? length(tangential(element, at.unreleased)) : 0.;
   }
 
-  // Lips that meet again under the remainder of a tension press each other by the amount by which N
-  // is below it.
   StrengthLine
   strength_line(const ContactElement &element,
                 const JointState &at,
@@ -59,7 +48,7 @@ namespace fuga
                       at.strengths[k].cohesion + unreleased_shear(element, at)};
     if (envelope.is_curved())
       {
-        const double pressure = pressure_on(element, at, k, N);
+        const double pressure = pressing_force(element, at, k, N) / element.area;
         const double slope    = envelope.slope(pressure);
         line.cohesion +=
           line.friction * element.area * (envelope.value(pressure) - slope * pressure);
@@ -74,7 +63,8 @@ namespace fuga
   {
     const StrengthEnvelope &envelope = element.friction.envelope;
     return envelope.is_curved()
-             ? envelope.slope(pressure_on(element, at, k, at.forces[element.normal_bar]))
+             ? envelope.slope(pressing_force(element, at, k, at.forces[element.normal_bar]) /
+                              element.area)
              : 1.;
   }
 
@@ -84,8 +74,11 @@ namespace fuga
                  const std::size_t k,
                  const double N)
   {
-    const StrengthLine line = strength_line(element, at, k, N);
-    return std::max(0., line.friction * pressing_force(element, at, k, N) + line.cohesion);
+    const Strength &left  = at.strengths[k];
+    const double pressing = pressing_force(element, at, k, N);
+    return std::max(0.,
+                    left.friction * resisting_force(element.friction, element.area, pressing) +
+                      left.cohesion + unreleased_shear(element, at));
   }
 
   double

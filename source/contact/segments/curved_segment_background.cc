@@ -24,9 +24,9 @@ namespace fuga
     context.scheme.linearise(stuck);
   }
 
-  // The strengths are the tangents, at given forces of the turning elements, of those at @p tau, where
-  // @p state contains what a reduction leaves of them. A broken bond gives up what it still carries in proportion to τ; a state of a
-  // linear background still has all of it.
+  // The strengths are the tangents, at given forces of the turning elements, of those at @p tau,
+  // where @p state contains what a reduction leaves of them. A broken bond gives up what it still
+  // carries in proportion to τ; a state of a linear background still has all of it.
   void
   CurvedSegment::take_strengths(const double tau, const JointState &state, const Vector &forces)
   {
@@ -178,9 +178,9 @@ namespace fuga
     return true;
   }
 
-  // A linear background responds in the same way everywhere: @p base has its forces. Newton's method
-  // renews the tangents of curved strengths until the forces do not leave them by more than
-  // rounding, which a difference leaves whose square is rounding.
+  // A linear background responds in the same way everywhere: @p base has its forces. Newton's
+  // method renews the tangents of curved strengths until the square of a change is rounding: the
+  // forces then leave them by no more.
   bool
   CurvedSegment::solve_stage_of_linear(const TurningStageSolver::Demand demand,
                                        const double tau,

@@ -145,15 +145,19 @@ namespace fuga
   double
   CurvedSegment::defect_of_cubics(const Station &from, Station &to) const
   {
-    double defect = 0.;
+    const bool follows_strength = strengths_bend && !turns();
+    if (!context.scheme.is_nonlinear() && !follows_strength)
+      return 0.;
+    double defect              = 0.;
+    const ContactBoundary here = boundary_at(context, course, to.tau, to.point.state);
     if (context.scheme.is_nonlinear())
       {
         const StepEnergy energy =
-          energy_of_step(context, course, from.point, to.point, to.length, to.tau, count);
+          energy_of_step(context, course, here, from.point, to.point, to.length, to.tau, count);
         to.energy_lost = energy.lost;
         defect         = energy_defect(energy, least_energy_loss, count);
       }
-    return strengths_bend && !turns() ? std::max(defect, strength_defect(from, to)) : defect;
+    return follows_strength ? std::max(defect, strength_defect(from, to, here)) : defect;
   }
 
   // Beyond a point with zero rate of slip the equations of the scheme have spurious solutions, to
@@ -175,7 +179,9 @@ namespace fuga
   // only the equations of sliding elements tell how far the cubics are from the curve. A slip that
   // turns back between the points, and again before the second, must not be missed.
   double
-  CurvedSegment::strength_defect(const Station &before, const Station &after) const
+  CurvedSegment::strength_defect(const Station &before,
+                                 const Station &after,
+                                 const ContactBoundary &here) const
   {
     // Error, relative to the largest force, that the cubics may make in the strength of sliding
     // elements. The cubics only tell where to look for events.
@@ -193,9 +199,8 @@ namespace fuga
       -slip_rate_tolerance * length *
         std::max(max_abs(from.rates.dislocations), max_abs(to.rates.dislocations)) -
       rounding * max_abs(to.state.dislocations);
-    const JointState middle    = in_the_middle(from.state, to.state);
-    const ContactBoundary here = boundary_at(context, course, after.tau, to.state);
-    double miss                = 0.;
+    const JointState middle = in_the_middle(from.state, to.state);
+    double miss             = 0.;
     for (std::size_t k = 0; k < context.elements.size(); ++k)
       {
         const ContactElement &element = context.elements[k];

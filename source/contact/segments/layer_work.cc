@@ -160,6 +160,7 @@ namespace fuga
   StepEnergy
   energy_of_step(const PathContext &context,
                  const Course &course,
+                 const ContactBoundary &here,
                  const PathPoint &from,
                  const PathPoint &to,
                  const double length,
@@ -172,7 +173,6 @@ namespace fuga
     const auto force_at_end = [&](const std::size_t bar) {
       return to.state.forces[bar] + rest * to.rates.forces[bar];
     };
-    const ContactBoundary here = boundary_at(context, course, tau, to.state);
     double defect = 0., stored = 0., known = 0.;
     Vector of_rates(jumps.size(), 0.);
     for (std::size_t i = 0; i < jumps.size(); ++i)

@@ -82,19 +82,20 @@ namespace fuga
   double
   max_abs(const Vector &x);
 
-  /** Return the largest absolute value of an entry, 0 if there is none. */
+  /** Return the largest absolute value of an entry that is a number, 0 if there is none. */
   template <typename Derived>
   double
   max_abs(const Eigen::MatrixBase<Derived> &A)
   {
-    return A.size() == 0 ? 0. : A.cwiseAbs().maxCoeff();
+    return A.size() == 0 ? 0.
+                         : std::max(0., A.cwiseAbs().template maxCoeff<Eigen::PropagateNumbers>());
   }
 
   /** Return the largest diagonal entry, 0 if none is positive. */
   inline double
   largest_diagonal(const DenseMatrix &A)
   {
-    return A.size() == 0 ? 0. : std::max(0., A.diagonal().maxCoeff());
+    return A.size() == 0 ? 0. : std::max(0., A.diagonal().maxCoeff<Eigen::PropagateNumbers>());
   }
 
   /**

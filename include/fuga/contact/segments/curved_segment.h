@@ -247,7 +247,7 @@ namespace fuga
     double
     rise_defect(const Station &from, const Station &to) const;
     double
-    strength_defect(const Station &from, const Station &to) const;
+    strength_defect(const Station &from, const Station &to, const ContactBoundary &here) const;
     bool
     slips_back(const JointState &from, const JointState &to) const;
     bool

@@ -18,11 +18,13 @@ namespace fuga
 
   /**
    * Return the energy that the nonlinear layers store between two points of a path, @p length
-   * apart, and that the cubics between them miss. The step ends at the place @p tau of @p course.
+   * apart, and that the cubics between them miss. The step ends at the place @p tau of @p course;
+   * @p here tells which forces count as zero there.
    */
   StepEnergy
   energy_of_step(const PathContext &context,
                  const Course &course,
+                 const ContactBoundary &here,
                  const PathPoint &from,
                  const PathPoint &to,
                  const double length,

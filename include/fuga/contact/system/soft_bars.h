@@ -17,9 +17,9 @@ namespace fuga
   };
 
   /**
-   * Insert springs between the bodies: the bars @p soft get the relation p = C (δ - d), C the @p stiffness, instead of
-   * δ = d, the bars @p others keep theirs. W and R (on entry S and F of the bodies) are
-   * overwritten.
+   * Insert springs between the bodies: the bars @p soft get the relation p = C (δ - d), with the
+   * @p stiffness C, instead of δ = d; the bars @p others keep theirs. W and R (on entry S and F of
+   * the bodies) are overwritten.
    *
    * A body that only soft bars hold moves far more than it deforms, and W is then a small
    * difference of large numbers: with S/C = 1e9 nine digits would be lost. The motions that only
