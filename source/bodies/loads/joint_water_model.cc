@@ -85,7 +85,8 @@ namespace fuga
         const std::size_t n_corners = face.along.size();
         const auto cells            = node_cells_on_face<dim>(n_corners, degree);
         const FaceMap<dim> map(discretization, face.face->boundary);
-        const double length = assembly.way().ways()[face.way].length;
+        const UpliftWay<dim> &way = assembly.way();
+        const double tolerance    = at_end * way.ways()[face.way].longest;
         std::vector<typename ContactBars<dim>::Shares> elements;
         for (std::size_t k = 0; k < cells.size(); ++k)
           elements.push_back(bars.shares_of_pair(face.face->pair_of_node(k)));
@@ -94,11 +95,12 @@ namespace fuga
         for (const auto &cell : cells)
           {
             bool up = false, down = false;
-            for (const auto &at : cell)
+            const auto points = way.points(face, map, cell);
+            const auto lines  = way.lines_through(face.way, points);
+            for (std::size_t i = 0; i < points.size(); ++i)
               {
-                const double s = map.interpolate(face.along, at);
-                up |= s <= at_end * length;
-                down |= s >= (1. - at_end) * length;
+                up |= points[i].along <= lines[i].begin + tolerance;
+                down |= points[i].along >= lines[i].end - tolerance;
               }
             at_upstream.push_back(up);
             at_downstream.push_back(down);

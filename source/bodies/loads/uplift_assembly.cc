@@ -8,6 +8,7 @@
 #include <fuga/bodies/space/node_cells_on_face.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace fuga
@@ -31,7 +32,7 @@ namespace fuga
           elements.back().push_back(bars.shares_of_pair(face.face->pair_of_node(k)));
       }
     find_extents();
-    plain_lines = make_lines({}, {});
+    plain_lines = make_lines(false, {});
     for (Line &line : plain_lines)
       line.points = points_between(line, 0., 1.);
   }
@@ -41,81 +42,106 @@ namespace fuga
   void
   UpliftAssembly<dim>::find_extents()
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::size_t none    = bars.elements().size();
-    std::vector<std::size_t> number(none, none);
     const unsigned int degree = discretization.reference_element().scalar_element().degree;
     for (std::size_t f = 0; f < maps.size(); ++f)
       {
-        const auto &face     = its_way.faces()[f];
-        const Vector heights = maps[f].heights();
-        const auto cells     = node_cells_on_face<dim>(maps[f].corners().size(), degree);
+        const auto &face = its_way.faces()[f];
+        const auto cells = node_cells_on_face<dim>(maps[f].corners().size(), degree);
         for (std::size_t k = 0; k < cells.size(); ++k)
           for (const auto &share : elements[f][k])
-            {
-              std::size_t &i = number[share.first];
-              if (i == none)
-                {
-                  i = extents.size();
-                  extents.push_back(
-                    {share.first, face.way, {infinity, -infinity}, infinity, -infinity});
-                }
-              Extent &extent = extents[i];
-              for (const FacePoint &at : cells[k])
-                {
-                  const double s = maps[f].interpolate(face.along, at),
-                               c = maps[f].interpolate(face.across, at),
-                               y = maps[f].interpolate(heights, at);
-                  if (s < extent.reach.begin)
-                    {
-                      extent.reach.begin           = s;
-                      extent.reach.height_at_begin = y;
-                    }
-                  if (s > extent.reach.end)
-                    {
-                      extent.reach.end           = s;
-                      extent.reach.height_at_end = y;
-                    }
-                  extent.across_begin = std::min(extent.across_begin, c);
-                  extent.across_end   = std::max(extent.across_end, c);
-                }
-            }
+            extents.push_back(
+              {share.first, face.way, PlanOutline(its_way.points(face, maps[f], cells[k]))});
       }
   }
 
 
   template <int dim>
+  std::vector<Vector>
+  UpliftAssembly<dim>::corner_functions(const std::size_t f,
+                                        const bool for_closed_joint,
+                                        const std::vector<WaterLevels> &levels) const
+  {
+    const auto &face         = its_way.faces()[f];
+    const auto difference_to = [](const Vector &values, const double at) {
+      Vector result = values;
+      for (double &value : result)
+        value -= at;
+      return result;
+    };
+    std::vector<Vector> functions;
+    const auto [least, most] = std::minmax_element(face.across.begin(), face.across.end());
+    for (const auto &edge : its_way.ways()[face.way].outline.edges())
+      if (edge[0].across > *least && edge[0].across < *most)
+        functions.push_back(difference_to(face.across, edge[0].across));
+    if (!for_closed_joint)
+      return functions;
+    const auto lines = its_way.lines_through(
+      face.way,
+      its_way.points(
+        face,
+        maps[f],
+        discretization.reference_element().face(face.face->boundary.number).corner_points));
+    std::vector<Vector> at_corner;
+    for (std::size_t v = 0; v < lines.size(); ++v)
+      {
+        Vector values;
+        for (const double corner :
+             WaterLine(load.uplift, load.depth.gradient, lines[v], {}).corners())
+          values.push_back(face.along[v] - corner);
+        for (const WaterLevels &level : levels)
+          {
+            values.push_back(lines[v].upstream_height - level.reservoir);
+            values.push_back(lines[v].downstream_height - level.tailwater);
+          }
+        at_corner.push_back(values);
+      }
+    for (std::size_t i = 0; i < at_corner.front().size(); ++i)
+      {
+        functions.emplace_back();
+        for (const Vector &values : at_corner)
+          functions.back().push_back(values[i]);
+      }
+    return functions;
+  }
+
+
+  template <int dim>
   auto
-  UpliftAssembly<dim>::make_lines(const std::vector<double> &corners,
+  UpliftAssembly<dim>::make_lines(const bool for_closed_joint,
                                   const std::vector<WaterLevels> &levels) const -> std::vector<Line>
   {
+    constexpr double rounding = 1e-12;
     std::vector<Line> lines;
     const unsigned int n_points = discretization.reference_element().scalar_element().degree + 2;
     for (std::size_t f = 0; f < maps.size(); ++f)
       {
-        const auto &face     = its_way.faces()[f];
-        const Vector heights = maps[f].heights();
-        const auto shifted   = [](Vector values, const double by) {
-          for (double &value : values)
-            value -= by;
-          return values;
-        };
+        const auto &face              = its_way.faces()[f];
+        const Vector heights          = maps[f].heights();
+        const auto &width             = its_way.ways()[face.way].outline.width();
         std::vector<Vector> functions = {face.along};
-        for (const double corner : corners)
-          functions.push_back(shifted(face.along, corner));
+        for (Vector &function : corner_functions(f, for_closed_joint, levels))
+          functions.push_back(std::move(function));
         for (const WaterLevels &level : levels)
-          {
-            functions.push_back(shifted(heights, level.reservoir));
-            functions.push_back(shifted(heights, level.tailwater));
-          }
+          for (const double height : {level.reservoir, level.tailwater})
+            {
+              functions.push_back(heights);
+              for (double &value : functions.back())
+                value -= height;
+            }
         for (const auto &line : maps[f].lines(functions, n_points))
           {
             Line result{f, line};
-            result.along[0]  = maps[f].interpolate(face.along, line.begin);
-            result.along[1]  = maps[f].interpolate(face.along, line.end);
-            result.height[0] = maps[f].interpolate(heights, line.begin);
-            result.height[1] = maps[f].interpolate(heights, line.end);
-            result.across    = maps[f].interpolate(face.across, line.at(0.5));
+            const auto fill = [&](const Vector &values, double(&ends)[2]) {
+              ends[0] = maps[f].interpolate(values, line.begin);
+              ends[1] = maps[f].interpolate(values, line.end);
+            };
+            fill(face.along, result.along);
+            fill(face.across, result.across);
+            // Lines along the flow that continue each other have the same water.
+            if (const double step = rounding * (width[1] - width[0]); step > 0.)
+              for (double &across : result.across)
+                across = step * std::round(across / step);
+            fill(heights, result.height);
             lines.push_back(result);
           }
       }
@@ -130,46 +156,55 @@ namespace fuga
                                const double across) const
   {
     std::vector<WaterReach> result;
-    for (const Extent &extent : extents)
-      if (extent.way == way && !access.empty() &&
-          (access[extent.element] == WaterAccess::upstream ||
-           access[extent.element] == WaterAccess::downstream) &&
-          (dim == 2 || (across >= extent.across_begin && across <= extent.across_end)))
-        {
-          result.push_back(extent.reach);
-          result.back().source = access[extent.element];
-        }
+    if (!access.empty())
+      for (const Extent &extent : extents)
+        if (extent.way == way && (access[extent.element] == WaterAccess::upstream ||
+                                  access[extent.element] == WaterAccess::downstream))
+          if (const auto ends = extent.outline.slice(across))
+            result.push_back({(*ends)[0].along,
+                              (*ends)[1].along,
+                              (*ends)[0].height,
+                              (*ends)[1].height,
+                              access[extent.element]});
     return result;
   }
 
 
   template <int dim>
   WaterLine
-  UpliftAssembly<dim>::water_line(const std::size_t way, std::vector<WaterReach> open) const
+  UpliftAssembly<dim>::water_line(const std::size_t way,
+                                  const double across,
+                                  std::vector<WaterReach> open) const
   {
-    return {load.uplift, load.depth.gradient, its_way.ways()[way], std::move(open)};
+    return {load.uplift, load.depth.gradient, its_way.line(way, across), std::move(open)};
   }
 
 
+  // A line across the face that is oblique to the flow meets the water of different lines of flow.
+  // Their corners lie on straight lines between those at its two ends.
   template <int dim>
   std::vector<double>
   UpliftAssembly<dim>::cuts(const Line &line,
-                            const WaterLine &water,
+                            const WaterAcross &water,
                             const std::vector<WaterLevels> &levels) const
   {
+    constexpr double inwards   = 1e-9;
     std::vector<double> result = {0., 1.};
-    const auto cut             = [&](const double(&values)[2], const double at) {
-      const double begin = values[0] - at, end = values[1] - at;
+    const auto cut             = [&](const double begin, const double end) {
       if (begin * end < 0.)
         result.push_back(begin / (begin - end));
     };
-    for (const double corner : water.corners())
-      cut(line.along, corner);
+    const double middle = (line.across[0] + line.across[1]) / 2.;
+    const auto corners  = [&](const unsigned int end) {
+      return water(line.across[end] + inwards * (middle - line.across[end])).corners();
+    };
+    const std::vector<double> first = corners(0), last = corners(1);
+    if (first.size() == last.size())
+      for (std::size_t i = 0; i < first.size(); ++i)
+        cut(line.along[0] - first[i], line.along[1] - last[i]);
     for (const WaterLevels &level : levels)
-      {
-        cut(line.height, level.reservoir);
-        cut(line.height, level.tailwater);
-      }
+      for (const double height : {level.reservoir, level.tailwater})
+        cut(line.height[0] - height, line.height[1] - height);
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -189,8 +224,12 @@ namespace fuga
       {
         const double position = begin + (end - begin) * rule.point(q)[0];
         const auto at         = line.line.at(position);
-        points.push_back({line.along[0] + position * (line.along[1] - line.along[0]),
-                          line.height[0] + position * (line.height[1] - line.height[0]),
+        const auto between    = [&](const double(&ends)[2]) {
+          return ends[0] + position * (ends[1] - ends[0]);
+        };
+        points.push_back({between(line.along),
+                          between(line.across),
+                          between(line.height),
                           rule.weight(q) * (end - begin) * line.line.weight * map.density(at),
                           map.values(at)});
       }
@@ -202,25 +241,28 @@ namespace fuga
   void
   UpliftAssembly<dim>::add_points(const Line &line,
                                   const std::vector<QuadraturePoint> &points,
-                                  const WaterLine &water,
+                                  const WaterAcross &water,
                                   const std::vector<WaterLevels> &levels,
                                   std::vector<Vector> &forces) const
   {
     for (const QuadraturePoint &point : points)
-      for (std::size_t j = 0; j < levels.size(); ++j)
-        {
-          const double u = point.area * water.pressure(point.along, point.height, levels[j]);
-          for (std::size_t k = 0; u != 0. && k < point.values.size(); ++k)
-            for (const auto &[element, weight] : elements[line.face][k])
-              forces[j][bars.elements()[element].normal_bar] += weight * point.values[k] * u;
-        }
+      {
+        const WaterLine &here = water(point.across);
+        for (std::size_t j = 0; j < levels.size(); ++j)
+          {
+            const double u = point.area * here.pressure(point.along, point.height, levels[j]);
+            for (std::size_t k = 0; u != 0. && k < point.values.size(); ++k)
+              for (const auto &[element, weight] : elements[line.face][k])
+                forces[j][bars.elements()[element].normal_bar] += weight * point.values[k] * u;
+          }
+      }
   }
 
 
   template <int dim>
   void
   UpliftAssembly<dim>::add_line(const Line &line,
-                                const WaterLine &water,
+                                const WaterAcross &water,
                                 const std::vector<WaterLevels> &levels,
                                 std::vector<Vector> &forces) const
   {
@@ -240,15 +282,20 @@ namespace fuga
                                  const std::vector<WaterLevels> &levels) const
   {
     std::vector<Vector> result(levels.size(), Vector(bars.bars().size(), 0.));
-    std::map<std::pair<std::size_t, double>, WaterLine> known;
+    std::map<std::pair<std::size_t, double>, WaterLine> along_flow, of_oblique_line;
     for (const Line &line : lines)
       {
-        const std::size_t way = its_way.faces()[line.face].way;
-        const auto key        = std::make_pair(way, access.empty() ? 0. : line.across);
-        auto water            = known.find(key);
-        if (water == known.end())
-          water = known.emplace(key, water_line(way, reaches(access, way, line.across))).first;
-        add_line(line, water->second, levels, result);
+        of_oblique_line.clear();
+        auto &known             = line.across[0] == line.across[1] ? along_flow : of_oblique_line;
+        const std::size_t way   = its_way.faces()[line.face].way;
+        const WaterAcross water = [&](const double across) -> const WaterLine & {
+          const auto key = std::make_pair(way, across);
+          auto found     = known.find(key);
+          if (found == known.end())
+            found = known.emplace(key, water_line(way, across, reaches(access, way, across))).first;
+          return found->second;
+        };
+        add_line(line, water, levels, result);
       }
     return result;
   }
@@ -259,15 +306,11 @@ namespace fuga
   UpliftAssembly<dim>::forces(const std::vector<WaterAccess> &access,
                               const std::vector<WaterLevels> &levels) const
   {
-    if (!access.empty())
-      return load.uplift.profile_from == Uplift::ProfileFrom::joint
-               ? forces_by_elements(access, levels)
-               : integrate(plain_lines, access, levels);
-    std::vector<double> corners;
-    for (std::size_t way = 0; way < its_way.ways().size(); ++way)
-      for (const double corner : water_line(way, {}).corners())
-        corners.push_back(corner);
-    return integrate(make_lines(corners, levels), {}, levels);
+    if (access.empty())
+      return integrate(make_lines(true, levels), {}, levels);
+    return load.uplift.profile_from == Uplift::ProfileFrom::joint
+             ? forces_by_elements(access, levels)
+             : integrate(plain_lines, access, levels);
   }
 
 
@@ -276,16 +319,16 @@ namespace fuga
   UpliftAssembly<dim>::still_water(const std::vector<WaterLevels> &levels,
                                    double WaterLevels::*level) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<Vector> result(levels.size(), Vector(bars.bars().size(), 0.));
     std::vector<WaterLevels> of_one_water;
     for (const WaterLevels &both : levels)
       of_one_water.push_back({both.*level, both.*level});
-    for (const Line &line : make_lines({}, of_one_water))
-      {
-        const std::size_t way = its_way.faces()[line.face].way;
-        const WaterReach whole{0., its_way.ways()[way].length, 0., 0., WaterAccess::downstream};
-        add_line(line, water_line(way, {whole}), of_one_water, result);
-      }
+    const WaterReach everywhere{-infinity, infinity, 0., 0., WaterAccess::downstream};
+    const WaterLine water(load.uplift, load.depth.gradient, {}, {everywhere});
+    for (const Line &line : make_lines(false, of_one_water))
+      add_line(
+        line, [&](const double) -> const WaterLine & { return water; }, of_one_water, result);
     return result;
   }
 
@@ -337,10 +380,12 @@ namespace fuga
     std::vector<typename Discretization<dim>::BoundaryFace> faces;
     for (const auto &face : its_way.faces())
       faces.push_back(face.face->boundary);
-    std::vector<double> upstream_heights;
+    std::vector<double> ends;
     for (const auto &way : its_way.ways())
-      upstream_heights.push_back(way.upstream_height);
-    return fuga::levels_of_kinks(discretization, faces, std::move(upstream_heights));
+      for (const auto &edge : way.outline.edges())
+        if (dim == 2 || edge[0].height == edge[1].height)
+          ends.push_back(edge[0].height);
+    return fuga::levels_of_kinks(discretization, faces, std::move(ends));
   }
 
 

@@ -7,19 +7,12 @@
 #include <fuga/bodies/loads/uplift_way.h>
 #include <fuga/bodies/model_names.h>
 #include <fuga/bodies/point_matcher.h>
-#include <fuga/bodies/space/face_map.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace fuga
 {
-  namespace
-  {
-    /** Share of the size of a way that counts as no distance. */
-    constexpr double same_place = 1e-6;
-  } // namespace
-
   template <int dim>
   UpliftWay<dim>::UpliftWay(const LoadDefinition &its_load,
                             const Discretization<dim> &discretization,
@@ -33,7 +26,10 @@ namespace fuga
       if (index_of(load.targets, mesh.joints[face.joint].name) < load.targets.size())
         {
           all_faces.push_back({&face, 0, {}, {}});
-          corners.push_back(FaceMap<dim>(discretization, face.boundary).corners());
+          const FaceMap<dim> map(discretization, face.boundary);
+          corners.push_back(map.corners());
+          outward.push_back(map.normal(
+            discretization.reference_element().face(face.boundary.number).corner_points.front()));
         }
     // Copies of one node lie at one place, which is identified by the first corner there.
     std::vector<dealii::Point<dim>> points;
@@ -58,7 +54,7 @@ namespace fuga
         if constexpr (dim == 2)
           measure_chain(way, places, points);
         else
-          measure_in_space(way);
+          measure_in_space(way, places);
         check_drain(way);
       }
   }
@@ -138,91 +134,24 @@ namespace fuga
     if ((positions[ends[1]] - positions[ends[0]]) * flow < 0.)
       std::swap(ends[0], ends[1]);
 
-    Way &its            = all_ways[way];
-    its.upstream_height = positions[ends[0]][1], its.downstream_height = positions[ends[1]][1];
+    double length     = 0.;
     std::size_t place = ends[0], last = places.size();
     while (place != ends[1])
       {
         const auto &here    = faces_at_place[place];
         const std::size_t f = here.front() == last ? here.back() : here.front();
         const bool forwards = places[f][0] == place;
-        const double length = corners[f][0].distance(corners[f][1]);
-        all_faces[f].along  = forwards ? Vector{its.length, its.length + length}
-                                       : Vector{its.length + length, its.length};
+        const double next   = length + corners[f][0].distance(corners[f][1]);
+        all_faces[f].along  = forwards ? Vector{length, next} : Vector{next, length};
         all_faces[f].across = {0., 0.};
-        its.length += length;
-        place = places[f][forwards ? 1 : 0];
-        last  = f;
+        length              = next;
+        place               = places[f][forwards ? 1 : 0];
+        last                = f;
       }
-    require_extent(way, (positions[ends[1]] - positions[ends[0]]) * flow, its.length);
-  }
-
-
-  template <int dim>
-  void
-  UpliftWay<dim>::measure_in_space(const std::size_t way)
-  {
-    if constexpr (dim == 3)
-      {
-        Way &its = all_ways[way];
-        dealii::Tensor<1, dim> across;
-        std::vector<std::size_t> faces;
-        for (std::size_t f = 0; f < all_faces.size(); ++f)
-          if (all_faces[f].way == way)
-            faces.push_back(f);
-        const auto &first = corners[faces.front()];
-        across            = dealii::cross_product_3d(
-          flow, dealii::cross_product_3d(first[1] - first[0], first[2] - first[0]));
-        if (across.norm() > 0.)
-          across /= across.norm();
-        double begin = first[0] * flow, end = begin, size = 0.;
-        for (const std::size_t f : faces)
-          for (const auto &corner : corners[f])
-            {
-              begin = std::min(begin, corner * flow);
-              end   = std::max(end, corner * flow);
-              size  = std::max(size, corner.distance(first[0]));
-            }
-        its.length = end - begin;
-        require_extent(way, its.length, size);
-        for (const std::size_t f : faces)
-          for (const auto &corner : corners[f])
-            {
-              const double s = corner * flow - begin;
-              all_faces[f].along.push_back(s);
-              all_faces[f].across.push_back(corner * across);
-              if (s <= same_place * its.length)
-                its.upstream_height = corner[dim - 1];
-              if (s >= (1. - same_place) * its.length)
-                its.downstream_height = corner[dim - 1];
-            }
-        require_level_end(way, 0., its.upstream_height);
-        require_level_end(way, its.length, its.downstream_height);
-      }
-  }
-
-
-  // The pressure at an end of the joint must be that of one depth.
-  template <int dim>
-  void
-  UpliftWay<dim>::require_level_end(const std::size_t way,
-                                    const double along,
-                                    const double height) const
-  {
-    const double tolerance = same_place * all_ways[way].length;
-    for (std::size_t f = 0; f < all_faces.size(); ++f)
-      for (std::size_t v = 0; all_faces[f].way == way && v < corners[f].size(); ++v)
-        if (std::abs(all_faces[f].along[v] - along) <= tolerance &&
-            std::abs(corners[f][v][dim - 1] - height) > tolerance)
-          throw InputError(
-            fmt::format("{}: the {} end of {} is not horizontal: it has nodes at the heights {:g} "
-                        "and {:g}. In space uplift needs horizontal upstream and downstream ends; "
-                        "divide the joint into several with such ends.",
-                        load_title(load),
-                        along == 0. ? "upstream" : "downstream",
-                        joints_of(way),
-                        height,
-                        corners[f][v][dim - 1]));
+    require_extent(way, (positions[ends[1]] - positions[ends[0]]) * flow, length);
+    all_ways[way].shortest = all_ways[way].longest = length;
+    all_ways[way].outline.add(
+      {{{0., 0., positions[ends[0]][1]}, {length, 0., positions[ends[1]][1]}}});
   }
 
 
@@ -245,14 +174,57 @@ namespace fuga
   void
   UpliftWay<dim>::check_drain(const std::size_t way) const
   {
-    if (load.uplift.drain_distance >= all_ways[way].length)
+    const double longest = all_ways[way].longest;
+    if (load.uplift.drain_distance >= longest)
       throw InputError(
         fmt::format("{}: the drain at the distance {:g} lies outside the joint {}, whose ends are "
                     "{:g} apart. Correct the distance.",
                     load_title(load),
                     load.uplift.drain_distance,
                     joints_of(way),
-                    all_ways[way].length));
+                    longest));
+  }
+
+
+  template <int dim>
+  WayOfWater
+  UpliftWay<dim>::line(const std::size_t way, const double across) const
+  {
+    const PlanOutline &outline = all_ways[way].outline;
+    const auto ends =
+      outline.slice(std::clamp(across, outline.width()[0], outline.width()[1])).value();
+    return {ends[0].along, ends[1].along, ends[0].height, ends[1].height};
+  }
+
+
+  template <int dim>
+  std::vector<PlanPoint>
+  UpliftWay<dim>::points(const Face &face,
+                         const FaceMap<dim> &map,
+                         const std::vector<typename FaceMap<dim>::FacePoint> &figure) const
+  {
+    std::vector<PlanPoint> result;
+    const Vector heights = map.heights();
+    for (const auto &at : figure)
+      result.push_back({map.interpolate(face.along, at),
+                        map.interpolate(face.across, at),
+                        map.interpolate(heights, at)});
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<WayOfWater>
+  UpliftWay<dim>::lines_through(const std::size_t way, const std::vector<PlanPoint> &points) const
+  {
+    constexpr double inwards = 1e-9;
+    double middle            = 0.;
+    for (const PlanPoint &point : points)
+      middle += point.across / static_cast<double>(points.size());
+    std::vector<WayOfWater> result;
+    for (const PlanPoint &point : points)
+      result.push_back(line(way, point.across + inwards * (middle - point.across)));
+    return result;
   }
 
 
@@ -282,12 +254,18 @@ namespace fuga
                                 : "; the drain is lost in the crack";
     std::vector<std::string> lines;
     for (std::size_t way = 0; way < all_ways.size(); ++way)
-      lines.push_back(fmt::format("load '{}': uplift {}{}; {:g} of way through {}",
-                                  load.name,
-                                  rule,
-                                  drain,
-                                  all_ways[way].length,
-                                  joints_of(way)));
+      {
+        const double shortest = all_ways[way].shortest, longest = all_ways[way].longest;
+        const std::string length = longest - shortest <= same_place * longest
+                                     ? fmt::format("{:g}", longest)
+                                     : fmt::format("{:g} to {:g}", shortest, longest);
+        lines.push_back(fmt::format("load '{}': uplift {}{}; {} of way through {}",
+                                    load.name,
+                                    rule,
+                                    drain,
+                                    length,
+                                    joints_of(way)));
+      }
     return lines;
   }
 

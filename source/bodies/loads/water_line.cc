@@ -44,7 +44,7 @@ namespace fuga
   void
   WaterLine::unite_reaches()
   {
-    const double tolerance = shortest_gap * way.length;
+    const double tolerance = shortest_gap * way.length();
     std::stable_sort(reaches.begin(), reaches.end(), [](const auto &a, const auto &b) {
       return a.begin < b.begin;
     });
@@ -84,8 +84,9 @@ namespace fuga
   void
   WaterLine::find_gaps()
   {
-    const double tolerance = shortest_gap * way.length;
+    const double tolerance = shortest_gap * way.length();
     Gap gap;
+    gap.begin = way.begin;
     for (std::size_t i = 0; i < reaches.size(); ++i)
       {
         gap.end    = reaches[i].begin;
@@ -95,7 +96,7 @@ namespace fuga
         gap.begin  = reaches[i].end;
         gap.before = i;
       }
-    gap.end    = way.length;
+    gap.end    = way.end;
     gap.behind = none;
     if (gap.end - gap.begin > tolerance)
       gaps.push_back(gap);
@@ -104,7 +105,7 @@ namespace fuga
   bool
   WaterLine::has_drain(const Gap &gap) const
   {
-    return uplift.drain_distance > gap.begin && uplift.drain_distance < gap.end &&
+    return uplift.drain_distance > 0. && drain() > gap.begin && drain() < gap.end &&
            (gap.before == none || reaches[gap.before].source == WaterAccess::upstream) &&
            (gap.behind == none || reaches[gap.behind].source == WaterAccess::downstream);
   }
@@ -116,7 +117,7 @@ namespace fuga
     for (const WaterReach &reach : reaches)
       result.insert(result.end(), {reach.begin, reach.end});
     if (uplift.drain_distance > 0.)
-      result.push_back(uplift.drain_distance);
+      result.push_back(drain());
     else
       for (const Gap &gap : gaps)
         for (const auto &point : uplift.profile)
@@ -149,7 +150,7 @@ namespace fuga
       return still_water(levels.tailwater, height);
     const double full = still_water(levels.reservoir, height);
     if (uplift.drains_after_crack == Uplift::Drains::lost || uplift.drain_distance == 0. ||
-        s <= uplift.drain_distance)
+        s <= drain())
       return full;
     const double down = downstream_end(levels);
     return down + (1. - uplift.drain_efficiency) * (full - down);
@@ -171,10 +172,9 @@ namespace fuga
     double phi          = 1. - share;
     if (has_drain(gap))
       {
-        const double drain  = (uplift.drain_distance - gap.begin) / length;
-        const double inside = (1. - uplift.drain_efficiency) * (1. - drain);
-        phi =
-          share < drain ? 1. + (inside - 1.) * share / drain : inside * (1. - share) / (1. - drain);
+        const double at     = (drain() - gap.begin) / length;
+        const double inside = (1. - uplift.drain_efficiency) * (1. - at);
+        phi = share < at ? 1. + (inside - 1.) * share / at : inside * (1. - share) / (1. - at);
       }
     else if (gap.behind == none || reaches[gap.behind].source == WaterAccess::downstream)
       phi = share_of_head(uplift.profile, share);

@@ -129,7 +129,8 @@ namespace fuga
                "For uplift: the end of the joint that lies in the reservoir: the one with the "
                "smallest or largest x (left, right), in space also y (front, back), or height "
                "(bottom, top). Joints that meet are one way of the water, whose length is "
-               "measured along them; in space in the direction of flow, between horizontal ends.");
+               "measured along them; in space every line in the direction of flow is one, from "
+               "where it enters the joints to where it leaves them.");
     flow_direction =
       optional("Flow direction",
                text(TextContent::numbers),

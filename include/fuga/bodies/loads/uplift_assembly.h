@@ -9,6 +9,8 @@
 #include <fuga/bodies/loads/uplift_way.h>
 #include <fuga/bodies/space/face_map.h>
 
+#include <functional>
+
 namespace fuga
 {
   /**
@@ -54,18 +56,17 @@ namespace fuga
   private:
     using FacePoint = typename FaceMap<dim>::FacePoint;
 
-    /** The part of a way that one element occupies, which is its reach when it is open. */
+    /** The part of one face that belongs to an element: on every line its reach when it is open. */
     struct Extent
     {
       std::size_t element = 0, way = 0;
-      WaterReach reach;
-      double across_begin = 0., across_end = 0.;
+      PlanOutline outline;
     };
 
     /** A point of a quadrature rule. */
     struct QuadraturePoint
     {
-      double along = 0., height = 0., area = 0.;
+      double along = 0., across = 0., height = 0., area = 0.;
       /** Values of the shape functions of the nodes of the face. */
       std::vector<double> values;
     };
@@ -76,8 +77,7 @@ namespace fuga
       std::size_t face = 0;
       typename FaceMap<dim>::Line line;
       /** Values at the beginning and the end of the line. */
-      double along[2] = {}, height[2] = {};
-      double across = 0.;
+      double along[2] = {}, across[2] = {}, height[2] = {};
       /** Quadrature points for integrands without a corner on the line. */
       std::vector<QuadraturePoint> points = {};
     };
@@ -87,10 +87,19 @@ namespace fuga
 
     /**
      * Return lines that sweep all faces; the integral is exact if the pressure has corners only at
-     * the distances @p corners from the upstream end and at the heights of @p levels.
+     * the heights of @p levels and, @p for_closed_joint, where it has them without any reach.
      */
     std::vector<Line>
-    make_lines(const std::vector<double> &corners, const std::vector<WaterLevels> &levels) const;
+    make_lines(const bool for_closed_joint, const std::vector<WaterLevels> &levels) const;
+
+    /**
+     * Return functions of the position on a face, by their values at its corners, that vanish where
+     * the ends of the way have a corner and, if the joint is closed, where the pressure has one.
+     */
+    std::vector<Vector>
+    corner_functions(const std::size_t face,
+                     const bool for_closed_joint,
+                     const std::vector<WaterLevels> &levels) const;
 
     /** Return the quadrature points of a part of a line, from one position on it to another. */
     std::vector<QuadraturePoint>
@@ -102,32 +111,35 @@ namespace fuga
               const std::vector<WaterAccess> &access,
               const std::vector<WaterLevels> &levels) const;
 
-    /** Return the reaches that a line crosses. */
+    /** Return the reaches on the line at the coordinate @p across. */
     std::vector<WaterReach>
     reaches(const std::vector<WaterAccess> &access,
             const std::size_t way,
             const double across) const;
 
-    /** Return the pressures on a way in which these reaches are open. */
+    /** Return the pressures on a line with these reaches. */
     WaterLine
-    water_line(const std::size_t way, std::vector<WaterReach> open) const;
+    water_line(const std::size_t way, const double across, std::vector<WaterReach> open) const;
+
+    /** Return the pressure of the water at a coordinate across the flow. */
+    using WaterAcross = std::function<const WaterLine &(const double across)>;
 
     /** Add ∫ N u dA along one line. */
     void
     add_line(const Line &line,
-             const WaterLine &water,
+             const WaterAcross &water,
              const std::vector<WaterLevels> &levels,
              std::vector<Vector> &forces) const;
     void
     add_points(const Line &line,
                const std::vector<QuadraturePoint> &points,
-               const WaterLine &water,
+               const WaterAcross &water,
                const std::vector<WaterLevels> &levels,
                std::vector<Vector> &forces) const;
 
     /** Return the positions on a line at which its integrand has a corner, including 0 and 1. */
     std::vector<double>
-    cuts(const Line &line, const WaterLine &water, const std::vector<WaterLevels> &levels) const;
+    cuts(const Line &line, const WaterAcross &water, const std::vector<WaterLevels> &levels) const;
 
     /** Return ∫ N u dA with u due to the depth below a level. */
     std::vector<Vector>
@@ -144,8 +156,7 @@ namespace fuga
     UpliftWay<dim> its_way;
     std::vector<FaceMap<dim>> maps;
     std::vector<Extent> extents;
-    /**
-     * Lines without corners: exact except for the faces in space that a corner crosses obliquely.
+    /** Lines without corners: exact except for the faces in space that a corner crosses obliquely.
      */
     std::vector<Line> plain_lines;
     /** Contact elements at the nodes of every face, with their weights. */

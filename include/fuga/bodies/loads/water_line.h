@@ -13,7 +13,7 @@ namespace fuga
   /** A part of the way of the water through a joint that consists of connected open elements. */
   struct WaterReach
   {
-    /** Distances from the upstream end [m], and the heights there. */
+    /** Coordinates along the flow [m], and the heights there. */
     double begin = 0., end = 0.;
     double height_at_begin = 0., height_at_end = 0.;
     /** Origin of the water: WaterAccess::upstream or WaterAccess::downstream. */
@@ -26,11 +26,18 @@ namespace fuga
     double reservoir = 0., tailwater = 0.;
   };
 
-  /** The whole way: its length [m] and the heights of its two ends. */
+  /** The whole way: the coordinates of its upstream and its downstream end along the flow, and the
+   * heights there [m]. */
   struct WayOfWater
   {
-    double length          = 0.;
+    double begin = 0., end = 0.;
     double upstream_height = 0., downstream_height = 0.;
+
+    double
+    length() const
+    {
+      return end - begin;
+    }
   };
 
   /**
@@ -44,8 +51,8 @@ namespace fuga
   {
   public:
     /**
-     * @p unit_weight [MN/m³]. All arguments must outlive this object except for the reaches, which
-     * may overlap and be in any order.
+     * @p unit_weight [MN/m³]. The @p uplift must outlive this object. The reaches may overlap and be
+     * in any order.
      */
     WaterLine(const Uplift &uplift,
               const double unit_weight,
@@ -53,15 +60,14 @@ namespace fuga
               std::vector<WaterReach> reaches);
 
     /**
-     * Return the distances from the upstream end between which, in a straight part of the joint,
-     * the pressure is linear, apart from the water lines; in increasing order.
+     * Return the coordinates along the flow between which, in a straight part of the joint, the
+     * pressure is linear, apart from the water lines; in increasing order.
      */
     std::vector<double>
     corners() const;
 
     /**
-     * Return the pressure at the distance @p s from the upstream end [m] and the @p height there
-     * [m].
+     * Return the pressure at the coordinate @p s along the flow [m] and the @p height there [m].
      */
     double
     pressure(const double s, const double height, const WaterLevels &levels) const;
@@ -94,6 +100,12 @@ namespace fuga
      */
     bool
     has_drain(const Gap &gap) const;
+    /** Return the coordinate of the drain along the flow. */
+    double
+    drain() const
+    {
+      return way.begin + uplift.drain_distance;
+    }
     double
     upstream_end(const WaterLevels &levels) const;
     double
@@ -103,7 +115,7 @@ namespace fuga
 
     const Uplift &uplift;
     const double unit_weight;
-    const WayOfWater &way;
+    const WayOfWater way;
     std::vector<WaterReach> reaches;
     std::vector<Gap> gaps;
   };
