@@ -18,7 +18,7 @@ namespace fuga::stress
   {
     end = to.state;
     if (to.state.t - from.state.t < 1e-9)
-      return; // nothing to solve anew
+      return; // nothing to solve again
     last.emplace(Piece{from.state, to.state});
     ++n_seen;
     if (pieces.size() < capacity)
@@ -89,8 +89,8 @@ namespace fuga::stress
   std::string
   confirmation_by_pieces(const Confirmation &confirmation)
   {
-    return confirmation.n_other == 0 && confirmation.n_equal > 0 ? "solved anew"
-           : confirmation.n_equal > 0                            ? "solved anew, residual"
+    return confirmation.n_other == 0 && confirmation.n_equal > 0 ? "solved again"
+           : confirmation.n_equal > 0                            ? "solved again, residual"
            : confirmation.n_other > 0                            ? "residual"
                                                                  : "certificate";
   }

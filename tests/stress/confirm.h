@@ -58,7 +58,7 @@ namespace fuga::stress
     std::string by;
     /** What contradicts the path, or why nothing could be said. */
     std::string objection;
-    /** Pieces solved anew with the same answer, and those where the answer of the path satisfies
+    /** Pieces solved again with the same answer, and those where the answer of the path satisfies
      * all conditions but the other solver found another one or none. */
     std::size_t n_equal = 0, n_other = 0;
     /** Largest difference of the equal ones. */

@@ -224,8 +224,8 @@ def page(scenes, kinds, causes):
 ## What confirms a verdict
 
 A **done** needs a certificate below the bound (theory, section 8). In addition up to seven steps of the path, the
-last one among them, are solved anew by a semismooth Newton method, or by lexicographic Lemke, from the slips at
-their beginning: "solved anew" means that all gave the same forces and jumps to 1e-6; "residual" that for some the
+last one among them, are solved again by a semismooth Newton method, or by lexicographic Lemke, from the slips at
+their beginning: "solved again" means that all gave the same forces and jumps to 1e-6; "residual" that for some the
 other solver found no solution or another one (with much friction there are several), while the state of the path
 satisfies all conditions of the step, measured by the judges, to 1e-8.
 
@@ -236,14 +236,14 @@ ray" that there are too many to try and lexicographic Lemke, with twelve coverin
 parts no pressed lips and slides only where the strength is exhausted.
 
 Scenes **in space**: an extruded plane scene is compared with the path of its section at all load levels ("plane section": end, verdict,
-forces per area, opening and slip to 1e-6). Of the others up to seven steps are solved anew by a semismooth Newton method for circular cones;
+forces per area, opening and slip to 1e-6). Of the others up to seven steps are solved again by a semismooth Newton method for circular cones;
 where directions of slip turn, an implicit step is another one, and "residual" says that the state satisfies all conditions but the direction.
 "No implicit step" means that this method finds none to a load larger by 1e-4 and 1e-3 of a stage (in the plane, where bodies that move freely leave
 the rates undecided: 1e-5 and 1e-4). Where the continuation is not unique, "implicit
 step" means that it finds one of them; how many there are is not examined in space.
 
 A **motion** is **interrupted** after twenty seconds of a processor, as a user would with Ctrl-C, and what it has reached is
-examined like the others: certificate, energies, and up to four seconds of it followed again, every fifth piece solved anew.
+examined like the others: certificate, energies, and up to four seconds of it followed again, every fifth piece solved again.
 
 "Limit of the law": the run ended with the message that a layer is outside of its law, and by the forces there it has closed by its
 `Shear growth closure`, all but a millionth. Such a draw has no answer; it is not counted as a failure.

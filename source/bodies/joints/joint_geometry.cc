@@ -150,7 +150,7 @@ namespace fuga
       pair.normal[0] = 0.;
     if (pair.normal.norm() < 1e-3 * pair.area)
       throw InputError(
-        fmt::format("A joint turns back on itself at {}; it has no normal there. Mend the {}.",
+        fmt::format("A joint turns back on itself at {}; it has no normal there. Correct the {}.",
                     text_of(pair.position),
                     dim == 2 ? "line" : "surface"));
     pair.normal /= pair.normal.norm();

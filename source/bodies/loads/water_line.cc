@@ -90,14 +90,14 @@ namespace fuga
     for (std::size_t i = 0; i < reaches.size(); ++i)
       {
         gap.end    = reaches[i].begin;
-        gap.behind = i;
+        gap.after = i;
         if (gap.end - gap.begin > tolerance)
           gaps.push_back(gap);
         gap.begin  = reaches[i].end;
         gap.before = i;
       }
     gap.end    = way.end;
-    gap.behind = none;
+    gap.after = none;
     if (gap.end - gap.begin > tolerance)
       gaps.push_back(gap);
   }
@@ -107,7 +107,7 @@ namespace fuga
   {
     return uplift.drain_distance > 0. && drain() > gap.begin && drain() < gap.end &&
            (gap.before == none || reaches[gap.before].source == WaterAccess::upstream) &&
-           (gap.behind == none || reaches[gap.behind].source == WaterAccess::downstream);
+           (gap.after == none || reaches[gap.after].source == WaterAccess::downstream);
   }
 
   std::vector<double>
@@ -166,7 +166,7 @@ namespace fuga
       return in_reach(reaches[i], reaches[i].begin, reaches[i].height_at_begin, levels);
     };
     const double from   = gap.before == none ? upstream_end(levels) : end_of(gap.before);
-    const double to     = gap.behind == none ? downstream_end(levels) : begin_of(gap.behind);
+    const double to     = gap.after == none ? downstream_end(levels) : begin_of(gap.after);
     const double length = gap.end - gap.begin;
     const double share  = (s - gap.begin) / length;
     double phi          = 1. - share;
@@ -176,7 +176,7 @@ namespace fuga
         const double inside = (1. - uplift.drain_efficiency) * (1. - at);
         phi = share < at ? 1. + (inside - 1.) * share / at : inside * (1. - share) / (1. - at);
       }
-    else if (gap.behind == none || reaches[gap.behind].source == WaterAccess::downstream)
+    else if (gap.after == none || reaches[gap.after].source == WaterAccess::downstream)
       phi = share_of_head(uplift.profile, share);
     return to + phi * (from - to);
   }

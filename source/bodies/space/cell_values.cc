@@ -96,7 +96,7 @@ namespace fuga
         const double volume = determinant(jacobian);
         if (!(volume > 0.))
           throw InputError(
-            fmt::format("A cell at {} is folded over. Mend the mesh there.", text_of(corners[0])));
+            fmt::format("A cell at {} is folded over. Correct the mesh there.", text_of(corners[0])));
         volumes[q]         = tables[q].weight * volume * discretization.extent_across(point(q));
         const auto inverse = transpose(invert(jacobian));
         for (std::size_t i = 0; i < gradients[q].size(); ++i)

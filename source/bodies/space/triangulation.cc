@@ -66,7 +66,7 @@ namespace fuga
           dealii::Point<dim> at;
           for (unsigned int c = 0; c < dim; ++c)
             at[c] = jointed.vertices[cell.vertices[0]][c];
-          throw InputError(fmt::format("A cell of body '{}' at {} has no {}. Mend the mesh there.",
+          throw InputError(fmt::format("A cell of body '{}' at {} has no {}. Correct the mesh there.",
                                        jointed.body_names[cell.body],
                                        text_of(at),
                                        dim == 2 ? "area" : "volume"));

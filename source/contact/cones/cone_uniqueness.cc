@@ -19,6 +19,14 @@ namespace fuga
       double friction;
     };
 
+    /** An unknown rate: how it moves the bars of its element, from the first @p row on, and how the
+     * condition on it weights their forces. */
+    struct Unknown
+    {
+      std::size_t row;
+      std::vector<double> motion, condition;
+    };
+
     /**
      * Return whether yᵀA y + Σ weight y_n (A y)_n - Σ f |v_t| |(W v)_n| > 0 for all rates v = D y,
      * where the sums are over the apexes, A is scaled by D on both sides, and 2 |v_t| |(W v)_n| ≤ α
@@ -36,20 +44,21 @@ namespace fuga
       for (std::size_t k = 0; k < n; ++k)
         for (std::size_t i = k; i < n; ++i)
           G(i, k) = A(i, k) + A(k, i);
-      for (const Apex &apex : apexes)
+      DenseMatrix normal_forces(n, apexes.size()); // (W v)_n, each in its share of a square
+      for (std::size_t j = 0; j < apexes.size(); ++j)
         {
-          const std::size_t row = apex.row;
+          const auto [row, n_tangents, friction] = apexes[j];
           for (std::size_t k = 0; k < n; ++k)
             G(std::max(row, k), std::min(row, k)) += (row == k ? 2. : 1.) * weight * A(row, k);
-          if (apex.n_tangents == 0)
+          if (n_tangents == 0)
             continue;
           const double ratio = scale[row + 1] / scale[row];
-          for (std::size_t i = row + 1; i <= row + apex.n_tangents; ++i)
-            G(i, i) -= apex.friction * share * ratio * std::pow(scale[i] / scale[row + 1], 2);
-          for (std::size_t k = 0; k < n; ++k)
-            for (std::size_t i = k; i < n; ++i)
-              G(i, k) -= apex.friction / share * ratio * A(row, i) * A(row, k);
+          for (std::size_t i = row + 1; i <= row + n_tangents; ++i)
+            G(i, i) -= friction * share * ratio * std::pow(scale[i] / scale[row + 1], 2);
+          normal_forces.col(j) = std::sqrt(friction / share * ratio) * A.row(row).transpose();
         }
+      if (!apexes.empty())
+        G.selfadjointView<Eigen::Lower>().rankUpdate(normal_forces, -1.);
       DenseMatrix nothing(n, 0);
       return solve_positive_definite(G, nothing);
     }
@@ -65,32 +74,32 @@ namespace fuga
   ConeRateProblem::has_one_solution() const
   {
     std::vector<Apex> apexes;
-    std::size_t n = 0;
+    std::vector<Unknown> unknowns;
     for (const Candidate &candidate : candidates)
       {
         if (candidate.n_tangents > 0 &&
             (candidate.at_apex ? candidate.rise > 0. : candidate.grazing))
           return false; // other conditions apply
         if (candidate.at_apex)
-          apexes.push_back({n, candidate.n_tangents, candidate.friction});
-        n += candidate.at_apex ? candidate.n_tangents + 1 : 1;
+          {
+            apexes.push_back({unknowns.size(), candidate.n_tangents, candidate.friction});
+            for (std::size_t i = 0; i <= candidate.n_tangents; ++i)
+              unknowns.push_back({candidate.row + i, {1.}, {1.}});
+            continue;
+          }
+        unknowns.push_back({candidate.row, {candidate.rise}, {candidate.friction}});
+        for (std::size_t i = 0; i < candidate.n_tangents; ++i)
+          for (auto *coefficients : {&unknowns.back().motion, &unknowns.back().condition})
+            coefficients->push_back(candidate.direction[i]);
       }
-    DenseMatrix motions(bars.size(), n), conditions(bars.size(), n);
-    std::size_t j = 0;
-    for (const Candidate &candidate : candidates)
-      if (candidate.at_apex)
-        for (std::size_t i = 0; i <= candidate.n_tangents; ++i, ++j)
-          motions(candidate.row + i, j) = conditions(candidate.row + i, j) = 1.;
-      else
-        {
-          motions(candidate.row, j)    = candidate.rise;
-          conditions(candidate.row, j) = candidate.friction;
-          for (std::size_t i = 0; i < candidate.n_tangents; ++i)
-            motions(candidate.row + 1 + i, j) = conditions(candidate.row + 1 + i, j) =
-              candidate.direction[i];
-          ++j;
-        }
-    DenseMatrix A = multiply_transposed(conditions, multiply(W, motions));
+    const std::size_t n = unknowns.size();
+    DenseMatrix A(n, n);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t b = 0; b < unknowns[k].motion.size(); ++b)
+          for (std::size_t a = 0; a < unknowns[i].condition.size(); ++a)
+            A(i, k) += unknowns[i].condition[a] * W(unknowns[i].row + a, unknowns[k].row + b) *
+                       unknowns[k].motion[b];
     Vector scale;
     for (std::size_t i = 0; i < n; ++i)
       {

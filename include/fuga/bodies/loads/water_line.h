@@ -78,7 +78,7 @@ namespace fuga
     {
       double begin = 0., end = 0.;
       /** Indices of the reaches before and after the gap; none at the ends of the way. */
-      std::size_t before = none, behind = none;
+      std::size_t before = none, after = none;
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
