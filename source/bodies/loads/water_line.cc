@@ -89,14 +89,14 @@ namespace fuga
     gap.begin = way.begin;
     for (std::size_t i = 0; i < reaches.size(); ++i)
       {
-        gap.end    = reaches[i].begin;
+        gap.end   = reaches[i].begin;
         gap.after = i;
         if (gap.end - gap.begin > tolerance)
           gaps.push_back(gap);
         gap.begin  = reaches[i].end;
         gap.before = i;
       }
-    gap.end    = way.end;
+    gap.end   = way.end;
     gap.after = none;
     if (gap.end - gap.begin > tolerance)
       gaps.push_back(gap);

@@ -95,8 +95,8 @@ namespace fuga
           jacobian += outer_product(edges[v], tables[q].corner_gradients[v]);
         const double volume = determinant(jacobian);
         if (!(volume > 0.))
-          throw InputError(
-            fmt::format("A cell at {} is folded over. Correct the mesh there.", text_of(corners[0])));
+          throw InputError(fmt::format("A cell at {} is folded over. Correct the mesh there.",
+                                       text_of(corners[0])));
         volumes[q]         = tables[q].weight * volume * discretization.extent_across(point(q));
         const auto inverse = transpose(invert(jacobian));
         for (std::size_t i = 0; i < gradients[q].size(); ++i)

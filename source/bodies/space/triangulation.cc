@@ -66,10 +66,11 @@ namespace fuga
           dealii::Point<dim> at;
           for (unsigned int c = 0; c < dim; ++c)
             at[c] = jointed.vertices[cell.vertices[0]][c];
-          throw InputError(fmt::format("A cell of body '{}' at {} has no {}. Correct the mesh there.",
-                                       jointed.body_names[cell.body],
-                                       text_of(at),
-                                       dim == 2 ? "area" : "volume"));
+          throw InputError(
+            fmt::format("A cell of body '{}' at {} has no {}. Correct the mesh there.",
+                        jointed.body_names[cell.body],
+                        text_of(at),
+                        dim == 2 ? "area" : "volume"));
         }
       const unsigned int n    = n_vertices(cell.shape);
       const unsigned int ring = n == 8 ? 4 : dim == 3 ? 3 : n;

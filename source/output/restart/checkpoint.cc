@@ -29,7 +29,9 @@ namespace fuga
     refuse(const std::string &path, const std::string &reason)
     {
       throw InputError(fmt::format(
-        "The checkpoint {} {}. Run without --restart to compute everything from the beginning.", path, reason));
+        "The checkpoint {} {}. Run without --restart to compute everything from the beginning.",
+        path,
+        reason));
     }
 
     Json

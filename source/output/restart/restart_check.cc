@@ -152,7 +152,8 @@ namespace fuga
       list += "\n  " + change;
     throw InputError(fmt::format(
       "The run in {} cannot be restarted with another problem. Changed since its checkpoint:{}\n"
-      "Take these changes back, or run without --restart, which computes everything from the beginning. (Title, "
+      "Take these changes back, or run without --restart, which computes everything from the "
+      "beginning. (Title, "
       "Output/Fields, Output/Log, Output/Report, Output/Checkpoint and the certificate's bound may "
       "change, and "
       "stages may be added after the last one.)",

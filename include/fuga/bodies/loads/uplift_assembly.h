@@ -156,7 +156,8 @@ namespace fuga
     UpliftWay<dim> its_way;
     std::vector<FaceMap<dim>> maps;
     std::vector<Extent> extents;
-    /** Lines without corners: exact except for the faces in space that a corner crosses obliquely.
+    /**
+     * Lines without corners: exact except for the faces in space that a corner crosses obliquely.
      */
     std::vector<Line> plain_lines;
     /** Contact elements at the nodes of every face, with their weights. */

@@ -7,7 +7,7 @@
 namespace fuga
 {
   /** Version of the program; the build system takes it from here. */
-  inline constexpr const char *version = "0.1.0";
+  inline constexpr const char *version = "1.0.0";
 } // namespace fuga
 
 #endif
