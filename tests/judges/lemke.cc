@@ -119,7 +119,7 @@ namespace fuga::judges
       std::vector<std::size_t> basis;
     };
 
-    /** Solves the basis anew from the data; keeps the tableau's values if that fails. */
+    /** Solves the basis again from the data; keeps the tableau's values if that fails. */
     Vector
     recomputed_values(Tableau &tableau, const DenseMatrix &M, const Vector &q, const Vector &d)
     {

@@ -40,7 +40,10 @@ namespace fuga::judges
    * vector @p d > 0 (empty: ones). Ties of the ratio test are broken by the rows of the basis
    * inverse, so no basis can come back: it ends finitely, with a solution or a ray. A ray proves
    * that there is no solution only for certain classes of M (copositive-plus, P, ...). The final
-   * basis is solved anew from M and q, so the rounding of the pivots does not stay in the answer.
+   * basis is solved again from M and q, so the rounding of the pivots does not stay in the answer.
+   *
+   * Siconos 4.4 cannot judge here: its lexicographic Lemke reports success at the end of a ray, and
+   * it ends there where many ratio tests tie and a solution exists (Lemke.SymmetricBoundarySets).
    */
   LemkeResult
   lemke(const DenseMatrix &M, const Vector &q, const Vector &d = Vector());

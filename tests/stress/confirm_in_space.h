@@ -12,7 +12,7 @@ namespace fuga::stress
   /**
    * What is known of a path in space from elsewhere. An extruded scene is compared with its plane
    * section, which another path solves: the end and its verdict, and forces per area and
-   * dislocations of all elements at all load levels. Of other scenes steps are solved anew by
+   * dislocations of all elements at all load levels. Of other scenes steps are solved again by
    * judges::ConeNewton, which must find none beyond the end of a path that is no mechanism.
    * @p directory: for the files of the section. @p seconds: as in confirm().
    */
