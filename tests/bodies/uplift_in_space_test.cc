@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 using namespace fuga;
 using namespace fuga::test;
@@ -287,6 +288,47 @@ TEST_P(OpenJointUnderABank, FallsFromTipToTip)
           1e-12,
           first,
           last);
+}
+
+// Lines run along the borders of elements. Whatever rounding makes of them in a mesh that is turned
+// about the vertical, the water is the same.
+TEST_P(OpenJointUnderABank, MayBeTurned)
+{
+  const auto vertices = mesh.vertices;
+  std::vector<Sums> all_sums;
+  for (unsigned int i = 0; i < 12; ++i)
+    {
+      const double c = std::cos(0.5 * i), s = std::sin(0.5 * i);
+      mesh.vertices = vertices;
+      for (auto &[x, y, z] : mesh.vertices)
+        std::tie(x, y) = std::pair(c * x - s * y, s * x + c * y);
+      uplift().flow = {{c, s, 0.}};
+      const CondensedSystem<3> system(mesh, model, {false}, Condensation::with_loads);
+      std::vector<WaterAccess> access;
+      std::vector<std::array<double, 2>> points;
+      for (const ContactElement &element : system.elements())
+        {
+          const double x = c * element.position[0] + s * element.position[1],
+                       y = c * element.position[1] - s * element.position[0];
+          points.push_back({{x, y}});
+          // Of the neighbours across the flow some are open.
+          access.push_back(x - begin_of(y) < 0.4 * length_of(y) && y > 0.5 ? WaterAccess::upstream
+                                                                           : WaterAccess::seepage);
+        }
+      const Vector forces = system.uplift(0).forces(access, {{7., 0.}}).front();
+      Sums sums{};
+      for (std::size_t k = 0; k < points.size(); ++k)
+        {
+          const double force = forces[system.elements()[k].normal_bar];
+          sums[0] += force;
+          sums[1] += force * points[k][0];
+          sums[2] += force * points[k][1];
+        }
+      all_sums.push_back(sums);
+    }
+  for (const Sums &sums : all_sums)
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      EXPECT_NEAR(sums[i], all_sums.front()[i], 1e-12 * all_sums.front()[i]) << i;
 }
 
 TEST_P(OpenJointUnderABank, SaysWhatIsNoWay)

@@ -59,16 +59,27 @@ namespace fuga
                                const double across) const
   {
     std::vector<WaterReach> result;
+    // A line on the border of two elements runs through both of them, whatever rounding says.
+    constexpr double on_border = 2e-12;
+    const auto &width          = its_way.ways()[way].outline.width();
+    const double tolerance     = on_border * (width[1] - width[0]);
     if (!access.empty())
       for (const Extent &extent : extents)
         if (extent.way == way && (access[extent.element] == WaterAccess::upstream ||
                                   access[extent.element] == WaterAccess::downstream))
-          if (const auto ends = extent.outline.slice(across))
-            result.push_back({(*ends)[0].along,
-                              (*ends)[1].along,
-                              (*ends)[0].height,
-                              (*ends)[1].height,
+          {
+            const auto &[least, most] = extent.outline.width();
+            if (across < least - tolerance || across > most + tolerance)
+              continue;
+            const double margin = std::min(tolerance, (most - least) / 2.);
+            const auto ends =
+              extent.outline.slice(std::clamp(across, least + margin, most - margin)).value();
+            result.push_back({ends[0].along,
+                              ends[1].along,
+                              ends[0].height,
+                              ends[1].height,
                               access[extent.element]});
+          }
     return result;
   }
 
