@@ -129,6 +129,25 @@ namespace
       return std::string(GetParam().mesh) == "patch_hex.msh" ? of_hexahedra : 2e-4;
     }
 
+    /** Return Σ u, Σ u x, Σ u y of forces in a mesh that is turned about the vertical by an angle
+     * with this cosine and sine. */
+    static Sums
+    sums_of(const Vector &forces,
+            const std::vector<ContactElement> &elements,
+            const double c = 1.,
+            const double s = 0.)
+    {
+      Sums sums{};
+      for (const ContactElement &element : elements)
+        {
+          const double force = forces[element.normal_bar];
+          sums[0] += force;
+          sums[1] += force * (c * element.position[0] + s * element.position[1]);
+          sums[2] += force * (c * element.position[1] - s * element.position[0]);
+        }
+      return sums;
+    }
+
     /** Compare the forces with integrals. Elements up to @p open_up_to of the way are open to the
      * reservoir, those from @p open_from on to the tailwater. */
     void
@@ -146,14 +165,7 @@ namespace
                                                            : WaterAccess::seepage);
       const double tailwater = uplift().has_tailwater ? std::stod(uplift().tailwater.level) : 0.;
       const Vector forces    = system.uplift(0).forces(access, {{7., tailwater}}).front();
-      Sums sums{};
-      for (const ContactElement &element : system.elements())
-        {
-          const double force = forces[element.normal_bar];
-          sums[0] += force;
-          sums[1] += force * element.position[0];
-          sums[2] += force * element.position[1];
-        }
+      const Sums sums        = sums_of(forces, system.elements());
       for (std::size_t i = 0; i < sums.size(); ++i)
         EXPECT_NEAR(sums[i], expected[i], tolerance * expected[i]) << i;
     }
@@ -305,26 +317,16 @@ TEST_P(OpenJointUnderABank, MayBeTurned)
       uplift().flow = {{c, s, 0.}};
       const CondensedSystem<3> system(mesh, model, {false}, Condensation::with_loads);
       std::vector<WaterAccess> access;
-      std::vector<std::array<double, 2>> points;
       for (const ContactElement &element : system.elements())
         {
           const double x = c * element.position[0] + s * element.position[1],
                        y = c * element.position[1] - s * element.position[0];
-          points.push_back({{x, y}});
           // Of the neighbours across the flow some are open.
           access.push_back(x - begin_of(y) < 0.4 * length_of(y) && y > 0.5 ? WaterAccess::upstream
                                                                            : WaterAccess::seepage);
         }
       const Vector forces = system.uplift(0).forces(access, {{7., 0.}}).front();
-      Sums sums{};
-      for (std::size_t k = 0; k < points.size(); ++k)
-        {
-          const double force = forces[system.elements()[k].normal_bar];
-          sums[0] += force;
-          sums[1] += force * points[k][0];
-          sums[2] += force * points[k][1];
-        }
-      all_sums.push_back(sums);
+      all_sums.push_back(sums_of(forces, system.elements(), c, s));
     }
   for (const Sums &sums : all_sums)
     for (std::size_t i = 0; i < sums.size(); ++i)

@@ -143,7 +143,7 @@ namespace fuga
     for (const Line &line : lines)
       {
         of_oblique_line.clear();
-        auto &known             = line.across[0] == line.across[1] ? along_flow : of_oblique_line;
+        auto &known             = line.is_along_flow() ? along_flow : of_oblique_line;
         const std::size_t way   = its_way.faces()[line.face].way;
         const WaterAcross water = [&](const double across) -> const WaterLine & {
           const auto key = std::make_pair(way, across);

@@ -40,12 +40,7 @@ namespace fuga
         functions.push_back(difference_to(face.across, edge[0].across));
     if (!for_closed_joint)
       return functions;
-    const auto lines = its_way.lines_through(
-      face.way,
-      its_way.points(
-        face,
-        maps[f],
-        discretization.reference_element().face(face.face->boundary.number).corner_points));
+    const auto lines = its_way.lines_through(face.way, its_way.corner_points(f));
     std::vector<Vector> at_corner;
     for (std::size_t v = 0; v < lines.size(); ++v)
       {
@@ -121,7 +116,6 @@ namespace fuga
                             const WaterAcross &water,
                             const std::vector<WaterLevels> &levels) const
   {
-    constexpr double inwards   = 1e-9;
     std::vector<double> result = {0., 1.};
     const auto cut             = [&](const double begin, const double end) {
       if (begin * end < 0.)
@@ -129,9 +123,9 @@ namespace fuga
     };
     const double middle = (line.across[0] + line.across[1]) / 2.;
     const auto corners  = [&](const unsigned int end) {
-      return water(line.across[end] + inwards * (middle - line.across[end])).corners();
+      return water(just_inside(line.across[end], middle)).corners();
     };
-    const std::vector<double> first = corners(0), last = corners(1);
+    const std::vector<double> first = corners(0), last = line.is_along_flow() ? first : corners(1);
     if (first.size() == last.size())
       for (std::size_t i = 0; i < first.size(); ++i)
         cut(line.along[0] - first[i], line.along[1] - last[i]);

@@ -166,7 +166,7 @@ namespace fuga
                                    "that it has no upstream end there. Name another upstream end.",
                                    load_title(load),
                                    joints_of(way),
-                                   fmt::join(&flow[0], &flow[0] + dim, ", ")));
+                                   flow_text()));
   }
 
 
@@ -199,6 +199,18 @@ namespace fuga
 
   template <int dim>
   std::vector<PlanPoint>
+  UpliftWay<dim>::corner_points(const std::size_t face) const
+  {
+    std::vector<PlanPoint> result;
+    for (std::size_t v = 0; v < corners[face].size(); ++v)
+      result.push_back(
+        {all_faces[face].along[v], all_faces[face].across[v], corners[face][v][dim - 1]});
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<PlanPoint>
   UpliftWay<dim>::points(const Face &face,
                          const FaceMap<dim> &map,
                          const std::vector<typename FaceMap<dim>::FacePoint> &figure) const
@@ -217,13 +229,12 @@ namespace fuga
   std::vector<WayOfWater>
   UpliftWay<dim>::lines_through(const std::size_t way, const std::vector<PlanPoint> &points) const
   {
-    constexpr double inwards = 1e-9;
-    double middle            = 0.;
+    double middle = 0.;
     for (const PlanPoint &point : points)
       middle += point.across / static_cast<double>(points.size());
     std::vector<WayOfWater> result;
     for (const PlanPoint &point : points)
-      result.push_back(line(way, point.across + inwards * (middle - point.across)));
+      result.push_back(line(way, just_inside(point.across, middle)));
     return result;
   }
 
@@ -236,6 +247,14 @@ namespace fuga
     for (const unsigned int joint : all_ways[way].joints)
       text += fmt::format("{}'{}'", text.empty() ? "" : ", ", mesh.joints[joint].name);
     return text;
+  }
+
+
+  template <int dim>
+  std::string
+  UpliftWay<dim>::flow_text() const
+  {
+    return fmt::format("{}", fmt::join(&flow[0], &flow[0] + dim, ", "));
   }
 
 

@@ -22,20 +22,6 @@ namespace fuga
       return n_corners == 4 ? std::vector<std::size_t>{0, 1, 3, 2}
                             : std::vector<std::size_t>{0, 1, 2};
     }
-
-    /** Return the area vector of a face. */
-    template <int dim>
-    dealii::Tensor<1, dim>
-    area_of(const std::vector<dealii::Point<dim>> &corners)
-    {
-      dealii::Tensor<1, dim> area;
-      const auto turn = corners_in_turn(corners.size());
-      for (std::size_t i = 1; i + 1 < turn.size(); ++i)
-        area += dealii::cross_product_3d(corners[turn[i]] - corners[turn[0]],
-                                         corners[turn[i + 1]] - corners[turn[0]]) /
-                2.;
-      return area;
-    }
   } // namespace
 
 
@@ -83,44 +69,28 @@ namespace fuga
     if constexpr (dim == 3)
       {
         constexpr double upright = 1e-3;
-        const auto facing        = [&](const std::size_t f) {
-          const auto area = area_of(corners[f]);
-          return area * outward[f] >= 0. ? area : -area;
-        };
         dealii::Tensor<1, dim> mean;
         for (const std::size_t f : faces)
-          mean += facing(f);
+          mean += all_faces[f].face->area * outward[f];
         mean -= (mean * flow) * flow;
         if (mean.norm() > 0.)
           mean /= mean.norm();
         for (const std::size_t f : faces)
           {
-            auto area          = facing(f);
-            const double whole = area.norm();
-            area -= (area * flow) * flow;
-            if (area.norm() > same_place * whole && area * mean <= upright * area.norm())
+            const auto beside = outward[f] - (outward[f] * flow) * flow;
+            if (beside.norm() > same_place && beside * mean <= upright * beside.norm())
               throw InputError(fmt::format(
                 "{}: joint '{}' stands upright beside the flow of the water, or turns over, at "
-                "({:g}), so that no line in the direction of flow ({:g}) belongs to it alone. Give "
+                "({:g}), so that no line in the direction of flow ({}) belongs to it alone. Give "
                 "this part a load of its own.",
                 load_title(load),
                 mesh.joints[all_faces[f].face->joint].name,
                 fmt::join(&corners[f][0][0], &corners[f][0][0] + dim, ", "),
-                fmt::join(&flow[0], &flow[0] + dim, ", ")));
+                flow_text()));
           }
         across = dealii::cross_product_3d(mean, flow);
       }
     return across;
-  }
-
-
-  template <int dim>
-  PlanPoint
-  UpliftWay<dim>::plan_point(const std::size_t face, const std::size_t corner) const
-  {
-    return {all_faces[face].along[corner],
-            all_faces[face].across[corner],
-            corners[face][corner][dim - 1]};
   }
 
 
@@ -134,12 +104,12 @@ namespace fuga
     std::map<std::pair<std::size_t, std::size_t>, std::vector<PlanOutline::Edge>> edges;
     for (const std::size_t f : faces)
       {
-        const auto turn = corners_in_turn(corners[f].size());
+        const auto points = corner_points(f);
+        const auto turn   = corners_in_turn(points.size());
         for (std::size_t i = 0; i < turn.size(); ++i)
           {
             const std::size_t v = turn[i], w = turn[(i + 1) % turn.size()];
-            edges[std::minmax(places[f][v], places[f][w])].push_back(
-              {{plan_point(f, v), plan_point(f, w)}});
+            edges[std::minmax(places[f][v], places[f][w])].push_back({{points[v], points[w]}});
           }
       }
     PlanOutline outline;
@@ -158,12 +128,7 @@ namespace fuga
     std::vector<PlanOutline> parts;
     std::vector<double> borders;
     for (const std::size_t f : faces)
-      {
-        std::vector<PlanPoint> points;
-        for (std::size_t v = 0; v < corners[f].size(); ++v)
-          points.push_back(plan_point(f, v));
-        parts.emplace_back(points);
-      }
+      parts.emplace_back(corner_points(f));
     for (const auto &edge : its.outline.edges())
       for (const PlanPoint &point : edge)
         borders.push_back(point.across);
@@ -181,20 +146,19 @@ namespace fuga
               covered += (*inside)[1].along - (*inside)[0].along;
           if (covered < here.length() * (1. - same_place))
             throw InputError(fmt::format(
-              "{}: lines in the direction of flow ({:g}) leave the joints {} and enter them again: "
+              "{}: lines in the direction of flow ({}) leave the joints {} and enter them again: "
               "they run {:g} through them, {:g} from end to end. Divide the joints so that each "
               "load has one upstream end.",
               load_title(load),
-              fmt::join(&flow[0], &flow[0] + dim, ", "),
+              flow_text(),
               joints_of(way),
               covered,
               here.length()));
-          for (const double border : {borders[i], borders[i + 1]})
+          for (const WayOfWater &side :
+               lines_through(way, {{0., borders[i], 0.}, {0., borders[i + 1], 0.}}))
             {
-              constexpr double inwards = 1e-9;
-              const double length      = line(way, border + inwards * (middle - border)).length();
-              its.shortest             = std::min(its.shortest, length);
-              its.longest              = std::max(its.longest, length);
+              its.shortest = std::min(its.shortest, side.length());
+              its.longest  = std::max(its.longest, side.length());
             }
         }
   }

@@ -16,6 +16,15 @@ namespace fuga
     double along = 0., across = 0., height = 0.;
   };
 
+  /** Return a coordinate hardly away from @p at, on the side of @p middle: where lines border on each
+   * other at @p at, it lies on one of them. */
+  inline double
+  just_inside(const double at, const double middle)
+  {
+    constexpr double inwards = 1e-9;
+    return at + inwards * (middle - at);
+  }
+
   /**
    * The outline of a part of a joint in the coordinates along and across the flow of the water. In
    * the plane it is a single edge along the flow.

@@ -80,6 +80,12 @@ namespace fuga
       double along[2] = {}, across[2] = {}, height[2] = {};
       /** Quadrature points for integrands without a corner on the line. */
       std::vector<QuadraturePoint> points = {};
+
+      bool
+      is_along_flow() const
+      {
+        return across[0] == across[1];
+      }
     };
 
     void

@@ -66,6 +66,10 @@ namespace fuga
     WayOfWater
     line(const std::size_t way, const double across) const;
 
+    /** Return the corners of a face. */
+    std::vector<PlanPoint>
+    corner_points(const std::size_t face) const;
+
     /** Return the points of a figure on a face, @p map, with these corners. */
     std::vector<PlanPoint>
     points(const Face &face,
@@ -104,9 +108,6 @@ namespace fuga
     /** Measure the lines, which may not leave the joints between their ends. */
     void
     measure_lines(const std::size_t way, const std::vector<std::size_t> &faces);
-    PlanPoint
-    plan_point(const std::size_t face, const std::size_t corner) const;
-
     void
     require_extent(const std::size_t way, const double extent, const double size) const;
     void
@@ -114,6 +115,9 @@ namespace fuga
 
     std::string
     joints_of(const std::size_t way) const;
+    /** Return the direction of flow for messages. */
+    std::string
+    flow_text() const;
 
     /** Share of the size of a way that counts as no distance. */
     static constexpr double same_place = 1e-6;
